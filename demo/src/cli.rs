@@ -1,0 +1,223 @@
+//! The command line.
+
+use crate::error::CliError;
+pub use crate::values::CameraSpec;
+use crate::values::{Counts, camera, counts, integer, number, overlay, size};
+use bevy_pangaea::io::load_preset;
+use bevy_pangaea::overlay::Overlay;
+use bevy_pangaea::planet::PlanetRecipe;
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+/// Grows planets: plates drift, collide, subduct, rift and make new ocean floor.
+///
+/// Without a command the explorer opens in a window.
+#[derive(Parser, Debug)]
+#[command(name = "pangaea", version, max_term_width = 100, args_conflicts_with_subcommands = true)]
+pub struct Cli {
+    /// Open the explorer for this many frames only
+    #[arg(long, hide = true, value_name = "N", value_parser = |s: &str| integer(s, 1, 1_000_000))]
+    pub frames: Option<u64>,
+    /// Write a picture of the last of those frames
+    #[arg(long, hide = true, value_name = "F.png", requires = "frames")]
+    pub capture: Option<PathBuf>,
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// The commands.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Grow a planet and write it, its maps and its figures into a folder
+    Generate(GenerateArgs),
+    /// Render a picture of the globe
+    Render(RenderArgs),
+    /// Measure how fast this machine grows planets
+    Bench(BenchArgs),
+    /// Print the facts of a planet file
+    Info(InfoArgs),
+}
+
+/// How to grow a planet. An option given here replaces what the preset says.
+#[derive(Args, Debug, Default, Clone)]
+pub struct RecipeArgs {
+    /// Seed of everything random [default: 1]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 0, u64::MAX))]
+    pub seed: Option<u64>,
+    /// Number of samples of the sphere, 100 to 2,000,000 [default: 60000]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 100, 2_000_000))]
+    pub samples: Option<u64>,
+    /// Number of initial plates, 2 to 1000 [default: 40]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 2, 1000))]
+    pub plates: Option<u64>,
+    /// Share of land, 0 to 0.9 [default: 0.3]
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = |s: &str| number(s, 0.0, 0.9))]
+    pub land: Option<f64>,
+    /// Geological time to simulate in My, rounded up to whole steps [default: 250]
+    #[arg(long, value_name = "MY", allow_hyphen_values = true, value_parser = |s: &str| number(s, 0.1, 10_000.0))]
+    pub until: Option<f64>,
+    /// Recipe of the planet, *.planet.ron
+    #[arg(long, value_name = "FILE")]
+    pub preset: Option<PathBuf>,
+    /// Commands to carry out while the planet grows, *.scenario.ron
+    #[arg(long, value_name = "FILE")]
+    pub scenario: Option<PathBuf>,
+    /// Number of threads [default: one per core]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 1, 1024))]
+    pub threads: Option<u64>,
+}
+
+impl RecipeArgs {
+    /// Geological time to simulate in My where `--until` is not given.
+    pub const UNTIL: f64 = 250.0;
+
+    /// The recipe that preset and options make together, checked.
+    ///
+    /// # Errors
+    /// A preset that cannot be read, or a number that is refused.
+    pub fn recipe(&self) -> Result<PlanetRecipe, CliError> {
+        let mut recipe = match &self.preset {
+            Some(path) => load_preset(path)?,
+            None => PlanetRecipe::default(),
+        };
+        if let Some(seed) = self.seed {
+            recipe.seed = seed;
+        }
+        if let Some(samples) = self.samples {
+            recipe.samples = samples as u32;
+        }
+        if let Some(plates) = self.plates {
+            if !recipe.plates.is_empty() {
+                return Err(CliError::input("--plates cannot be used with a preset that lists its plates"));
+            }
+            recipe.plate_count = plates as u32;
+        }
+        if let Some(land) = self.land {
+            if !recipe.continents.is_empty() {
+                return Err(CliError::input("--land cannot be used with a preset that lists its continents"));
+            }
+            recipe.land = land;
+        }
+        recipe.validate()?;
+        Ok(recipe)
+    }
+
+    /// Geological time to simulate in My.
+    pub fn until(&self) -> f64 {
+        self.until.unwrap_or(Self::UNTIL)
+    }
+}
+
+/// Options of `generate`.
+#[derive(Args, Debug)]
+pub struct GenerateArgs {
+    /// How to grow the planet.
+    #[command(flatten)]
+    pub recipe: RecipeArgs,
+    /// Folder for the files; it is made if it does not exist
+    #[arg(long, value_name = "DIR", default_value = "pangaea-out")]
+    pub out: PathBuf,
+}
+
+/// Options of `render`.
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    /// A planet file; without one a planet is grown by the options below
+    #[arg(
+        value_name = "PLANET.pangaea",
+        conflicts_with_all = ["seed", "samples", "plates", "land", "until", "preset", "scenario"]
+    )]
+    pub planet: Option<PathBuf>,
+    /// How to grow the planet.
+    #[command(flatten)]
+    pub recipe: RecipeArgs,
+    /// Where the camera stands and looks: degrees, degrees, metres above the sea; heading and pitch in degrees
+    ///
+    /// Without heading and pitch it looks straight down, north up. Heading 90 is east, pitch 0 the
+    /// horizon, pitch -90 straight down.
+    #[arg(
+        long,
+        value_name = "LAT,LON,ALTITUDE_M[,HEADING,PITCH]",
+        default_value = "20,0,20000000",
+        allow_hyphen_values = true,
+        value_parser = camera
+    )]
+    pub camera: CameraSpec,
+    /// Overlay: elevation, plates, crust_type, ocean_age, thickness, orogeny_type, orogeny_age, fold_direction,
+    /// ridge_direction, velocity, slope, laplacian, vector_noise or mesh
+    #[arg(long, value_name = "NAME", default_value = "elevation", value_parser = overlay)]
+    pub overlay: Overlay,
+    /// Size of the picture in pixels, each side 16 to 8192
+    #[arg(long, value_name = "WxH", default_value = "1280x720", allow_hyphen_values = true, value_parser = size)]
+    pub size: (u32, u32),
+    /// The picture, a PNG file
+    #[arg(long, value_name = "F.png")]
+    pub out: PathBuf,
+}
+
+/// Options of `bench`.
+#[derive(Args, Debug)]
+pub struct BenchArgs {
+    /// Numbers of samples, separated by commas
+    #[arg(
+        long,
+        value_name = "N,N,..",
+        default_value = "60000,100000,250000,500000",
+        allow_hyphen_values = true,
+        value_parser = counts
+    )]
+    pub samples: Counts,
+    /// Write the timings to a JSON file, too
+    #[arg(long, value_name = "F")]
+    pub json: Option<PathBuf>,
+    /// Number of threads [default: one per core]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 1, 1024))]
+    pub threads: Option<u64>,
+}
+
+/// Options of `info`.
+#[derive(Args, Debug)]
+pub struct InfoArgs {
+    /// A planet file, *.pangaea
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn negative_coordinates_are_accepted() {
+        for line in [["--camera=-33,-70,1e6", "--out=a.png"], ["--out=a.png", "--camera=-33,-70,1e6"]] {
+            assert!(Cli::try_parse_from(["pangaea", "render"].into_iter().chain(line)).is_ok());
+        }
+        let line = ["pangaea", "render", "--camera", "-33,-70,1000000,90,-10", "--out", "a.png"];
+        let Some(Command::Render(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
+        assert_eq!((args.camera.lat, args.camera.lon), (-33.0, -70.0));
+    }
+
+    #[test]
+    fn the_help_names_every_overlay_and_the_true_defaults() {
+        let mut help = Cli::command();
+        let render = help.find_subcommand_mut("render").unwrap().render_long_help().to_string();
+        assert!(Overlay::ALL.iter().all(|overlay| render.contains(overlay.name())), "{render}");
+        let recipe = PlanetRecipe::default();
+        for text in [
+            format!("[default: {}]", recipe.seed),
+            format!("[default: {}]", recipe.samples),
+            format!("[default: {}]", recipe.plate_count),
+            format!("[default: {}]", recipe.land),
+            format!("[default: {}]", RecipeArgs::UNTIL),
+        ] {
+            assert!(render.contains(&text), "{text}");
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Why a command fails, as one line on stderr and an exit code.
+
+use crate::picture::PictureError;
+use bevy_pangaea::io::IoError;
+use bevy_pangaea::planet::PlanetError;
+use std::fmt::Display;
+use std::process::ExitCode;
+use thiserror::Error;
+
+/// Why a command fails.
+#[derive(Debug, Error)]
+pub enum CliError {
+    /// What the user gave is refused: a number, a name, a file, a folder. Exit code 2.
+    #[error("{0}")]
+    Input(String),
+    /// The machine lacks something that the command needs, such as a GPU adapter. Exit code 1.
+    #[error("{0}")]
+    Failed(String),
+}
+
+impl CliError {
+    /// Bad input, in the words of `problem`.
+    pub fn input(problem: impl Display) -> Self {
+        Self::Input(problem.to_string())
+    }
+
+    /// The exit code of the program.
+    pub fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Input(_) => ExitCode::from(2),
+            Self::Failed(_) => ExitCode::from(1),
+        }
+    }
+}
+
+impl From<IoError> for CliError {
+    fn from(error: IoError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<PlanetError> for CliError {
+    fn from(error: PlanetError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<PictureError> for CliError {
+    fn from(error: PictureError) -> Self {
+        match error {
+            PictureError::Io(error) => error.into(),
+            other => Self::Failed(other.to_string()),
+        }
+    }
+}

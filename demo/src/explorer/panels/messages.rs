@@ -1,0 +1,61 @@
+//! The log of what happened, and the strip over the globe.
+
+use crate::explorer::messages::{Entry, Messages, Tone};
+use crate::explorer::style::{BRIGHT, ERROR, FAINT, TEXT, floating_frame, hint};
+use bevy_egui::egui::{Align2, Area, Color32, Context, Id, Label, Order, Rect, RichText, ScrollArea, Stroke, Ui, vec2};
+
+/// Draws the log.
+pub fn show(ui: &mut Ui, messages: &mut Messages) {
+    if messages.entries().next().is_none() {
+        hint(ui, "Collisions, rifts and errors will be listed here.");
+        return;
+    }
+    ScrollArea::vertical().max_height(190.0).auto_shrink([false, true]).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 3.0;
+        for entry in messages.entries() {
+            line(ui, entry);
+        }
+    });
+    if ui.small_button("Clear").clicked() {
+        messages.clear();
+    }
+}
+
+fn line(ui: &mut Ui, entry: &Entry) {
+    let time = entry.time.map_or(String::new(), |time| format!("{time:.0} My  "));
+    let times = if entry.times > 1 { format!("  ×{}", entry.times) } else { String::new() };
+    let text = RichText::new(format!("{time}{}{times}", entry.text)).size(11.0);
+    ui.add(Label::new(text.color(color(entry.tone))).wrap());
+}
+
+fn color(tone: Tone) -> Color32 {
+    match tone {
+        Tone::Event => FAINT,
+        Tone::Note => TEXT,
+        Tone::Error => ERROR,
+    }
+}
+
+/// Draws what was said lately at the upper edge of the free area.
+pub fn strip(ctx: &Context, free: Rect, messages: &Messages) {
+    if messages.strip().next().is_none() {
+        return;
+    }
+    Area::new(Id::new("strip"))
+        .order(Order::Foreground)
+        .interactable(false)
+        .pivot(Align2::CENTER_TOP)
+        .fixed_pos(free.center_top() + vec2(0.0, 12.0))
+        .show(ctx, |ui| {
+            ui.set_max_width(free.width() - 60.0);
+            for entry in messages.strip() {
+                let error = entry.tone == Tone::Error;
+                let frame = floating_frame();
+                let frame = if error { frame.stroke(Stroke::new(1.0, ERROR)) } else { frame };
+                frame.show(ui, |ui| {
+                    let color = if error { ERROR } else { BRIGHT };
+                    ui.add(Label::new(RichText::new(&entry.text).color(color)).wrap());
+                });
+            }
+        });
+}

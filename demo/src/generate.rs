@@ -1,0 +1,90 @@
+//! `pangaea generate`: grows a planet and writes it, its maps and its figures.
+
+use crate::cli::GenerateArgs;
+use crate::error::CliError;
+use crate::headless::{Headless, scenario, set_threads, sprout, steps_until};
+use crate::output::{Files, say};
+use crate::progress;
+use bevy_pangaea::crust::{Crust, Surface};
+use bevy_pangaea::io::{Stats, Timings, digest, floor, png, save};
+use bevy_pangaea::overlay::{MapProjection, Overlay};
+use bevy_pangaea::schedule::StageTimings;
+use std::time::Instant;
+
+/// Size of the maps in pixels.
+const MAP: (u32, u32) = (2048, 1024);
+
+/// Runs the command.
+pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
+    set_threads(args.recipe.threads)?;
+    let recipe = args.recipe.recipe()?;
+    let scenario = scenario(&args.recipe)?;
+    let mut files = Files::new(&args.out)?;
+    let start = Instant::now();
+    let (state, mesh_ms) = sprout(&recipe)?;
+    let mut headless = Headless::new(state);
+    headless.play(scenario);
+    let steps = steps_until(args.recipe.until(), recipe.params.time_step);
+    let bar = progress::bar(steps, &format!("growing {} samples", recipe.samples));
+    headless.run(steps, |step| bar.set_position(step))?;
+    let total = start.elapsed().as_secs_f64() * 1e3;
+    bar.finish_and_clear();
+    headless.look();
+
+    let timings = Timings {
+        mesh: Some(mesh_ms),
+        total: Some(total),
+        floor: Some(floor(headless.get::<Crust>()?)),
+        ..Timings::of_stages(headless.get::<StageTimings>()?)
+    };
+    let hash = add_planet(&headless, &mut files)?;
+    let bar = progress::bar(Overlay::ALL.len() as u64, "drawing maps");
+    add_maps(&headless, &mut files, |drawn| bar.set_position(drawn))?;
+    bar.finish_and_clear();
+    files.add("stats.json", figures(&headless, hash, timings)?);
+    let count = files.write()?;
+    say(&format!("{count} files in {}", args.out.display()));
+    Ok(())
+}
+
+/// Adds the save file and returns the digest.
+fn add_planet(headless: &Headless, files: &mut Files) -> Result<String, CliError> {
+    let state = headless.state()?;
+    let mut bytes = Vec::new();
+    save::write_to(&state, &mut bytes).map_err(CliError::input)?;
+    files.add("planet.pangaea", bytes);
+    Ok(digest(&state))
+}
+
+/// Adds the elevation in 16 bits and a colour map of every overlay.
+fn add_maps(headless: &Headless, files: &mut Files, mut drawn: impl FnMut(u64)) -> Result<(), CliError> {
+    let plates = headless.plates();
+    let input = headless.overlay_input(&plates)?;
+    let surface = headless.get::<Surface>()?;
+    let broken = |error| CliError::Failed(format!("cannot encode a map: {error}"));
+    let map = MapProjection::new(input.mesh, MAP.0, MAP.1);
+    let elevation = map.elevation(surface);
+    files.add("elevation.png", png::elevation_png(map.width(), &elevation).map_err(broken)?);
+    for (count, overlay) in Overlay::ALL.into_iter().enumerate() {
+        let picture = png::rgb_png(&map.draw(overlay, &input)).map_err(broken)?;
+        files.add(map_name(overlay), picture);
+        drawn(count as u64 + 1);
+    }
+    Ok(())
+}
+
+/// The file name of an overlay's colour map; `elevation.png` is the grey one.
+fn map_name(overlay: Overlay) -> String {
+    match overlay {
+        Overlay::Elevation => "elevation_color.png".into(),
+        other => format!("{}.png", other.name()),
+    }
+}
+
+fn figures(headless: &Headless, digest: String, timings: Timings) -> Result<Vec<u8>, CliError> {
+    let input = headless.stats_input(headless.plates().rows().len())?;
+    let stats = Stats::new(&input, digest, timings);
+    let mut json = serde_json::to_string_pretty(&stats).map_err(|error| CliError::Failed(error.to_string()))?;
+    json.push('\n');
+    Ok(json.into_bytes())
+}

@@ -1,0 +1,205 @@
+//! Planets without a window: an app that has the simulation and nothing else.
+
+use crate::cli::RecipeArgs;
+use crate::error::CliError;
+use crate::progress;
+use bevy::prelude::*;
+use bevy_pangaea::PangaeaPlugins;
+use bevy_pangaea::authoring::Scenario;
+use bevy_pangaea::crust::{Ledger, Surface};
+use bevy_pangaea::events::CommandRejected;
+use bevy_pangaea::io::stats::StatsInput;
+use bevy_pangaea::io::{capture, load, load_scenario};
+use bevy_pangaea::overlay::OverlayInput;
+use bevy_pangaea::params::TectonicParams;
+use bevy_pangaea::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
+use bevy_pangaea::plate::PlateTable;
+use bevy_pangaea::process::plate_table;
+use bevy_pangaea::resample::project_now;
+use bevy_pangaea::schedule::run_steps;
+use bevy_pangaea::spawn::PlanetState;
+use bevy_pangaea::sphere::SphereMesh;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// An app with one planet.
+pub struct Headless {
+    /// The app.
+    pub app: App,
+    /// The planet's entity.
+    pub planet: Entity,
+}
+
+/// The first command that a planet refused.
+#[derive(Resource, Default)]
+struct Refused(Option<String>);
+
+impl Headless {
+    /// Puts a planet into an app of its own.
+    pub fn new(state: PlanetState) -> Self {
+        let mut app = App::new();
+        app.add_plugins((TaskPoolPlugin::default(), bevy::time::TimePlugin, PangaeaPlugins));
+        app.init_resource::<Refused>();
+        app.add_observer(|rejected: On<CommandRejected>, mut refused: ResMut<Refused>| {
+            refused.0.get_or_insert_with(|| rejected.error.to_string());
+        });
+        app.finish();
+        app.cleanup();
+        let planet = state.spawn(app.world_mut());
+        Self { app, planet }
+    }
+
+    /// Plays a scenario from now on.
+    pub fn play(&mut self, scenario: Option<Scenario>) {
+        if let Some(scenario) = scenario {
+            self.app.world_mut().entity_mut(self.planet).insert(scenario);
+        }
+    }
+
+    /// Renews the surface that maps and figures read.
+    pub fn look(&mut self) {
+        project_now(self.app.world_mut(), self.planet);
+    }
+
+    /// Takes `count` steps; `seen` hears of each.
+    ///
+    /// # Errors
+    /// The first command of the scenario that the planet refuses.
+    pub fn run(&mut self, count: u64, mut seen: impl FnMut(u64)) -> Result<(), CliError> {
+        for step in 0..count {
+            run_steps(self.app.world_mut(), self.planet, 1);
+            if let Some(problem) = self.app.world_mut().resource_mut::<Refused>().0.take() {
+                return Err(CliError::input(format!("a command at step {step} is refused: {problem}")));
+            }
+            seen(step + 1);
+        }
+        Ok(())
+    }
+
+    /// A component of the planet; every planet has those that are asked for here.
+    pub fn get<T: Component>(&self) -> Result<&T, CliError> {
+        let missing = || CliError::Failed(format!("the planet lost its {}", core::any::type_name::<T>()));
+        self.app.world().get::<T>(self.planet).ok_or_else(missing)
+    }
+
+    /// The state of the planet.
+    pub fn state(&self) -> Result<PlanetState, CliError> {
+        let torn = || CliError::Failed("the planet is in the middle of a step".into());
+        capture(self.app.world(), self.planet).ok_or_else(torn)
+    }
+
+    /// The plates, ordered by number.
+    pub fn plates(&self) -> PlateTable {
+        plate_table(self.app.world(), self.planet)
+    }
+
+    /// What overlays look at.
+    pub fn overlay_input<'a>(&'a self, plates: &'a PlateTable) -> Result<OverlayInput<'a>, CliError> {
+        Ok(OverlayInput {
+            planet: self.get::<Planet>()?,
+            mesh: &self.get::<Lattice>()?.0,
+            surface: self.get::<Surface>()?,
+            plates,
+            params: self.get::<TectonicParams>()?,
+        })
+    }
+
+    /// What figures are computed from.
+    pub fn stats_input(&self, plates: usize) -> Result<StatsInput<'_>, CliError> {
+        Ok(StatsInput {
+            mesh: &self.get::<Lattice>()?.0,
+            surface: self.get::<Surface>()?,
+            clock: self.get::<GeologicClock>()?,
+            ledger: self.get::<Ledger>()?,
+            radius: self.get::<Planet>()?.radius,
+            plates,
+        })
+    }
+}
+
+/// A planet at time 0, and how long its mesh took in ms.
+pub fn sprout(recipe: &PlanetRecipe) -> Result<(PlanetState, f64), CliError> {
+    recipe.validate()?;
+    let start = Instant::now();
+    let mesh = SphereMesh::fibonacci(recipe.samples).map_err(CliError::input)?;
+    let mesh_ms = start.elapsed().as_secs_f64() * 1e3;
+    Ok((PlanetState::on(recipe, Arc::new(mesh))?, mesh_ms))
+}
+
+/// Steps that reach `until` My, rounded up to whole ones.
+pub fn steps_until(until: f64, time_step: f64) -> u64 {
+    // A hair less, so that 0.3 / 0.1 is three steps.
+    (until / time_step - 1e-9).ceil().max(1.0) as u64
+}
+
+/// The scenario of `--scenario`, if it is given.
+pub fn scenario(args: &RecipeArgs) -> Result<Option<Scenario>, CliError> {
+    Ok(args.scenario.as_deref().map(load_scenario).transpose()?)
+}
+
+/// A planet, and what is still to come of it.
+pub struct Seedling {
+    state: PlanetState,
+    scenario: Option<Scenario>,
+    steps: u64,
+}
+
+impl Seedling {
+    /// The planet in a file, which stays as it is, or the one that the options describe.
+    ///
+    /// # Errors
+    /// If the file, or what the options say, is refused.
+    pub fn new(file: Option<&Path>, args: &RecipeArgs) -> Result<Self, CliError> {
+        set_threads(args.threads)?;
+        if let Some(path) = file {
+            return Ok(Self { state: load(path)?, scenario: None, steps: 0 });
+        }
+        let recipe = args.recipe()?;
+        let scenario = scenario(args)?;
+        let steps = steps_until(args.until(), recipe.params.time_step);
+        Ok(Self { state: sprout(&recipe)?.0, scenario, steps })
+    }
+
+    /// Radius in km.
+    pub fn radius(&self) -> f64 {
+        self.state.planet.radius
+    }
+
+    /// Grows it, with a progress bar.
+    ///
+    /// # Errors
+    /// If a command of the scenario is refused.
+    pub fn grow(self) -> Result<PlanetState, CliError> {
+        if self.steps == 0 {
+            return Ok(self.state);
+        }
+        let what = format!("growing {} samples", self.state.lattice.len());
+        let mut headless = Headless::new(self.state);
+        headless.play(self.scenario);
+        let bar = progress::bar(self.steps, &what);
+        headless.run(self.steps, |step| bar.set_position(step))?;
+        bar.finish_and_clear();
+        headless.state()
+    }
+}
+
+/// Sets the number of threads of all parallel loops.
+pub fn set_threads(threads: Option<u64>) -> Result<(), CliError> {
+    let Some(threads) = threads else { return Ok(()) };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads as usize);
+    pool.build_global().map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_rounded_up_to_whole_steps() {
+        assert_eq!(steps_until(250.0, 2.0), 125);
+        assert_eq!(steps_until(251.0, 2.0), 126);
+        assert_eq!(steps_until(0.3, 0.1), 3);
+        assert_eq!(steps_until(0.1, 5.0), 1);
+    }
+}

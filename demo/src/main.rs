@@ -1,0 +1,64 @@
+//! `pangaea`: the explorer, and headless commands that grow, draw and measure planets.
+
+mod cli;
+mod error;
+mod values;
+
+mod headless;
+mod output;
+mod progress;
+
+mod bench;
+mod generate;
+mod info;
+
+mod offscreen;
+mod picture;
+
+mod explorer;
+
+use clap::{Parser, error::ErrorKind};
+use cli::{Cli, Command};
+use error::CliError;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return refuse(&error),
+    };
+    let result = match &cli.command {
+        None => explore(&cli),
+        Some(Command::Generate(args)) => generate::generate(args),
+        Some(Command::Render(args)) => picture::render(args),
+        Some(Command::Bench(args)) => bench::bench(args),
+        Some(Command::Info(args)) => info::info(args),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => fail(&error),
+    }
+}
+
+fn explore(cli: &Cli) -> Result<(), CliError> {
+    let frames = cli.frames.map(|frames| frames as u32);
+    let options = explorer::Options { frames, capture: cli.capture.clone(), ..Default::default() };
+    explorer::run(options).map_err(CliError::Failed)
+}
+
+fn fail(error: &CliError) -> ExitCode {
+    output::say(&format!("error: {error}"));
+    error.exit_code()
+}
+
+/// Help and version go to stdout; anything else is one line on stderr.
+fn refuse(error: &clap::Error) -> ExitCode {
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        return output::print(&error.render().to_string()).map_or_else(|error| fail(&error), |()| ExitCode::SUCCESS);
+    }
+    let text = error.render().to_string();
+    // The first paragraph is the problem; usage and hints follow.
+    let problem: Vec<&str> = text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
+    output::say(&problem.join(" "));
+    ExitCode::from(2)
+}

@@ -1,0 +1,178 @@
+//! Pictures without a window: one app, one camera, one image in memory.
+//!
+//! Frames are run by hand until the globe shows the planet as it is; then the image is read back.
+
+use bevy::app::PluginsState;
+use bevy::core_pipeline::tonemapping::Tonemapping;
+use bevy::image::Image;
+use bevy::log::{Level, LogPlugin};
+use bevy::prelude::*;
+use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
+use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
+use bevy::render::renderer::RenderDevice;
+use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
+use bevy::render::{RenderApp, RenderPlugin};
+use bevy::camera::RenderTarget;
+use bevy::window::ExitCondition;
+use bevy::winit::WinitPlugin;
+use bevy_pangaea::crust::Surface;
+use bevy_pangaea::overlay::Raster;
+use bevy_pangaea::render::adapter::{NoAdapter, open_adapter};
+use bevy_pangaea::render::{Globe, GlobeDrawn, PangaeaRenderPlugin};
+use bevy_pangaea::spawn::PlanetState;
+use std::time::{Duration, Instant};
+use thiserror::Error;
+
+/// Vertical field of view in radians.
+pub const FIELD_OF_VIEW: f32 = 0.7;
+
+/// Frames that run before the image is read: meshes and pipelines are made in the first ones.
+const WARM_UP: usize = 4;
+
+/// Longest wait for a picture; two million samples on one core of a slow machine need a fraction of it.
+const PATIENCE: Duration = Duration::from_secs(240);
+
+/// Why there is no picture.
+#[derive(Debug, Error)]
+pub enum OffscreenError {
+    /// There is nothing to draw with.
+    #[error(transparent)]
+    NoAdapter(#[from] NoAdapter),
+    /// The size is refused.
+    #[error("a picture of {0}x{1} pixels is outside of 16x16..=8192x8192")]
+    Size(u32, u32),
+    /// The renderer stopped.
+    #[error("the renderer stopped: {0}")]
+    Renderer(String),
+}
+
+/// An app that draws one planet into an image.
+pub struct Offscreen {
+    app: App,
+    camera: Entity,
+    target: Handle<Image>,
+    planet: Option<Entity>,
+}
+
+/// The image that was read back.
+#[derive(Resource, Default)]
+struct Captured(Option<Image>);
+
+impl Offscreen {
+    /// An app with an image of `width` by `height` pixels.
+    ///
+    /// # Errors
+    /// [`OffscreenError::NoAdapter`] names the reason and the cure; [`OffscreenError::Size`].
+    pub fn new((width, height): (u32, u32)) -> Result<Self, OffscreenError> {
+        let fits = 16..=8192;
+        if !(fits.contains(&width) && fits.contains(&height)) {
+            return Err(OffscreenError::Size(width, height));
+        }
+        let renderer = RenderPlugin {
+            render_creation: open_adapter()?,
+            synchronous_pipeline_compilation: true,
+            ..default()
+        };
+        let window =
+            WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() };
+        let log = LogPlugin { level: Level::ERROR, filter: "error".into(), ..default() };
+        let mut app = App::new();
+        app.add_plugins(
+            DefaultPlugins
+                .set(window)
+                .set(renderer)
+                .set(log)
+                .disable::<WinitPlugin>()
+                .disable::<PipelinedRenderingPlugin>(),
+        )
+        .add_plugins(PangaeaRenderPlugin)
+        .init_resource::<Captured>()
+        .insert_resource(ClearColor(Color::srgb_u8(3, 4, 8)));
+        while app.plugins_state() == PluginsState::Adding {
+            bevy::tasks::tick_global_task_pools_on_main_thread();
+        }
+        app.finish();
+        app.cleanup();
+        let mut image = Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
+        image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
+        let target = app.world_mut().resource_mut::<Assets<Image>>().add(image);
+        let camera = (Camera3d::default(), Tonemapping::None, RenderTarget::Image(target.clone().into()));
+        let camera = app.world_mut().spawn(camera).id();
+        Ok(Self { app, camera, target, planet: None })
+    }
+
+    /// Draws this planet from now on.
+    pub fn show(&mut self, state: PlanetState) {
+        let world = self.app.world_mut();
+        if let Some(old) = self.planet.take() {
+            world.despawn(old);
+        }
+        self.planet = Some(state.spawn(world));
+    }
+
+    /// The planet as the camera at `view` sees it.
+    ///
+    /// # Errors
+    /// [`OffscreenError::Renderer`] if the renderer stopped, or did not answer in minutes.
+    pub fn picture(&mut self, view: Transform, globe: Globe) -> Result<Raster, OffscreenError> {
+        let Some(planet) = self.planet else {
+            return Err(OffscreenError::Renderer("there is no planet".into()));
+        };
+        let near = 0.05 * (view.translation.length() - 1.0).max(1e-5);
+        let projection = PerspectiveProjection { fov: FIELD_OF_VIEW, near: near.min(0.1), ..default() };
+        let world = self.app.world_mut();
+        world.entity_mut(self.camera).insert((view, Projection::Perspective(projection)));
+        world.entity_mut(planet).insert(globe.clone());
+        let deadline = Instant::now() + PATIENCE;
+        self.run_until(deadline, |world| {
+            let version = world.get::<Surface>(planet).map(|surface| surface.version);
+            let drawn = world.get::<GlobeDrawn>(planet);
+            drawn.is_some_and(|d| Some(d.version) == version && d.overlay == globe.overlay)
+        })?;
+        for _ in 0..WARM_UP {
+            self.frame()?;
+        }
+        self.app
+            .world_mut()
+            .spawn(Screenshot::image(self.target.clone()))
+            .observe(|shot: On<ScreenshotCaptured>, mut captured: ResMut<Captured>| {
+                captured.0 = Some(shot.image.clone());
+            });
+        self.run_until(deadline, |world| world.resource::<Captured>().0.is_some())?;
+        let image = self.app.world_mut().resource_mut::<Captured>().0.take();
+        image.and_then(raster).ok_or_else(|| OffscreenError::Renderer("the image is empty".into()))
+    }
+
+    fn run_until(&mut self, deadline: Instant, done: impl Fn(&World) -> bool) -> Result<(), OffscreenError> {
+        while !done(self.app.world()) {
+            if Instant::now() > deadline {
+                return Err(OffscreenError::Renderer("it did not answer".into()));
+            }
+            self.frame()?;
+        }
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Result<(), OffscreenError> {
+        self.app.update();
+        if let Some(exit) = self.app.should_exit() {
+            return Err(OffscreenError::Renderer(format!("{exit:?}")));
+        }
+        if let Some(render) = self.app.get_sub_app(RenderApp)
+            && let Some(device) = render.world().get_resource::<RenderDevice>()
+        {
+            device
+                .poll(PollType::wait_indefinitely())
+                .map_err(|error| OffscreenError::Renderer(error.to_string()))?;
+        }
+        Ok(())
+    }
+}
+
+/// The colours of an image without its opacity.
+fn raster(image: Image) -> Option<Raster> {
+    let (width, height) = (image.width(), image.height());
+    let rgba = image.data?;
+    let rgb: Vec<u8> = rgba.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+    (rgb.len() == 3 * width as usize * height as usize).then_some(Raster { width, height, rgb })
+}

@@ -1,0 +1,127 @@
+//! Files that a command writes, all or none, and text on stdout.
+
+use crate::error::CliError;
+use bevy_pangaea::io::write_atomically;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Files for one folder, kept in memory until all are there.
+pub struct Files {
+    folder: PathBuf,
+    made: bool,
+    files: Vec<(String, Vec<u8>)>,
+}
+
+impl Files {
+    /// Makes the folder where it is missing, and tries whether it can be written to.
+    ///
+    /// # Errors
+    /// If not.
+    pub fn new(folder: &Path) -> Result<Self, CliError> {
+        let refused = |error: io::Error| CliError::input(format!("cannot write to {}: {error}", folder.display()));
+        let made = !folder.exists();
+        fs::create_dir_all(folder).map_err(refused)?;
+        let files = Self { folder: folder.to_path_buf(), made, files: Vec::new() };
+        let probe = folder.join(format!(".pangaea.{}.part", std::process::id()));
+        let probed = fs::write(&probe, [0; 4096]);
+        let _ = fs::remove_file(&probe);
+        probed.map_err(refused)?;
+        Ok(files)
+    }
+
+    /// Adds a file.
+    pub fn add(&mut self, name: impl Into<String>, content: Vec<u8>) {
+        self.files.push((name.into(), content));
+    }
+
+    /// Writes all files. They are written under hidden names first and renamed when the last one is complete.
+    ///
+    /// # Errors
+    /// If one cannot be written; no file is changed then.
+    pub fn write(mut self) -> Result<usize, CliError> {
+        let files = core::mem::take(&mut self.files);
+        let hidden = |name: &str| self.folder.join(format!(".{name}.{}.part", std::process::id()));
+        let write = || -> Result<(), CliError> {
+            for (name, content) in &files {
+                write_plain(&hidden(name), content)?;
+            }
+            for (name, _) in &files {
+                let target = self.folder.join(name);
+                fs::rename(hidden(name), &target)
+                    .map_err(|error| CliError::input(format!("cannot write {}: {error}", target.display())))?;
+            }
+            Ok(())
+        };
+        let result = write();
+        if result.is_err() {
+            for (name, _) in &files {
+                let _ = fs::remove_file(hidden(name));
+            }
+        } else {
+            self.made = false;
+        }
+        result.map(|()| files.len())
+    }
+}
+
+impl Drop for Files {
+    /// A folder that was made for files that never came goes again.
+    fn drop(&mut self) {
+        if self.made {
+            let _ = fs::remove_dir(&self.folder);
+        }
+    }
+}
+
+fn write_plain(path: &Path, content: &[u8]) -> Result<(), CliError> {
+    let write = || -> io::Result<()> {
+        let mut file = fs::File::create(path)?;
+        file.write_all(content)?;
+        file.sync_all()
+    };
+    write().map_err(|error| CliError::input(format!("cannot write {}: {error}", path.display())))
+}
+
+/// Refuses a path at which no file can be, before minutes are spent on its content.
+///
+/// # Errors
+/// If it is a folder, or lies in none.
+pub fn check_file(path: &Path) -> Result<(), CliError> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let problem = if path.is_dir() {
+        "it is a folder"
+    } else if folder.is_some_and(|folder| !folder.is_dir()) {
+        "its folder does not exist"
+    } else {
+        return Ok(());
+    };
+    Err(CliError::input(format!("cannot write {}: {problem}", path.display())))
+}
+
+/// Writes one file, whole or not at all.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_file(path: &Path, content: &[u8]) -> Result<(), CliError> {
+    Ok(write_atomically(path, |out| out.write_all(content))?)
+}
+
+/// Prints to stdout. A reader that has gone away is no error.
+///
+/// # Errors
+/// If stdout cannot take the text, as on a full disk.
+pub fn print(text: &str) -> Result<(), CliError> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(CliError::input(format!("cannot write to stdout: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Says something on stderr; whether anyone hears it does not matter.
+pub fn say(text: &str) {
+    let _ = writeln!(io::stderr(), "{text}");
+}

@@ -1,0 +1,156 @@
+//! `pangaea render`: the globe as a PNG file, and the eight orbit views of a machine without a display.
+
+use crate::cli::{CameraSpec, RenderArgs};
+use crate::error::CliError;
+use crate::headless::Seedling;
+use crate::offscreen::{Offscreen, OffscreenError};
+use crate::output::check_file;
+use bevy::math::DVec3;
+use bevy::prelude::*;
+use bevy_pangaea::io::{self, IoError};
+use bevy_pangaea::math;
+use bevy_pangaea::overlay::{Overlay, Raster};
+use bevy_pangaea::render::{Globe, to_bevy};
+use bevy_pangaea::spawn::PlanetState;
+use std::fs;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Why a picture was not written.
+#[derive(Debug, Error)]
+pub enum PictureError {
+    /// It could not be drawn.
+    #[error(transparent)]
+    Offscreen(#[from] OffscreenError),
+    /// A file could not be read or written.
+    #[error(transparent)]
+    Io(#[from] IoError),
+    /// The picture could not be encoded.
+    #[error("cannot encode the picture: {0}")]
+    Encode(String),
+}
+
+/// Where the eight orbit views are taken from: from four sides, in both hemispheres.
+const ORBIT: [(&str, f64, f64); 8] = [
+    ("orbit-1", 12.0, 0.0),
+    ("orbit-2", -14.0, 45.0),
+    ("orbit-3", 20.0, 90.0),
+    ("orbit-4", -20.0, 135.0),
+    ("orbit-5", 14.0, 180.0),
+    ("orbit-6", -12.0, -135.0),
+    ("orbit-7-north", 78.0, -90.0),
+    ("orbit-8-south", -78.0, -45.0),
+];
+
+/// Height of the orbit in planet radii.
+const ORBIT_ALTITUDE: f64 = 2.1;
+
+/// Size of the orbit views in pixels.
+const ORBIT_SIZE: (u32, u32) = (1280, 720);
+
+/// Draws what `pangaea render` was asked for, and writes it.
+///
+/// # Errors
+/// [`CliError`]; nothing is written then.
+pub fn render(args: &RenderArgs) -> Result<(), CliError> {
+    let seedling = Seedling::new(args.planet.as_deref(), &args.recipe)?;
+    check_file(&args.out)?;
+    let view = view(&args.camera, seedling.radius());
+    let globe = Globe { overlay: args.overlay, sun: sun(&view), ..default() };
+    let mut studio = Offscreen::new(args.size).map_err(PictureError::from)?;
+    studio.show(seedling.grow()?);
+    let picture = studio.picture(view, globe).map_err(PictureError::from)?;
+    Ok(write_png(&picture, &args.out)?)
+}
+
+/// Draws a planet from eight sides into `dir`, and returns the files.
+///
+/// # Errors
+/// [`PictureError`]; files of the views before the failure stay.
+pub fn eight_orbit_views(planet: PlanetState, dir: &Path) -> Result<Vec<PathBuf>, PictureError> {
+    fs::create_dir_all(dir).map_err(|source| IoError::Write { path: dir.to_path_buf(), source })?;
+    let radius = planet.planet.radius;
+    let mut studio = Offscreen::new(ORBIT_SIZE)?;
+    studio.show(planet);
+    let mut files = Vec::new();
+    for (name, lat, lon) in ORBIT {
+        let altitude_m = ORBIT_ALTITUDE * radius * 1000.0;
+        let view = view(&CameraSpec { lat, lon, altitude_m, heading: 0.0, pitch: -90.0 }, radius);
+        let globe = Globe { overlay: Overlay::Elevation, sun: sun(&view), ..default() };
+        let path = dir.join(format!("{name}.png"));
+        write_png(&studio.picture(view, globe)?, &path)?;
+        files.push(path);
+    }
+    Ok(files)
+}
+
+/// Where the camera stands and looks on a planet of `radius` km.
+///
+/// Heading is clockwise from north, pitch above the horizon; -90 looks straight down, with the heading up.
+fn view(camera: &CameraSpec, radius: f64) -> Transform {
+    let up = math::direction(camera.lat, camera.lon);
+    let east = math::direction(0.0, camera.lon + 90.0);
+    let north = up.cross(east);
+    let (sin, cos) = math::sin_cos(camera.heading.to_radians());
+    let ahead = north * cos + east * sin;
+    let right = east * cos - north * sin;
+    let (sin, cos) = math::sin_cos(camera.pitch.to_radians());
+    let forward = ahead * cos + up * sin;
+    let top = right.cross(forward);
+    let axes = Mat3::from_cols(to_bevy(right), to_bevy(top), to_bevy(-forward));
+    Transform {
+        translation: to_bevy(up * (1.0 + camera.altitude_m / (1000.0 * radius))),
+        rotation: Quat::from_mat3(&axes).normalize(),
+        scale: Vec3::ONE,
+    }
+}
+
+/// A sun behind the camera's left shoulder: the terminator is seen, two thirds of the disc are lit.
+fn sun(view: &Transform) -> DVec3 {
+    let up = view.translation.normalize();
+    let left = view.rotation * Vec3::NEG_X;
+    let side = (left - up * left.dot(up)).normalize_or(up.any_orthonormal_vector());
+    bevy_pangaea::render::from_bevy(0.62 * up + 0.7 * side + 0.35 * up.cross(side)).normalize()
+}
+
+fn write_png(raster: &Raster, path: &Path) -> Result<(), PictureError> {
+    let bytes = io::png::rgb_png(raster).map_err(|error| PictureError::Encode(error.to_string()))?;
+    Ok(io::write_atomically(path, |out| out.write_all(&bytes))?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera(lat: f64, lon: f64, heading: f64, pitch: f64) -> Transform {
+        view(&CameraSpec { lat, lon, altitude_m: 6_370_000.0, heading, pitch }, 6370.0)
+    }
+
+    #[test]
+    fn a_camera_over_africa_looks_down_with_north_up() {
+        let view = camera(0.0, 0.0, 0.0, -90.0);
+        assert!((view.translation - Vec3::new(2.0, 0.0, 0.0)).length() < 1e-6);
+        assert!((*view.forward() - Vec3::NEG_X).length() < 1e-6);
+        assert!((*view.up() - Vec3::Y).length() < 1e-6);
+        // East (planet +y) is to the right.
+        assert!((*view.right() - to_bevy(DVec3::Y)).length() < 1e-6);
+    }
+
+    #[test]
+    fn heading_and_pitch_turn_the_view() {
+        let east = camera(0.0, 0.0, 90.0, 0.0);
+        assert!((*east.forward() - to_bevy(DVec3::Y)).length() < 1e-6);
+        assert!((*east.up() - Vec3::X).length() < 1e-6);
+        let pole = camera(90.0, 0.0, 0.0, -90.0);
+        assert!((*pole.forward() - Vec3::NEG_Y).length() < 1e-6 && pole.rotation.is_finite());
+    }
+
+    #[test]
+    fn the_sun_lights_what_the_camera_sees() {
+        for (lat, lon) in [(0.0, 0.0), (60.0, 100.0), (-90.0, 0.0)] {
+            let view = camera(lat, lon, 30.0, -90.0);
+            let lit = to_bevy(sun(&view)).dot(view.translation.normalize());
+            assert!((0.5..0.8).contains(&lit), "{lit}");
+        }
+    }
+}

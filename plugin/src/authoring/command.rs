@@ -1,0 +1,92 @@
+//! The commands.
+
+use crate::crust::CrustKind;
+use crate::plate::PlateId;
+use bevy::prelude::*;
+
+/// Something that a user of the tectonic model may do at any moment (paper 000 §7.1).
+#[derive(Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum TectonicCommand {
+    /// Gives a plate a motion.
+    SetPlateMotion {
+        /// The plate.
+        plate: PlateId,
+        /// Latitude and longitude of the pole of rotation in degrees.
+        pole: (f64, f64),
+        /// Speed at 90 degrees from the pole in km/My (mm/y); negative turns the other way.
+        speed: f64,
+    },
+    /// Breaks a plate.
+    RiftPlate {
+        /// The plate.
+        plate: PlateId,
+        /// Latitudes and longitudes in degrees of points along the fracture, at least two; empty for a random fracture.
+        #[serde(default)]
+        line: Vec<(f64, f64)>,
+        /// Number of fragments of a random fracture, 2..=4.
+        #[serde(default = "two")]
+        fragments: u32,
+    },
+    /// Switches the crust type of a whole plate.
+    SetPlateCrust {
+        /// The plate.
+        plate: PlateId,
+        /// The new type.
+        kind: CrustKind,
+    },
+    /// Changes crust.
+    PaintCrust {
+        /// Where.
+        target: PaintTarget,
+        /// What.
+        brush: Brush,
+    },
+    /// Changes a parameter.
+    SetParam {
+        /// Name, as in [`TectonicParams::TABLE`](crate::params::TectonicParams::TABLE).
+        name: String,
+        /// New value.
+        value: f64,
+    },
+    /// Switches a process on or off.
+    SetProcess {
+        /// Name, as in [`ProcessSwitches::NAMES`](crate::params::ProcessSwitches::NAMES).
+        name: String,
+        /// Whether it runs.
+        on: bool,
+    },
+    /// Resamples at the next step.
+    Resample,
+}
+
+fn two() -> u32 {
+    2
+}
+
+/// Where a brush works.
+#[derive(Clone, Copy, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum PaintTarget {
+    /// On the whole planet.
+    Everywhere,
+    /// In a disc; raising and lowering fade towards its edge.
+    Disc {
+        /// Latitude and longitude of the centre in degrees.
+        center: (f64, f64),
+        /// Radius in km.
+        radius: f64,
+    },
+}
+
+/// What a brush does.
+#[derive(Clone, Copy, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Brush {
+    /// Raises (or, negative, lowers) the crust by km; its thickness follows.
+    Raise(f64),
+    /// Sets the elevation in km; the thickness follows.
+    Elevation(f64),
+    /// Sets the crust type; thickness and elevation become those of young ocean floor or low land.
+    Kind(CrustKind),
+}

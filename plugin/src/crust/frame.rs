@@ -1,0 +1,56 @@
+//! Frames: rigid rotations shared by sets of samples (the design's "frames, not moved points").
+//!
+//! A plate owns one frame after each resample; a terrane that changes plate brings its own along.
+
+use crate::plate::PlateId;
+use bevy::math::{DQuat, DVec3};
+use bevy::prelude::*;
+
+/// Index of a frame in [`Frames`]; the number that the crust's `frame` column holds.
+pub type FrameId = u16;
+
+/// A rigid rotation shared by a set of samples and owned by a plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// The plate that carries the frame.
+    pub plate: PlateId,
+    /// Rotation from the lattice's coordinates to where the crust is now; identity after a resample.
+    pub rotation: DQuat,
+    /// Whether the frame is a terrane that came from another plate since the last resample.
+    pub terrane: bool,
+}
+
+impl Frame {
+    /// The frame of a plate that has not moved since the last resample.
+    pub fn at_rest(plate: PlateId) -> Self {
+        Self { plate, rotation: DQuat::IDENTITY, terrane: false }
+    }
+
+    /// Whether the frame stands where its samples are.
+    pub fn is_at_rest(&self) -> bool {
+        self.rotation == DQuat::IDENTITY
+    }
+
+    /// From lattice coordinates to where the crust is now.
+    #[inline]
+    pub fn to_world(&self, p: DVec3) -> DVec3 {
+        self.rotation * p
+    }
+
+    /// From where the crust is now to lattice coordinates.
+    #[inline]
+    pub fn to_lattice(&self, p: DVec3) -> DVec3 {
+        self.rotation.conjugate() * p
+    }
+}
+
+/// All frames of a planet, in the order in which they were made.
+#[derive(Component, Clone, Debug, Default, PartialEq, Deref, DerefMut)]
+pub struct Frames(pub Vec<Frame>);
+
+impl Frames {
+    /// The plate that carries each frame.
+    pub fn plate(&self, frame: FrameId) -> PlateId {
+        self.0[usize::from(frame)].plate
+    }
+}

@@ -1,0 +1,25 @@
+//! What a sample of the lattice holds, and how crust floats and is accounted for.
+//!
+//! In: a [`SphereMesh`](crate::sphere::SphereMesh). Out: columns that every process reads and writes.
+
+pub mod columns;
+
+pub mod isostasy;
+
+pub mod frame;
+
+pub mod bins;
+
+pub mod cover;
+
+pub mod surface;
+
+pub mod terrane;
+
+pub mod ledger;
+
+pub use columns::{Crust, CrustKind, Orogeny};
+pub use frame::{Frame, FrameId, Frames};
+pub use ledger::{Cause, Ledger};
+pub use surface::{Cover, Surface};
+pub use terrane::{Terrane, TerraneOf, Terranes};

@@ -1,0 +1,91 @@
+//! The surface of the planet as it is now, at every sample of the lattice.
+//!
+//! Globe, maps, statistics, bakes and the resample all read this one projection of the frames, so a
+//! resample is invisible: it makes the surface of that moment the new state.
+
+use super::columns::Crust;
+use crate::plate::PlateId;
+use crate::sphere::SphereMesh;
+use bevy::math::DVec3;
+use bevy::prelude::*;
+
+/// How a point of the surface is covered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
+#[repr(u8)]
+pub enum Cover {
+    /// By one frame.
+    #[default]
+    One = 0,
+    /// By several: what is stored belongs to the one on top.
+    Several = 1,
+    /// By none, between diverging plates: provisional ridge crust.
+    Ridge = 2,
+    /// By none, between plates that do not diverge: filled from its neighbours.
+    Filled = 3,
+}
+
+/// The projected surface. Vectors and positions are in world coordinates.
+#[derive(Component, Clone, Debug, Default, PartialEq)]
+pub struct Surface {
+    /// Geological time of the projection in My.
+    pub time: f64,
+    /// Counts projections: a change means that pictures are out of date.
+    pub version: u64,
+    /// The crust at every sample. Its `frame` column is the frame on top (the nearest for new crust).
+    pub crust: Crust,
+    /// The plate at every sample.
+    pub plate: Vec<PlateId>,
+    /// How each sample is covered.
+    pub cover: Vec<Cover>,
+    /// Bend of the subducting crust towards the trench in km, not positive. Never part of the state.
+    pub trench: Vec<f32>,
+}
+
+/// The surface at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// The nearest sample, from which categories are taken.
+    pub sample: u32,
+    /// Elevation in km, trench included.
+    pub elevation: f32,
+    /// Thickness in km.
+    pub thickness: f32,
+    /// Age of the ocean floor in My.
+    pub ocean_age: f32,
+    /// Time since the last folding in My.
+    pub orogeny_age: f32,
+}
+
+impl Surface {
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.plate.len()
+    }
+
+    /// Whether nothing was projected yet.
+    pub fn is_empty(&self) -> bool {
+        self.plate.is_empty()
+    }
+
+    /// Elevation of sample `i` in km, trench included.
+    #[inline]
+    pub fn elevation(&self, i: usize) -> f32 {
+        self.crust.elevation[i] + self.trench[i]
+    }
+
+    /// The surface at the unit direction `p`: values are interpolated, categories nearest.
+    pub fn at(&self, mesh: &SphereMesh, p: DVec3) -> SurfacePoint {
+        let location = mesh.locate(p);
+        let value = |column: &dyn Fn(usize) -> f32| -> f32 {
+            let corner = |k: usize| location.weights[k] * f64::from(column(location.vertices[k] as usize));
+            (corner(0) + corner(1) + corner(2)) as f32
+        };
+        SurfacePoint {
+            sample: location.nearest,
+            elevation: value(&|i| self.elevation(i)),
+            thickness: value(&|i| self.crust.thickness[i]),
+            ocean_age: value(&|i| self.crust.ocean_age[i]),
+            orogeny_age: value(&|i| self.crust.orogeny_age[i]),
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! What happened, for games to react to: observable events, triggered on the planet's entity.
+//!
+//! ```
+//! # use bevy::prelude::*;
+//! # use bevy_pangaea::prelude::*;
+//! fn shake(event: On<TerraneCollided>) {
+//!     info!("a collision of {:.0} km² at {:?}", event.area, event.at);
+//! }
+//! # App::new().add_observer(shake);
+//! ```
+
+use crate::authoring::{CommandError, TectonicCommand};
+use crate::plate::PlateId;
+use bevy::math::DVec3;
+use bevy::prelude::*;
+
+/// A step has ended.
+#[derive(EntityEvent, Clone, Debug)]
+pub struct StepCompleted {
+    /// The planet.
+    #[event_target]
+    pub planet: Entity,
+    /// Steps taken so far.
+    pub step: u64,
+    /// Geological time in My.
+    pub time: f64,
+}
+
+/// A terrane broke off its plate and was sutured to another.
+#[derive(EntityEvent, Clone, Debug)]
+pub struct TerraneCollided {
+    /// The planet.
+    #[event_target]
+    pub planet: Entity,
+    /// The plate that lost the terrane.
+    pub from: PlateId,
+    /// The plate that it was sutured to.
+    pub to: PlateId,
+    /// Area of the terrane in km².
+    pub area: f64,
+    /// Unit direction of the deepest point of contact.
+    pub at: DVec3,
+    /// Relative speed in km/My.
+    pub speed: f64,
+}
+
+/// A plate broke.
+#[derive(EntityEvent, Clone, Debug)]
+pub struct PlateRifted {
+    /// The planet.
+    #[event_target]
+    pub planet: Entity,
+    /// The plate that broke; the first fragment keeps its number.
+    pub parent: PlateId,
+    /// The fragments.
+    pub fragments: Vec<PlateId>,
+}
+
+/// A plate has no crust left.
+#[derive(EntityEvent, Clone, Debug)]
+pub struct PlateConsumed {
+    /// The planet.
+    #[event_target]
+    pub planet: Entity,
+    /// The plate that is gone.
+    pub plate: PlateId,
+}
+
+/// The crust was resampled and new ocean floor was made.
+#[derive(EntityEvent, Clone, Debug)]
+pub struct CrustResampled {
+    /// The planet.
+    #[event_target]
+    pub planet: Entity,
+    /// Area of new ocean crust in km².
+    pub new_ocean: f64,
+}
+
+/// A command took effect.
+#[derive(EntityEvent, Clone, Debug)]
+pub struct CommandApplied {
+    /// The planet.
+    #[event_target]
+    pub planet: Entity,
+    /// The command.
+    pub command: TectonicCommand,
+}
+
+/// A command was refused; the planet is unchanged.
+#[derive(EntityEvent, Clone, Debug)]
+pub struct CommandRejected {
+    /// The planet.
+    #[event_target]
+    pub planet: Entity,
+    /// The command.
+    pub command: TectonicCommand,
+    /// Why.
+    pub error: CommandError,
+}

@@ -1,0 +1,42 @@
+//! From a planet in a world to its state.
+
+use crate::authoring::Recording;
+use crate::crust::{Crust, Frames, Ledger};
+use crate::params::TectonicParams;
+use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::plate::contact::PolarityMemory;
+use crate::plate::{Plate, PlateId, PlateMotion, Plates};
+use crate::process::front::FrontField;
+use crate::schedule::StepCursor;
+use crate::spawn::PlanetState;
+use bevy::prelude::*;
+
+/// Copies the state of a planet out of its world, plates in the order of their numbers.
+///
+/// `None` if the entity is no planet, or while it is in the middle of a step. Commands that still
+/// wait in its inbox are not part of the state.
+pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
+    let entity = world.get_entity(planet).ok()?;
+    if entity.get::<StepCursor>().is_some_and(|cursor| !cursor.at_boundary()) {
+        return None;
+    }
+    let mut plates: Vec<(PlateId, PlateMotion, f64)> = Vec::new();
+    for plate in entity.get::<Plates>().into_iter().flat_map(|plates| plates.iter()) {
+        let plate = world.get_entity(plate).ok()?;
+        plates.push((*plate.get::<PlateId>()?, *plate.get::<PlateMotion>()?, plate.get::<Plate>()?.born));
+    }
+    plates.sort_by_key(|&(id, ..)| id);
+    Some(PlanetState {
+        planet: *entity.get::<Planet>()?,
+        lattice: entity.get::<Lattice>()?.clone(),
+        crust: entity.get::<Crust>()?.clone(),
+        frames: entity.get::<Frames>()?.clone(),
+        plates,
+        clock: entity.get::<GeologicClock>()?.clone(),
+        params: entity.get::<TectonicParams>()?.clone(),
+        ledger: entity.get::<Ledger>()?.clone(),
+        recording: entity.get::<Recording>()?.clone(),
+        polarity: entity.get::<PolarityMemory>()?.clone(),
+        fronts: entity.get::<FrontField>()?.clone(),
+    })
+}

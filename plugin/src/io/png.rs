@@ -1,0 +1,103 @@
+//! Pictures: 16-bit grey for elevations, 8-bit RGB for maps.
+//!
+//! Grey value = (z + 12) / 24 x 65535 with z in km, clamped: 0 is -12 km, 65535 is +12 km, and one
+//! step is 0.37 m.
+
+use crate::overlay::Raster;
+use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
+
+/// Elevation in km that has the grey value 0, and the range of all grey values.
+const LOWEST: f32 = -12.0;
+const RANGE: f32 = 24.0;
+
+/// The grey value of an elevation in km.
+pub fn grey_of_elevation(z: f32) -> u16 {
+    let level = f64::from((z - LOWEST) / RANGE) * 65_535.0;
+    // Not a number becomes 0.
+    (level + 0.5).clamp(0.0, 65_535.0) as u16
+}
+
+/// The elevation in km of a grey value.
+pub fn elevation_of_grey(grey: u16) -> f32 {
+    f32::from(grey) / 65_535.0 * RANGE + LOWEST
+}
+
+/// A 16-bit grey PNG of elevations in km, `width` to a row, rows from the top.
+///
+/// # Errors
+/// If the elevations are not whole rows.
+pub fn elevation_png(width: u32, elevation: &[f32]) -> Result<Vec<u8>, EncodingError> {
+    let height = elevation.len() as u32 / width.max(1);
+    let bytes: Vec<u8> = elevation.iter().flat_map(|&z| grey_of_elevation(z).to_be_bytes()).collect();
+    encode(width, height, ColorType::Grayscale, BitDepth::Sixteen, &bytes)
+}
+
+/// An RGB PNG.
+///
+/// # Errors
+/// If the raster's size and content do not fit.
+pub fn rgb_png(raster: &Raster) -> Result<Vec<u8>, EncodingError> {
+    encode(raster.width, raster.height, ColorType::Rgb, BitDepth::Eight, &raster.rgb)
+}
+
+fn encode(
+    width: u32,
+    height: u32,
+    color: ColorType,
+    depth: BitDepth,
+    bytes: &[u8],
+) -> Result<Vec<u8>, EncodingError> {
+    let mut out = Vec::new();
+    let mut encoder = Encoder::new(&mut out, width, height);
+    encoder.set_color(color);
+    encoder.set_depth(depth);
+    encoder.set_compression(Compression::Fast);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(bytes)?;
+    writer.finish()?;
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grey_values_are_those_of_the_formula() {
+        assert_eq!(grey_of_elevation(-12.0), 0);
+        assert_eq!(grey_of_elevation(12.0), 65_535);
+        assert_eq!(grey_of_elevation(0.0), 32_768);
+        assert_eq!(grey_of_elevation(-100.0), 0);
+        assert_eq!(grey_of_elevation(1e9), 65_535);
+        assert_eq!(grey_of_elevation(f32::NAN), 0);
+        for z in [-11.0_f32, -3.3, 0.0, 8.8] {
+            assert!((elevation_of_grey(grey_of_elevation(z)) - z).abs() < 4e-4);
+        }
+    }
+
+    #[test]
+    fn pictures_are_read_as_written() {
+        let elevation = [-11.0_f32, -5.0, 0.0, 3.0, 9.0, 12.0];
+        let file = elevation_png(3, &elevation).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&file)).read_info().unwrap();
+        let mut pixels = vec![0; 12];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        assert_eq!((info.width, info.height, info.bit_depth), (3, 2, BitDepth::Sixteen));
+        for (z, bytes) in elevation.iter().zip(pixels.chunks(2)) {
+            assert_eq!(u16::from_be_bytes([bytes[0], bytes[1]]), grey_of_elevation(*z));
+        }
+        let raster = Raster { width: 1, height: 2, rgb: vec![1, 2, 3, 4, 5, 6] };
+        let file = rgb_png(&raster).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&file)).read_info().unwrap();
+        let mut pixels = vec![0; 6];
+        reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(pixels, raster.rgb);
+    }
+
+    #[test]
+    fn broken_rows_are_refused() {
+        assert!(elevation_png(4, &[0.0; 6]).is_err());
+        assert!(elevation_png(0, &[]).is_err());
+        assert!(rgb_png(&Raster { width: 2, height: 2, rgb: vec![0; 3] }).is_err());
+    }
+}

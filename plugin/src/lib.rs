@@ -1,0 +1,62 @@
+//! Tectonic planets for Bevy: plates that drift, collide, subduct, rift and make new ocean floor.
+
+// In the order of the data's way; blank lines keep rustfmt from sorting.
+
+pub mod math;
+
+pub mod random;
+
+pub mod noise;
+
+pub mod parallel;
+
+pub mod params;
+
+pub mod planet;
+
+pub mod sphere;
+
+pub mod crust;
+
+pub mod plate;
+
+pub mod process;
+
+pub mod resample;
+
+pub mod authoring;
+
+pub mod events;
+
+pub mod overlay;
+
+pub mod schedule;
+
+pub mod spawn;
+
+pub mod io;
+
+#[cfg(feature = "render")]
+pub mod render;
+
+mod plugin;
+
+pub use plugin::PangaeaPlugins;
+
+/// What most programs need.
+pub mod prelude {
+    pub use crate::PangaeaPlugins;
+    pub use crate::authoring::{
+        Brush, PaintTarget, Recording, Scenario, TectonicCommand, TectonicCommandsExt, TimedCommand,
+    };
+    pub use crate::crust::{Crust, CrustKind, Frames, Ledger, Orogeny, Surface};
+    pub use crate::events::{
+        CommandApplied, CommandRejected, CrustResampled, PlateConsumed, PlateRifted, StepCompleted,
+        TerraneCollided,
+    };
+    pub use crate::params::{ProcessSwitches, TectonicParams};
+    pub use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
+    pub use crate::plate::{PlateId, PlateMotion, PlateOf, Plates};
+    pub use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
+    pub use crate::spawn::SpawnPlanet;
+}

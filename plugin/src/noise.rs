@@ -1,0 +1,92 @@
+//! Coherent gradient noise on the sphere, from integer hashes.
+
+use crate::random::{Purpose, Stream, mix};
+use bevy::math::DVec3;
+
+/// Gradient noise in space, evaluated at unit directions scaled by a frequency.
+///
+/// One octave has zero mean, a range of about -1..1 and a continuous second derivative.
+#[derive(Clone, Copy, Debug)]
+pub struct Noise {
+    key: u64,
+}
+
+impl Noise {
+    /// The noise of `purpose` for the thing `id` of the planet `seed`.
+    pub fn new(seed: u64, purpose: Purpose, id: u64) -> Self {
+        Self { key: Stream::new(seed, purpose, id).bits(0) }
+    }
+
+    /// One octave at `p`, which is in units of the noise's lattice.
+    pub fn octave(&self, p: DVec3) -> f64 {
+        let cell = p.floor();
+        let f = p - cell;
+        let (x, y, z) = (cell.x as i64, cell.y as i64, cell.z as i64);
+        let corner = |i: i64, j: i64, k: i64| {
+            let hash = mix(mix(mix(self.key ^ (x + i) as u64) ^ (y + j) as u64) ^ (z + k) as u64);
+            gradient(hash, f - DVec3::new(i as f64, j as f64, k as f64))
+        };
+        let fade = |t: f64| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+        let (u, v, w) = (fade(f.x), fade(f.y), fade(f.z));
+        let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
+        let edge = |j, k| lerp(u, corner(0, j, k), corner(1, j, k));
+        lerp(w, lerp(v, edge(0, 0), edge(1, 0)), lerp(v, edge(0, 1), edge(1, 1)))
+    }
+
+    /// `octaves` octaves at the direction `p`: the first has `frequency` periods per radian,
+    /// each further one twice the frequency and half the amplitude. Range about -1..1.
+    pub fn fractal(&self, p: DVec3, frequency: f64, octaves: u32) -> f64 {
+        let (mut sum, mut norm, mut amplitude, mut scale) = (0.0, 0.0, 1.0, frequency);
+        for octave in 0..octaves {
+            // Each octave looks at another part of the lattice, or all would vanish at the origin together.
+            let shift = DVec3::splat(17.3 * f64::from(octave + 1));
+            sum += amplitude * self.octave(p * scale + shift);
+            norm += amplitude;
+            amplitude *= 0.5;
+            scale *= 2.0;
+        }
+        sum / norm
+    }
+
+    /// Three independent octave sums: a vector that warps positions.
+    pub fn vector(&self, p: DVec3, frequency: f64, octaves: u32) -> DVec3 {
+        let part = |shift: f64| self.fractal(p + DVec3::splat(shift), frequency, octaves);
+        DVec3::new(part(0.0), part(31.7), part(73.1))
+    }
+}
+
+/// Dot product of `d` with one of twelve edge directions of a cube, chosen by `hash` (Perlin 2002),
+/// scaled so that one octave reaches about -1..1.
+#[inline]
+fn gradient(hash: u64, d: DVec3) -> f64 {
+    let (a, b) = match (hash >> 60) % 3 {
+        0 => (d.x, d.y),
+        1 => (d.y, d.z),
+        _ => (d.z, d.x),
+    };
+    let a = if hash & 1 == 0 { a } else { -a };
+    let b = if hash & 2 == 0 { b } else { -b };
+    a + b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noise_is_bounded_centred_and_continuous() {
+        let noise = Noise::new(3, Purpose::Relief, 0);
+        let stream = Stream::new(3, Purpose::Relief, 1);
+        let (mut sum, mut largest) = (0.0, 0.0_f64);
+        for i in 0..20_000 {
+            let p = stream.direction(i);
+            let a = noise.fractal(p, 4.0, 4);
+            let b = noise.fractal((p + DVec3::splat(1e-6)).normalize(), 4.0, 4);
+            assert!((a - b).abs() < 1e-4);
+            sum += a;
+            largest = largest.max(a.abs());
+        }
+        assert!((sum / 20_000.0).abs() < 0.05);
+        assert!((0.4..1.2).contains(&largest), "{largest}");
+    }
+}

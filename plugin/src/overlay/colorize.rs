@@ -1,0 +1,15 @@
+//! A colour for every sample.
+
+use super::field::Field;
+use super::palette::Rgba;
+use super::relief::per_sample;
+use super::{Overlay, OverlayInput};
+
+/// Colours of all samples under `overlay`, in sRGB; empty if nothing was projected yet.
+pub fn colorize(overlay: Overlay, input: &OverlayInput) -> Vec<Rgba> {
+    if input.surface.len() != input.mesh.len() {
+        return Vec::new();
+    }
+    let field = Field::new(overlay, input);
+    per_sample(input.mesh, |i| field.at(i, &input.surface.crust.kind))
+}

@@ -1,0 +1,373 @@
+//! The constants of the model: one table gives each its default, limits, unit and source, and with
+//! them validation, files, commands and the explorer's panel.
+//!
+//! Values of paper 000, Appendix A, where it gives one; the others say why they are what they are.
+
+use bevy::prelude::*;
+use thiserror::Error;
+
+/// What is known about a parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct ParamInfo {
+    /// Name in files and commands.
+    pub name: &'static str,
+    /// The section of the panel that it belongs to.
+    pub group: &'static str,
+    /// Smallest allowed value.
+    pub min: f64,
+    /// Largest allowed value.
+    pub max: f64,
+    /// Default value.
+    pub default: f64,
+    /// Unit, empty for a pure number.
+    pub unit: &'static str,
+    /// Meaning and source.
+    pub doc: &'static str,
+    /// Reads the value.
+    pub get: fn(&TectonicParams) -> f64,
+    set: fn(&mut TectonicParams, f64),
+}
+
+/// Why a parameter was refused.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum ParamError {
+    /// There is no parameter of that name.
+    #[error("unknown parameter `{0}`")]
+    Unknown(String),
+    /// The value is outside of the limits, or no number.
+    #[error("{name} = {value} is outside of {min}..={max} {unit}")]
+    OutOfRange {
+        /// Name of the parameter.
+        name: &'static str,
+        /// The refused value.
+        value: f64,
+        /// Smallest allowed value.
+        min: f64,
+        /// Largest allowed value.
+        max: f64,
+        /// Unit of the limits.
+        unit: &'static str,
+    },
+}
+
+macro_rules! params {
+    ($($group:literal { $( $(#[doc = $doc:literal])+ $name:ident = $default:literal in $min:literal..$max:literal, $unit:literal; )+ })+) => {
+        /// Parameters of the tectonic model of one planet, and which processes run.
+        #[derive(Component, Clone, Debug, PartialEq, Reflect)]
+        #[derive(serde::Serialize, serde::Deserialize)]
+        #[serde(default, deny_unknown_fields)]
+        #[reflect(Component, Default)]
+        pub struct TectonicParams {
+            $($(
+                $(#[doc = $doc])+
+                #[doc = concat!("\n\nLimits ", $min, " to ", $max, " ", $unit, ", default ", $default, ".")]
+                pub $name: f64,
+            )+)+
+            /// Which processes run.
+            pub processes: ProcessSwitches,
+            /// How ocean floor sinks.
+            pub ocean_floor: OceanFloor,
+        }
+
+        impl Default for TectonicParams {
+            fn default() -> Self {
+                Self {
+                    $($( $name: $default as f64, )+)+
+                    processes: ProcessSwitches::default(),
+                    ocean_floor: OceanFloor::default(),
+                }
+            }
+        }
+
+        impl TectonicParams {
+            /// All parameters, by group.
+            pub const TABLE: &'static [ParamInfo] = &[
+                $($( ParamInfo {
+                    name: stringify!($name),
+                    group: $group,
+                    min: $min as f64,
+                    max: $max as f64,
+                    default: $default as f64,
+                    unit: $unit,
+                    doc: concat!($($doc),+),
+                    get: |params| params.$name,
+                    set: |params, value| params.$name = value,
+                }, )+)+
+            ];
+        }
+    };
+}
+
+params! {
+    "Time" {
+        /// Time step δt. Paper 000, Appendix A.
+        time_step = 2.0 in 0.1..5.0, "My";
+        /// Fewest steps between two resamplings. Paper 000 §4.3.
+        resample_min_steps = 10.0 in 1.0..100.0, "steps";
+        /// Most steps between two resamplings. Paper 000 §4.3.
+        resample_max_steps = 60.0 in 1.0..200.0, "steps";
+    }
+    "Elevations" {
+        /// Elevation z_r of the highest oceanic ridges. Paper 000, Appendix A.
+        ridge_elevation = -1.0 in -6.0..0.0, "km";
+        /// Elevation z_a of abyssal plains. Paper 000, Appendix A.
+        abyss_elevation = -6.0 in -9.0..-2.0, "km";
+        /// Elevation z_t of oceanic trenches. Paper 000, Appendix A.
+        trench_elevation = -10.0 in -15.0..-6.0, "km";
+        /// Highest continental elevation z_c. Paper 000, Appendix A.
+        summit_elevation = 10.0 in 2.0..20.0, "km";
+    }
+    "Motion" {
+        /// Highest plate speed v_0. Paper 000, Appendix A.
+        max_speed = 100.0 in 1.0..300.0, "km/My";
+        /// Slab pull ε: how fast a subducting front as long as the planet's radius turns the plate's
+        /// axis. Paper 000 §4.1 asks for ε much below 1; at this value a plate with a long front turns by some degrees in 10 My.
+        slab_pull = 0.002 in 0.0..0.1, "rad/My";
+    }
+    "Subduction" {
+        /// Base uplift u_0 of an overriding plate. Paper 000, Appendix A.
+        uplift = 0.6 in 0.0..5.0, "km/My";
+        /// Subduction distance r_s: where the uplift has faded to 0. Paper 000, Appendix A.
+        subduction_distance = 1800.0 in 100.0..5000.0, "km";
+        /// Distance d_c from the front at which the uplift peaks. Arcs stand 100 to 300 km from the trench (paper 001 §4.2.1).
+        uplift_peak = 300.0 in 10.0..2000.0, "km";
+        /// Weight of the distance profile f: 0 ignores it, 1 is the paper's.
+        weight_distance = 1.0 in 0.0..1.0, "";
+        /// Weight of the speed g: 0 ignores it, 1 is the paper's.
+        weight_speed = 1.0 in 0.0..1.0, "";
+        /// Weight of the subducting relief h: 0 ignores it, 1 is the paper's.
+        weight_relief = 1.0 in 0.0..1.0, "";
+        /// Fold rate β: how fast the relative motion turns the fold direction. At this value a front of
+        /// full speed turns it within about 10 My.
+        fold_rate = 0.001 in 0.0..0.1, "1/km";
+        /// Width over which subducting crust bends down to the trench; seismic profiles show 150 to 200 km.
+        trench_width = 180.0 in 20.0..600.0, "km";
+        /// Age by which the older of two ocean plates must exceed the other before a front turns over.
+        polarity_hysteresis = 15.0 in 0.0..200.0, "My";
+    }
+    "Collision" {
+        /// Interpenetration of continents at which a terrane breaks off and is sutured. Paper 000 §6.
+        collision_trigger = 300.0 in 20.0..2000.0, "km";
+        /// Collision distance r_c. Paper 000, Appendix A.
+        collision_distance = 4200.0 in 100.0..10000.0, "km";
+        /// Share of the collision distance at which the surge really ends: 1 is the paper's, which makes belts of 2000 km and
+        /// more when continents meet; Earth's widest, Tibet, reaches 1500 km from the suture.
+        collision_reach = 0.4 in 0.05..1.0, "";
+        /// Average initial area A_0 of a plate as a share of the planet's: 1/40.
+        plate_share = 0.025 in 0.001..1.0, "";
+        /// Collision coefficient Δ_c. Paper 000, Appendix A.
+        collision_coefficient = 1.3e-5 in 0.0..1e-3, "1/km";
+        /// Highest surge of one collision: the Δ_c A of a continent would be 100 km and more. Tibet stands 5 km high.
+        collision_surge_max = 5.0 in 0.0..15.0, "km";
+        /// Area of the smallest terrane that breaks off its slab; smaller islands are forced down or scraped off.
+        terrane_min_area = 20000.0 in 0.0..1e7, "km²";
+    }
+    "Ocean floor" {
+        /// Half-distance σ at which a ridge of average speed has lost half of its height.
+        ridge_width = 320.0 in 20.0..3000.0, "km";
+        /// Time in which young ocean floor sinks by 1/e of its height above the abyss. 36 My fit the depths of
+        /// Earth's oceans (Stein and Stein 1992, model GDH1).
+        subsidence_time = 36.0 in 1.0..1000.0, "My";
+        /// Oceanic dampening ε_o, used by the paper's printed form only. Paper 000, Appendix A.
+        ocean_damping = 0.04 in 0.0..1.0, "km/My";
+        /// Sediment accretion ε_t: fastest filling of floor that lies too deep. Paper 000, Appendix A.
+        sediment = 0.3 in 0.0..5.0, "km/My";
+        /// Width of the continental rise: sediment from the land lifts the floor beside a continent.
+        /// Passive margins reach the abyssal plain 200 to 500 km off the shelf.
+        margin_width = 250.0 in 0.0..1000.0, "km";
+        /// Thickness of oceanic crust; seismic mean of 7 km.
+        ocean_thickness = 7.0 in 3.0..15.0, "km";
+    }
+    "Continents" {
+        /// Continental erosion ε_c. Paper 000, Appendix A.
+        erosion = 0.03 in 0.0..5.0, "km/My";
+        /// Thickness of crust that floats at sea level; 33 km on Earth.
+        sea_level_thickness = 33.2 in 20.0..60.0, "km";
+        /// Elevation gained per thickness of crust on land: (3.3 - 2.78) / 3.3, densities of mantle and crust.
+        isostasy = 0.158 in 0.05..0.5, "";
+        /// Time in which the elevation of thickened or thinned crust follows; glacial rebound is much faster, thermal adjustment slower.
+        isostasy_time = 8.0 in 0.5..200.0, "My";
+        /// Amplitude of the low-frequency coherent noise of the relief: its drift in a My. The paper gives none; this adds
+        /// some hundred metres in 100 My.
+        noise_amplitude = 0.015 in 0.0..0.2, "km/My";
+        /// Wavelength of that noise.
+        noise_wavelength = 1800.0 in 200.0..10000.0, "km";
+    }
+    "Rifting" {
+        /// Mean number of riftings λ_0 in a time step of a wholly continental plate of average initial area.
+        /// At this value a planet of 40 plates with 30 % land rifts about once in 30 to 60 My.
+        rift_rate = 0.004 in 0.0..10.0, "";
+        /// Share of λ that a wholly oceanic plate keeps.
+        rift_oceanic_share = 0.1 in 0.0..1.0, "";
+        /// Speed at which fragments open, far from the pole.
+        rift_speed = 40.0 in 1.0..300.0, "km/My";
+        /// Width of the zone that a rift thins on either side.
+        rift_width = 200.0 in 0.0..1000.0, "km";
+        /// Share of its thickness that continental crust at a new rift loses; stretched margins lose a tenth to a half.
+        rift_thinning = 0.15 in 0.0..0.9, "";
+        /// Amplitude of the warp of rift lines and initial borders, relative to the distance of the centroids.
+        border_warp = 0.3 in 0.0..1.0, "";
+    }
+}
+
+/// Which processes run; each can be switched at any time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[reflect(Default)]
+pub struct ProcessSwitches {
+    /// Plates move.
+    pub drift: bool,
+    /// Overriding plates rise (paper 000 §4.1).
+    pub subduction: bool,
+    /// Subducting plates turn towards their fronts (§4.1).
+    pub slab_pull: bool,
+    /// Terranes are sutured (§4.2).
+    pub collision: bool,
+    /// New ocean floor and even samples (§4.3).
+    pub resample: bool,
+    /// Plates break by themselves (§4.4).
+    pub rifting: bool,
+    /// Continents wear down (§4.5).
+    pub erosion: bool,
+    /// Ocean floor sinks with age (§4.5).
+    pub subsidence: bool,
+    /// Trenches and deep floor fill (§4.5).
+    pub sediment: bool,
+    /// Coherent noise (§4.5).
+    pub noise: bool,
+}
+
+impl Default for ProcessSwitches {
+    fn default() -> Self {
+        Self::all(true)
+    }
+}
+
+impl ProcessSwitches {
+    /// Names of the switches, in order.
+    pub const NAMES: [&'static str; 10] = [
+        "drift",
+        "subduction",
+        "slab_pull",
+        "collision",
+        "resample",
+        "rifting",
+        "erosion",
+        "subsidence",
+        "sediment",
+        "noise",
+    ];
+
+    /// All on or all off.
+    pub fn all(on: bool) -> Self {
+        Self {
+            drift: on,
+            subduction: on,
+            slab_pull: on,
+            collision: on,
+            resample: on,
+            rifting: on,
+            erosion: on,
+            subsidence: on,
+            sediment: on,
+            noise: on,
+        }
+    }
+
+    /// The switch of that name.
+    pub fn get_mut(&mut self, name: &str) -> Result<&mut bool, ParamError> {
+        Ok(match name {
+            "drift" => &mut self.drift,
+            "subduction" => &mut self.subduction,
+            "slab_pull" => &mut self.slab_pull,
+            "collision" => &mut self.collision,
+            "resample" => &mut self.resample,
+            "rifting" => &mut self.rifting,
+            "erosion" => &mut self.erosion,
+            "subsidence" => &mut self.subsidence,
+            "sediment" => &mut self.sediment,
+            "noise" => &mut self.noise,
+            _ => return Err(ParamError::Unknown(name.to_string())),
+        })
+    }
+}
+
+/// How ocean floor sinks with age.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
+#[derive(serde::Serialize, serde::Deserialize)]
+#[reflect(Default)]
+pub enum OceanFloor {
+    /// It relaxes towards the elevation at which its crust floats.
+    #[default]
+    Relaxing,
+    /// The form printed in paper 000 §4.5, in which old floor ends in a trench.
+    Paper,
+}
+
+impl TectonicParams {
+    /// What is known about the parameter `name`.
+    pub fn info(name: &str) -> Option<&'static ParamInfo> {
+        Self::TABLE.iter().find(|info| info.name == name)
+    }
+
+    /// Sets one parameter by name.
+    ///
+    /// # Errors
+    /// [`ParamError`] for an unknown name or a value outside of the limits; nothing is changed then.
+    pub fn set(&mut self, name: &str, value: f64) -> Result<(), ParamError> {
+        let info = Self::info(name).ok_or_else(|| ParamError::Unknown(name.to_string()))?;
+        info.check(value)?;
+        (info.set)(self, value);
+        Ok(())
+    }
+
+    /// Checks every parameter.
+    ///
+    /// # Errors
+    /// The first [`ParamError::OutOfRange`].
+    pub fn validate(&self) -> Result<(), ParamError> {
+        Self::TABLE.iter().try_for_each(|info| info.check((info.get)(self)))
+    }
+}
+
+impl ParamInfo {
+    /// Whether `value` lies within the limits.
+    pub fn check(&self, value: f64) -> Result<(), ParamError> {
+        if value >= self.min && value <= self.max {
+            return Ok(());
+        }
+        let Self { name, min, max, unit, .. } = *self;
+        Err(ParamError::OutOfRange { name, value, min, max, unit })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defaults_are_valid_and_found_by_name() {
+        let mut params = TectonicParams::default();
+        params.validate().unwrap();
+        for info in TectonicParams::TABLE {
+            assert_eq!((info.get)(&params), info.default, "{}", info.name);
+            params.set(info.name, info.max).unwrap();
+            assert_eq!((info.get)(&params), info.max);
+            assert!(params.set(info.name, info.max * 2.0 + 1.0).is_err());
+            assert!(params.set(info.name, f64::NAN).is_err());
+            assert_eq!((info.get)(&params), info.max, "a refused value changes nothing");
+            assert!(info.doc.len() > 20);
+        }
+        assert_eq!(params.set("upift", 1.0), Err(ParamError::Unknown("upift".into())));
+    }
+
+    #[test]
+    fn switches_have_names() {
+        let mut switches = ProcessSwitches::default();
+        for name in ProcessSwitches::NAMES {
+            *switches.get_mut(name).unwrap() = false;
+        }
+        assert_eq!(switches, ProcessSwitches::all(false));
+    }
+}

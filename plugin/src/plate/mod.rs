@@ -1,0 +1,64 @@
+//! Who moves together: plates as entities.
+//!
+//! In: samples of the crust. Out: plates with motions, and where they meet.
+
+pub mod motion;
+
+pub mod partition;
+
+pub mod continents;
+
+pub mod boundary;
+
+pub mod polarity;
+
+pub mod contact;
+
+pub mod stats;
+
+pub use motion::{PlateMotion, PlateRow, PlateTable};
+
+use bevy::prelude::*;
+
+/// The stable number of a plate. Everything that must not depend on the order of entities goes by it.
+/// Numbers are never used twice on one planet.
+#[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Reflect)]
+#[derive(serde::Serialize, serde::Deserialize)]
+#[reflect(Component)]
+pub struct PlateId(pub u32);
+
+/// The planet that a plate belongs to.
+#[derive(Component, Clone, Copy, Debug, PartialEq, Eq, Reflect)]
+#[relationship(relationship_target = Plates)]
+#[reflect(Component)]
+pub struct PlateOf(pub Entity);
+
+/// The plates of a planet, in no particular order; sort by [`PlateId`] where order matters.
+#[derive(Component, Clone, Debug, Default, Reflect)]
+#[relationship_target(relationship = PlateOf, linked_spawn)]
+#[reflect(Component)]
+pub struct Plates(Vec<Entity>);
+
+/// A plate: the marker of its entity, with the time of its birth.
+#[derive(Component, Clone, Copy, Debug, Default, PartialEq, Reflect)]
+#[reflect(Component)]
+pub struct Plate {
+    /// Geological time in My at which the plate was made.
+    pub born: f64,
+}
+
+/// What a plate is made of, refreshed when its set of samples or their kinds change.
+#[derive(Component, Clone, Copy, Debug, Default, PartialEq, Reflect)]
+#[reflect(Component)]
+pub struct PlateStats {
+    /// Number of samples.
+    pub samples: u32,
+    /// Area in km².
+    pub area: f64,
+    /// Share of continental crust, 0..1: x_P in the paper.
+    pub continental: f64,
+    /// Mean age of its oceanic crust in My; 0 where there is none.
+    pub ocean_age: f64,
+    /// Unit direction of the centroid in world coordinates.
+    pub centroid: bevy::math::DVec3,
+}

@@ -1,0 +1,146 @@
+//! Which of two plates goes under, with a memory, so that a front does not flicker.
+//!
+//! Where the kinds of crust differ the ocean goes under, and nothing need be remembered. Between equal
+//! kinds the decision is kept per pair of plates and *segment* of their front: the part of it in one of
+//! 384 bins of the world, about 1000 km across. A new segment takes over what most segments of the pair
+//! decided; the first decides by age: the older ocean floor goes under, and between continents the plate
+//! with the smaller number overrides. A segment turns over when its mean ages speak against it by more than
+//! [`TectonicParams::polarity_hysteresis`](crate::params::TectonicParams).
+
+use super::PlateId;
+use crate::crust::bins::CubeGrid;
+use bevy::math::DVec3;
+use bevy::prelude::*;
+
+/// Edge of the bins: 6 x 8 x 8 of them.
+const BINS: usize = 8;
+
+/// A pair of plates in the order of their numbers.
+pub type Pair = (PlateId, PlateId);
+
+/// What is remembered of one segment of a front.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// The plates.
+    pub pair: Pair,
+    /// The bin of the world.
+    pub bin: u16,
+    /// Whether the first plate of the pair goes under.
+    pub first_under: bool,
+}
+
+/// Decisions about all segments, ordered by pair and bin.
+#[derive(Component, Clone, Debug, Default, PartialEq)]
+pub struct PolarityMemory(pub Vec<Segment>);
+
+/// What speaks for one or the other polarity in a segment: mean ages of the ocean floors that meet.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Evidence {
+    /// Sum of ages of the first and of the second plate in My.
+    pub age: [f64; 2],
+    /// Number of meetings summed.
+    pub count: u32,
+}
+
+/// The bin of the world that holds `p`.
+pub fn bin(p: DVec3) -> u16 {
+    CubeGrid::new(BINS).cell(p) as u16
+}
+
+/// The pair of two plates, and whether the first argument is its second member.
+pub fn pair(a: PlateId, b: PlateId) -> (Pair, bool) {
+    if a <= b { ((a, b), false) } else { ((b, a), true) }
+}
+
+impl PolarityMemory {
+    /// The plate of the two that goes under at `p`, if a front of theirs was ever seen.
+    pub fn under(&self, a: PlateId, b: PlateId, p: DVec3) -> Option<PlateId> {
+        let (pair, _) = pair(a, b);
+        let first_under = self.segment(pair, bin(p)).or_else(|| self.majority(pair))?;
+        Some(if first_under { pair.0 } else { pair.1 })
+    }
+
+    /// The decision about one segment.
+    fn segment(&self, pair: Pair, bin: u16) -> Option<bool> {
+        let at = self.0.binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin)).ok()?;
+        Some(self.0[at].first_under)
+    }
+
+    /// What most segments of a pair decided; a tie goes to the first plate.
+    fn majority(&self, pair: Pair) -> Option<bool> {
+        let start = self.0.partition_point(|s| s.pair < pair);
+        let mut count = [0; 2];
+        for segment in self.0[start..].iter().take_while(|s| s.pair == pair) {
+            count[usize::from(segment.first_under)] += 1;
+        }
+        (count != [0; 2]).then_some(count[1] >= count[0])
+    }
+
+    /// Takes in the evidence of one step, ordered by pair and bin.
+    pub fn update(&mut self, evidence: &[((Pair, u16), Evidence)], hysteresis: f64) {
+        let mut fresh = Vec::new();
+        for &((pair, bin), seen) in evidence {
+            let count = f64::from(seen.count.max(1));
+            let excess = (seen.age[0] - seen.age[1]) / count;
+            match self.0.binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin)) {
+                Ok(at) => {
+                    let segment = &mut self.0[at];
+                    if segment.first_under && excess < -hysteresis {
+                        segment.first_under = false;
+                    } else if !segment.first_under && excess > hysteresis {
+                        segment.first_under = true;
+                    }
+                }
+                Err(_) => {
+                    let first_under = self.majority(pair).unwrap_or(excess > 0.0);
+                    fresh.push(Segment { pair, bin, first_under });
+                }
+            }
+        }
+        if !fresh.is_empty() {
+            self.0.extend(fresh);
+            self.0.sort_by_key(|s| (s.pair, s.bin));
+        }
+    }
+
+    /// Forgets plates that are gone.
+    pub fn retain(&mut self, alive: impl Fn(PlateId) -> bool) {
+        self.0.retain(|s| alive(s.pair.0) && alive(s.pair.1));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(age: [f64; 2]) -> Evidence {
+        Evidence { age, count: 1 }
+    }
+
+    #[test]
+    fn the_older_goes_under_and_stays_under() {
+        let key = ((PlateId(1), PlateId(4)), bin(DVec3::X));
+        let mut memory = PolarityMemory::default();
+        assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), None);
+        memory.update(&[(key, seen([80.0, 60.0]))], 15.0);
+        assert_eq!(memory.under(PlateId(4), PlateId(1), DVec3::X), Some(PlateId(1)));
+        for flicker in [50.0, 100.0, 46.0, 74.0] {
+            memory.update(&[(key, seen([flicker, 60.0]))], 15.0);
+            assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), Some(PlateId(1)), "{flicker}");
+        }
+        memory.update(&[(key, seen([44.0, 60.0]))], 15.0);
+        assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), Some(PlateId(4)));
+    }
+
+    #[test]
+    fn new_segments_follow_the_majority_of_their_pair() {
+        let pair = (PlateId(0), PlateId(9));
+        let mut memory = PolarityMemory::default();
+        memory.update(&[((pair, 3), seen([90.0, 10.0]))], 15.0);
+        memory.update(&[((pair, 7), seen([10.0, 20.0]))], 15.0);
+        assert_eq!(memory.0.len(), 2);
+        assert!(memory.0.iter().all(|s| s.first_under));
+        memory.retain(|id| id != PlateId(9));
+        assert!(memory.0.is_empty());
+    }
+}

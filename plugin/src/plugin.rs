@@ -1,0 +1,43 @@
+//! The plugin group.
+
+use crate::process::{
+    collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
+    relief::ReliefPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
+    subduction::SubductionPlugin,
+};
+use crate::resample::ResamplePlugin;
+use crate::schedule::TectonicSchedulePlugin;
+use bevy::app::PluginGroupBuilder;
+use bevy::prelude::*;
+
+/// All of Pangaea, one plugin per process. Each can be disabled or replaced.
+///
+/// | plugin | what it does |
+/// |---|---|
+/// | [`TectonicSchedulePlugin`] | the step as a schedule, spread over frames |
+/// | [`DriftPlugin`] | frames rotate with their plates |
+/// | [`ContactPlugin`] | where plates meet, and which goes under |
+/// | [`SubductionPlugin`] | overriding plates rise |
+/// | [`SlabPullPlugin`] | subducting plates turn towards their fronts |
+/// | [`CollisionPlugin`] | terranes break off and are sutured |
+/// | [`RiftingPlugin`] | plates break |
+/// | [`ReliefPlugin`] | erosion, subsidence, sediment, isostasy, noise |
+/// | [`ResamplePlugin`] | even samples again, new ocean crust, the surface for pictures |
+/// | [`CommitPlugin`] | commands, clock, ledger |
+pub struct PangaeaPlugins;
+
+impl PluginGroup for PangaeaPlugins {
+    fn build(self) -> PluginGroupBuilder {
+        PluginGroupBuilder::start::<Self>()
+            .add(TectonicSchedulePlugin)
+            .add(DriftPlugin)
+            .add(ContactPlugin)
+            .add(SubductionPlugin)
+            .add(SlabPullPlugin)
+            .add(CollisionPlugin)
+            .add(RiftingPlugin)
+            .add(ReliefPlugin)
+            .add(ResamplePlugin)
+            .add(CommitPlugin)
+    }
+}

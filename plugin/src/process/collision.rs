@@ -1,0 +1,358 @@
+//! Continental collision: a terrane breaks off its slab and is sutured (paper 000 §4.2, §6).
+//!
+//!     r = r_c sqrt(v/v_0 A/A_0), at most r_c            (root over both, as in paper 004)
+//!     dz(p) = D f(d(p)),  f(x) = (1 - (x/r)²)²          D = Delta_c A, saturating at the highest surge
+//!     f' = (n x (p - q)/|p - q|) x n
+//!
+//! *Trigger*: continents of two plates overlap by 300 km, measured along their relative motion from the rim of
+//! the overriding plate backwards. *Who moves*: the smaller of the two terranes takes a new frame owned by the
+//! other's plate, with the rotation that it has; no resample is forced. *Distance*: d is measured from the
+//! overlap, on both sides of the suture; measured from the whole terrane, as printed, a continent that collides
+//! would become one plateau. *Small islands*, below [`TectonicParams::terrane_min_area`], do not break off: they
+//! are forced down, and booked as such when the crust is resampled. Only continental crust surges.
+//!
+//! Reads: contacts, crust. Writes: frames, elevation, thickness, fold, orogeny.
+
+use crate::crust::cover::CoverIndex;
+use crate::crust::isostasy::Isostasy;
+use crate::crust::{Cause, Crust, Frame, FrameId, Frames, Ledger, Orogeny};
+use crate::events::TerraneCollided;
+use crate::params::TectonicParams;
+use crate::planet::{Lattice, Planet};
+use crate::plate::boundary::Rim;
+use crate::plate::contact::{Contacts, Role};
+use crate::plate::{PlateId, PlateTable};
+use crate::process::{PlateAccess, saturating_rise};
+use crate::schedule::{Stage, TectonicStep, TectonicSystems};
+use crate::sphere::SphereMesh;
+use crate::sphere::spread::{Reached, Scratch, spread};
+use bevy::math::DVec3;
+use bevy::prelude::*;
+use rayon::prelude::*;
+
+/// Adds [`collision`] to the step.
+pub struct CollisionPlugin;
+
+impl Plugin for CollisionPlugin {
+    fn build(&self, app: &mut App) {
+        app.add_systems(TectonicStep, collision.in_set(TectonicSystems::Process(Stage::Collision)));
+    }
+}
+
+/// Two continents that overlap by more than the trigger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Overlap {
+    /// Position in the rim of the overriding plate.
+    rim: usize,
+    /// Length of the overlap in radians.
+    depth: f64,
+}
+
+/// What all parts of a collision read.
+struct Scene<'a> {
+    planet: &'a Planet,
+    mesh: &'a SphereMesh,
+    params: &'a TectonicParams,
+    rim: &'a Rim,
+    contacts: &'a Contacts,
+    cover: &'a CoverIndex,
+    plates: PlateTable,
+}
+
+/// Sutures terranes of the current planet.
+pub fn collision(
+    plates: PlateAccess,
+    mut planets: Query<(
+        (&Planet, &Lattice, &TectonicParams, &Rim, &Contacts, &CoverIndex),
+        (&mut Crust, &mut Frames, &mut Ledger),
+    )>,
+    mut commands: Commands,
+) {
+    let Ok((input, (mut crust, mut frames, mut ledger))) = planets.get_mut(plates.planet()) else {
+        return;
+    };
+    let (planet, lattice, params, rim, contacts, cover) = input;
+    if !params.processes.collision {
+        return;
+    }
+    let mesh: &SphereMesh = lattice;
+    let scene = Scene { planet, mesh, params, rim, contacts, cover, plates: plates.table() };
+    let mut sutured = false;
+    for overlap in scene.overlaps(&crust, &frames) {
+        if let Some(mut event) = scene.collide(&overlap, &mut crust, &mut frames, &mut ledger) {
+            event.planet = plates.planet();
+            commands.trigger(event);
+            sutured = true;
+        }
+    }
+    if sutured {
+        let planet = plates.planet();
+        commands.queue(move |world: &mut World| crate::resample::rebuild(world, planet));
+    }
+}
+
+impl Scene<'_> {
+    /// The deepest overlap of every pair of frames beyond the trigger, in the order of the rim.
+    fn overlaps(&self, crust: &Crust, frames: &Frames) -> Vec<Overlap> {
+        let trigger = self.params.collision_trigger / self.planet.radius;
+        let found: Vec<Overlap> = (0..self.rim.len())
+            .into_par_iter()
+            .with_min_len(256)
+            .filter_map(|k| {
+                let contact = &self.contacts.0[k];
+                let sample = self.rim.samples[k] as usize;
+                let continents = contact.role == Role::Overriding
+                    && contact.other_continental
+                    && crust.is_continental(sample);
+                let depth = if continents { self.depth(k, trigger, crust, frames) } else { 0.0 };
+                (depth >= trigger).then_some(Overlap { rim: k, depth })
+            })
+            .collect();
+        let mut deepest: Vec<Overlap> = Vec::new();
+        for overlap in found {
+            let pair = |o: &Overlap| {
+                (crust.frame[self.rim.samples[o.rim] as usize], self.contacts.0[o.rim].frame)
+            };
+            match deepest.iter_mut().find(|d| pair(d) == pair(&overlap)) {
+                Some(known) if known.depth < overlap.depth => *known = overlap,
+                Some(_) => {}
+                None => deepest.push(overlap),
+            }
+        }
+        deepest
+    }
+
+    /// Length in radians over which the other plate's continent lies under rim sample `k`, against the
+    /// relative motion, in steps of half a sample; measured no further than just beyond the trigger.
+    fn depth(&self, k: usize, trigger: f64, crust: &Crust, frames: &Frames) -> f64 {
+        let contact = &self.contacts.0[k];
+        let sample = self.rim.samples[k];
+        let frame = &frames[usize::from(crust.frame[sample as usize])];
+        let p = self.mesh.point(sample);
+        let Some(forward) = contact.relative.cross(p).try_normalize() else { return 0.0 };
+        let stride = 0.5 * self.mesh.spacing();
+        let steps = (trigger / stride) as usize + 1;
+        for step in 0..=steps {
+            let (s, c) = crate::math::sin_cos(stride * step as f64);
+            let back = frame.to_world(p * c - forward * s);
+            let hit = self.cover.hit(self.mesh, crust, frames, contact.frame, back);
+            if !hit.is_some_and(|hit| crust.is_continental(hit.sample as usize)) {
+                return stride * step as f64;
+            }
+        }
+        stride * steps as f64
+    }
+
+    /// Carries out one collision, if both terranes still stand where they were found and are large enough.
+    fn collide(
+        &self,
+        overlap: &Overlap,
+        crust: &mut Crust,
+        frames: &mut Frames,
+        ledger: &mut Ledger,
+    ) -> Option<TerraneCollided> {
+        let contact = self.contacts.0[overlap.rim];
+        let above = self.rim.samples[overlap.rim];
+        let still_there = crust.frame[contact.sample as usize] == contact.frame
+            && frames.plate(contact.frame) == contact.other
+            && frames.plate(crust.frame[above as usize]) != contact.other;
+        if !still_there {
+            return None;
+        }
+        let terranes = [flood(self.mesh, crust, above), flood(self.mesh, crust, contact.sample)];
+        let area = terranes.each_ref().map(|t| self.area(t));
+        let mover = usize::from(area[1] <= area[0]);
+        if area[mover] < self.params.terrane_min_area {
+            return None;
+        }
+        let start = [above, contact.sample];
+        let ids = start.map(|i| crust.frame[i as usize]);
+        let (from, to) = (ids[mover], ids[1 - mover]);
+        let at = frames[usize::from(ids[0])].to_world(self.mesh.point(above));
+        let centroid = self.centroid(&terranes[mover], &frames[usize::from(from)]);
+        let relative = self.plates.angular_velocity(frames.plate(from))
+            - self.plates.angular_velocity(frames.plate(to));
+        let speed = relative.cross(centroid).length() * self.planet.radius;
+        let surge = Surge::new(self.params, self.planet.radius, area[mover], speed);
+        let seeds = self.suture(&terranes[mover], crust, frames, from, to, start, mover);
+        for (side, id) in [(0, from), (1, to)] {
+            let q = frames[usize::from(id)].to_lattice(centroid);
+            let reached = self.spread_on(crust, id, &seeds[side], surge.radius);
+            let volume = surge.raise(self.mesh, crust, &reached, q);
+            ledger.book(Cause::CollisionUplift, 0.0, volume * self.planet.radius * self.planet.radius);
+        }
+        let event = TerraneCollided {
+            planet: Entity::PLACEHOLDER,
+            from: frames.plate(from),
+            to: frames.plate(to),
+            area: area[mover],
+            at,
+            speed,
+        };
+        reframe(crust, frames, &terranes[mover], from, event.to);
+        Some(event)
+    }
+
+    fn area(&self, samples: &[u32]) -> f64 {
+        let sum: f64 = samples.iter().map(|&i| self.mesh.area(i)).sum();
+        sum * self.planet.radius * self.planet.radius
+    }
+
+    fn centroid(&self, samples: &[u32], frame: &Frame) -> DVec3 {
+        let sum: DVec3 = samples.iter().map(|&i| self.mesh.point(i) * self.mesh.area(i)).sum();
+        frame.to_world(sum.try_normalize().unwrap_or(DVec3::Z))
+    }
+
+    /// The samples of both sides that lie in the overlap: of the mover's frame, and of the other.
+    fn suture(
+        &self,
+        terrane: &[u32],
+        crust: &Crust,
+        frames: &Frames,
+        from: FrameId,
+        to: FrameId,
+        start: [u32; 2],
+        mover: usize,
+    ) -> [Vec<u32>; 2] {
+        let frame = frames[usize::from(from)];
+        let pairs: Vec<(u32, u32)> = terrane
+            .par_iter()
+            .with_min_len(512)
+            .filter_map(|&i| {
+                let p = frame.to_world(self.mesh.point(i));
+                let hit = self.cover.hit(self.mesh, crust, frames, to, p)?;
+                crust.is_continental(hit.sample as usize).then_some((i, hit.sample))
+            })
+            .collect();
+        let mut own: Vec<u32> = pairs.iter().map(|pair| pair.0).collect();
+        let mut other: Vec<u32> = pairs.iter().map(|pair| pair.1).collect();
+        own.push(start[mover]);
+        other.push(start[1 - mover]);
+        for side in [&mut own, &mut other] {
+            side.sort_unstable();
+            side.dedup();
+        }
+        [own, other]
+    }
+
+    /// Distances from the suture over the continental crust of one frame.
+    fn spread_on(&self, crust: &Crust, id: FrameId, seeds: &[u32], reach: f64) -> Reached {
+        let seeds: Vec<_> = seeds.iter().map(|&i| (i, self.mesh.point(i))).collect();
+        spread(self.mesh, &mut Scratch::default(), &seeds, reach, |_, to| {
+            crust.frame[to as usize] == id && crust.is_continental(to as usize)
+        })
+    }
+}
+
+/// The surge of one collision.
+struct Surge {
+    /// Radius of influence in radians.
+    radius: f64,
+    /// Surge at the suture in km.
+    height: f64,
+    planet_radius: f64,
+    ceiling: f32,
+    isostasy: Isostasy,
+}
+
+impl Surge {
+    /// The surge of a terrane of `area` km² that arrives at `speed` km/My.
+    fn new(params: &TectonicParams, planet_radius: f64, area: f64, speed: f64) -> Self {
+        let average = params.plate_share * 4.0 * crate::math::PI * planet_radius * planet_radius;
+        let share = (speed / params.max_speed * area / average).min(1.0).sqrt();
+        let printed = params.collision_coefficient * area;
+        let highest = params.collision_surge_max;
+        Self {
+            radius: params.collision_distance * params.collision_reach * share / planet_radius,
+            height: if printed > 0.0 { printed * highest / (printed + highest) } else { 0.0 },
+            planet_radius,
+            ceiling: params.summit_elevation as f32,
+            isostasy: Isostasy::new(params),
+        }
+    }
+
+    /// The profile f at `d` radians from the suture.
+    fn profile(&self, d: f64) -> f64 {
+        let x = d / self.radius.max(1e-9);
+        let y = (1.0 - x * x).max(0.0);
+        y * y
+    }
+
+    /// Raises what was reached, around the centroid `q`. Returns the gain of volume in km per steradian.
+    fn raise(&self, mesh: &SphereMesh, crust: &mut Crust, reached: &Reached, q: DVec3) -> f64 {
+        let mut volume = 0.0;
+        for (&i, &d) in reached.samples.iter().zip(&reached.distance) {
+            let (n, i) = (mesh.point(i), i as usize);
+            let dz = (self.height * self.profile(f64::from(d))) as f32;
+            let z = crust.elevation[i];
+            let raised = saturating_rise(z, dz, self.ceiling);
+            let gain = self.isostasy.thickening(z, raised - z);
+            let before = crust.thickness[i];
+            crust.elevation[i] = raised;
+            crust.thickness[i] = before + gain;
+            volume += f64::from(crust.thickness[i] - before) * mesh.areas()[i];
+            // A belt is where the surge is felt, not the whole radius of influence.
+            if dz > 0.1 * self.height as f32 {
+                crust.orogeny[i] = Orogeny::Himalayan;
+                crust.orogeny_age[i] = 0.0;
+                let away = (n - q).normalize_or_zero();
+                crust.fold[i] = n.cross(away).cross(n).normalize_or_zero().as_vec3();
+            }
+        }
+        volume
+    }
+}
+
+/// The connected continental samples of one frame around `start`, in sample order.
+pub fn flood(mesh: &SphereMesh, crust: &Crust, start: u32) -> Vec<u32> {
+    let id = crust.frame[start as usize];
+    let mut seen = vec![false; mesh.len()];
+    let mut found = vec![start];
+    seen[start as usize] = true;
+    let mut next = 0;
+    while next < found.len() {
+        for &j in mesh.ring(found[next]) {
+            let k = j as usize;
+            if !seen[k] && crust.frame[k] == id && crust.is_continental(k) {
+                seen[k] = true;
+                found.push(j);
+            }
+        }
+        next += 1;
+    }
+    found.sort_unstable();
+    found
+}
+
+/// Gives samples a new frame with the rotation of `from`, owned by the plate `to`.
+fn reframe(crust: &mut Crust, frames: &mut Frames, samples: &[u32], from: FrameId, to: PlateId) {
+    let id = frames.len() as FrameId;
+    let rotation = frames[usize::from(from)].rotation;
+    frames.push(Frame { plate: to, rotation, terrane: true });
+    for &i in samples {
+        crust.frame[i as usize] = id;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn radius_and_surge_follow_the_paper() {
+        let params = TectonicParams::default();
+        let average = params.plate_share * 4.0 * crate::math::PI * 6370.0 * 6370.0;
+        let full = Surge::new(&params, 6370.0, average, params.max_speed);
+        assert!((full.radius * 6370.0 - params.collision_distance * params.collision_reach).abs() < 1e-6);
+        let quarter = Surge::new(&params, 6370.0, 0.25 * average, params.max_speed);
+        assert!((quarter.radius / full.radius - 0.5).abs() < 1e-12);
+        let beyond = Surge::new(&params, 6370.0, 100.0 * average, params.max_speed);
+        assert_eq!(beyond.radius, full.radius);
+        assert!(beyond.height < params.collision_surge_max && beyond.height > 0.9 * params.collision_surge_max);
+        let island = Surge::new(&params, 6370.0, 1e4, params.max_speed);
+        assert!((island.height / 0.13 - 1.0).abs() < 0.05, "small terranes surge by the printed coefficient");
+        assert_eq!(full.profile(0.0), 1.0);
+        assert_eq!(full.profile(full.radius), 0.0);
+        assert!((full.profile(0.5 * full.radius) - 0.5625).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,48 @@
+//! Contact: the system that finds where plates meet; the geometry is in [`crate::plate::contact`].
+//!
+//! Reads: frames, crust, motions. Writes: candidate tables, contacts, polarity.
+
+use crate::crust::cover::CoverIndex;
+use crate::crust::{Crust, Frames};
+use crate::params::TectonicParams;
+use crate::planet::{Lattice, Planet};
+use crate::plate::boundary::Rim;
+use crate::plate::contact::{ContactInput, Contacts, PolarityMemory, find_contacts};
+use crate::process::PlateAccess;
+use crate::schedule::{Stage, TectonicStep, TectonicSystems};
+use bevy::prelude::*;
+
+/// Adds [`contact`] to the step.
+pub struct ContactPlugin;
+
+impl Plugin for ContactPlugin {
+    fn build(&self, app: &mut App) {
+        app.add_systems(TectonicStep, contact.in_set(TectonicSystems::Process(Stage::Contact)));
+    }
+}
+
+/// Finds the contacts of the current planet.
+pub fn contact(
+    plates: PlateAccess,
+    mut planets: Query<(
+        (&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim),
+        (&mut CoverIndex, &mut Contacts, &mut PolarityMemory),
+    )>,
+) {
+    let Ok((input, (mut cover, mut contacts, mut polarity))) = planets.get_mut(plates.planet())
+    else {
+        return;
+    };
+    let (planet, lattice, params, crust, frames, rim) = input;
+    cover.turn(frames);
+    let table = plates.table();
+    let input = ContactInput {
+        mesh: lattice,
+        crust,
+        frames,
+        cover: &cover,
+        plates: &table,
+        radius: planet.radius,
+    };
+    *contacts = find_contacts(&input, rim, &mut polarity, params.polarity_hysteresis);
+}

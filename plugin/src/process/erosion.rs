@@ -1,0 +1,38 @@
+//! Continental erosion (paper 000 §4.5), and how eroded or thickened crust floats.
+//!
+//!     z' = z - z / z_c  eps_c dt        where z > 0: below the sea it would lift the shelves
+//!     z' = z + (z_iso(e) - z) (1 - exp(-dt / tau))
+//!
+//! Reads and writes: elevation, thickness.
+
+use crate::params::TectonicParams;
+
+/// Elevation in km that erosion takes from crust at `z` km in one step; not negative.
+#[inline]
+pub fn eroded(params: &TectonicParams, z: f32) -> f32 {
+    let rate = params.erosion / params.summit_elevation * params.time_step;
+    z.max(0.0) * rate.min(1.0) as f32
+}
+
+/// Share of the distance to isostatic balance that is made good in one step.
+pub fn adjustment(params: &TectonicParams) -> f32 {
+    (1.0 - crate::math::exp(-params.time_step / params.isostasy_time)) as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn erosion_is_exponential_on_land_and_nothing_under_water() {
+        let params = TectonicParams::default();
+        let mut z = 5.0_f32;
+        for _ in 0..100 {
+            z -= eroded(&params, z);
+        }
+        let expected = 5.0 * crate::math::exp(-200.0 * params.erosion / params.summit_elevation);
+        assert!((f64::from(z) / expected - 1.0).abs() < 0.01);
+        assert_eq!(eroded(&params, -0.2), 0.0);
+        assert_eq!(eroded(&params, 0.0), 0.0);
+    }
+}

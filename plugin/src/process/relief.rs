@@ -1,0 +1,180 @@
+//! The sweep that ages, wears and floats all crust once per step (paper 000 §4.5).
+//!
+//! One pass over the columns applies, in this order, coherent noise, [`erosion`](super::erosion) and isostatic
+//! adjustment to continents, and [`subsidence`](super::ocean_floor) to ocean floor. *Arcs become land*: ocean
+//! crust above sea level turns continental, with an Andean orogeny of age 0.
+//!
+//! Reads: crust. Writes: elevation, thickness, ages, kind, orogeny.
+
+use crate::crust::isostasy::Isostasy;
+use crate::crust::{Cause, Crust, CrustKind, Ledger, Orogeny};
+use crate::math::{PI, sin_cos};
+use crate::noise::Noise;
+use crate::parallel::{self, CHUNK};
+use crate::params::TectonicParams;
+use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::process::erosion::{adjustment, eroded};
+use crate::process::ocean_floor::Subsidence;
+use crate::random::Purpose;
+use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
+use crate::sphere::SphereMesh;
+use bevy::prelude::*;
+use rayon::prelude::*;
+
+/// Period in My over which the noise wanders through its two patterns: what it raises it lowers again.
+pub const NOISE_PERIOD: f64 = 160.0;
+
+/// Adds [`relief`] to the step.
+pub struct ReliefPlugin;
+
+impl Plugin for ReliefPlugin {
+    fn build(&self, app: &mut App) {
+        app.add_systems(TectonicStep, relief.in_set(TectonicSystems::Process(Stage::Relief)));
+    }
+}
+
+/// Two patterns of low-frequency coherent noise, one value per sample; they depend on seed and wavelength only.
+#[derive(Component, Clone, Debug, Default)]
+pub struct ReliefNoise {
+    wavelength: f64,
+    patterns: [Vec<f32>; 2],
+}
+
+impl ReliefNoise {
+    /// Evaluates the patterns, unless they are there already.
+    pub fn prepare(&mut self, mesh: &SphereMesh, planet: &Planet, wavelength: f64) {
+        if self.wavelength == wavelength && self.patterns[0].len() == mesh.len() {
+            return;
+        }
+        self.wavelength = wavelength;
+        let frequency = planet.radius / wavelength;
+        self.patterns = [0, 1].map(|id| {
+            let noise = Noise::new(planet.seed, Purpose::Relief, id);
+            let value = |i: usize| noise.fractal(mesh.points()[i], frequency, 3) as f32;
+            parallel::map_chunks(mesh.len(), |range| range.map(value).collect::<Vec<_>>()).concat()
+        });
+    }
+}
+
+/// Wears, sinks and ages the crust of the current planet.
+pub fn relief(
+    current: Res<CurrentPlanet>,
+    mut planets: Query<(
+        (&Planet, &Lattice, &TectonicParams, &GeologicClock),
+        (&mut Crust, &mut Ledger, &mut ReliefNoise),
+    )>,
+) {
+    let Ok((input, (mut crust, mut ledger, mut noise))) = planets.get_mut(current.0) else { return };
+    let (planet, lattice, params, clock) = input;
+    if params.processes.noise {
+        noise.prepare(lattice, planet, params.noise_wavelength);
+    }
+    let booked = sweep(lattice, &mut crust, &noise, &ReliefLaw::new(params, clock.time));
+    let square = planet.radius * planet.radius;
+    ledger.book(Cause::ArcGrowth, booked.arc_area * square, booked.arc_volume * square);
+    ledger.book(Cause::Erosion, 0.0, booked.erosion * square);
+    ledger.book(Cause::Noise, 0.0, booked.noise * square);
+}
+
+/// What a sweep changed on continents, per square of the radius.
+#[derive(Clone, Copy, Debug, Default)]
+struct Booked {
+    arc_area: f64,
+    arc_volume: f64,
+    erosion: f64,
+    noise: f64,
+}
+
+/// Everything that a sweep needs to know, for one time.
+struct ReliefLaw {
+    dt: f32,
+    erosion: Option<TectonicParams>,
+    adjustment: f32,
+    isostasy: Isostasy,
+    subsidence: Subsidence,
+    /// Weights of the two noise patterns in km.
+    noise: [f32; 2],
+}
+
+impl ReliefLaw {
+    fn new(params: &TectonicParams, time: f64) -> Self {
+        let (s, c) = sin_cos(2.0 * PI * time / NOISE_PERIOD);
+        let amplitude = if params.processes.noise { params.noise_amplitude * params.time_step } else { 0.0 };
+        Self {
+            dt: params.time_step as f32,
+            erosion: params.processes.erosion.then(|| params.clone()),
+            adjustment: adjustment(params),
+            isostasy: Isostasy::new(params),
+            subsidence: Subsidence::new(params),
+            noise: [(amplitude * c) as f32, (amplitude * s) as f32],
+        }
+    }
+}
+
+fn sweep(mesh: &SphereMesh, crust: &mut Crust, noise: &ReliefNoise, law: &ReliefLaw) -> Booked {
+    let silent = law.noise == [0.0; 2];
+    let parts: Vec<Booked> = (
+        crust.kind.par_chunks_mut(CHUNK),
+        crust.elevation.par_chunks_mut(CHUNK),
+        crust.thickness.par_chunks_mut(CHUNK),
+        crust.ocean_age.par_chunks_mut(CHUNK),
+        crust.orogeny.par_chunks_mut(CHUNK),
+        crust.orogeny_age.par_chunks_mut(CHUNK),
+    )
+        .into_par_iter()
+        .enumerate()
+        .map(|(chunk, (kind, elevation, thickness, ocean_age, orogeny, orogeny_age))| {
+            let mut booked = Booked::default();
+            for k in 0..kind.len() {
+                let i = chunk * CHUNK + k;
+                let area = mesh.areas()[i];
+                let (z, e) = (&mut elevation[k], &mut thickness[k]);
+                orogeny_age[k] += law.dt;
+                if kind[k] == CrustKind::Continental {
+                    let wave = if silent {
+                        0.0
+                    } else {
+                        law.noise[0] * noise.patterns[0][i] + law.noise[1] * noise.patterns[1][i]
+                    };
+                    law.continent(z, e, wave, area, &mut booked);
+                } else {
+                    ocean_age[k] += law.dt;
+                    *z = law.subsidence.step(*z, law.isostasy.elevation(*e));
+                    if *z > 0.0 {
+                        kind[k] = CrustKind::Continental;
+                        orogeny[k] = Orogeny::Andean;
+                        orogeny_age[k] = 0.0;
+                        booked.arc_area += area;
+                        booked.arc_volume += f64::from(*e) * area;
+                    }
+                }
+            }
+            booked
+        })
+        .collect();
+    parts.into_iter().fold(Booked::default(), |sum, part| Booked {
+        arc_area: sum.arc_area + part.arc_area,
+        arc_volume: sum.arc_volume + part.arc_volume,
+        erosion: sum.erosion + part.erosion,
+        noise: sum.noise + part.noise,
+    })
+}
+
+impl ReliefLaw {
+    /// One step of continental crust.
+    #[inline]
+    fn continent(&self, z: &mut f32, e: &mut f32, wave: f32, area: f64, booked: &mut Booked) {
+        let before = *e;
+        *e += self.isostasy.thickening(*z, wave);
+        *z += wave;
+        let noisy = *e;
+        if let Some(params) = &self.erosion {
+            let lost = eroded(params, *z);
+            *e += self.isostasy.thickening(*z, -lost);
+            *z -= lost;
+        }
+        booked.noise += f64::from(noisy - before) * area;
+        booked.erosion += f64::from(*e - noisy) * area;
+        *z += (self.isostasy.elevation(*e) - *z) * self.adjustment;
+    }
+}

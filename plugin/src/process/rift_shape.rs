@@ -1,0 +1,305 @@
+//! The shape of a rift and the motions that open it (paper 000 §4.4).
+//!
+//! *Two fragments* part along a great circle with a warp, and turn about a pole on the circle's extension
+//! outside of the plate: the gap opens like a pair of scissors, and nowhere do they meet again. *Three or four*
+//! are sectors around a junction and move away from it; the normal velocity along every line is
+//! `cos r` times that at the junction. *A user's line* is followed from its first point to its last and
+//! extended by great circles.
+//!
+//! A warp shifts a line by an amount that depends only on the position along it: the line stays a graph over the
+//! great circle, so that rigid fragments slide off each other without catching. Voronoi cells of random
+//! centroids, as printed, have lines that cannot all open; sectors are their neighbourhood of one junction.
+
+use crate::math::{PI, TAU, angle_between, any_tangent, asin, atan2, sin, sin_cos};
+use crate::noise::Noise;
+use crate::random::Stream;
+use bevy::math::DVec3;
+
+/// How a plate is split. All directions are in world coordinates.
+#[derive(Clone, Debug)]
+pub enum RiftShape {
+    /// Two fragments on either side of a warped great circle.
+    Line {
+        /// Unit normal of the circle; the first fragment lies on its side.
+        normal: DVec3,
+        /// Unit direction on the circle from which positions along it are counted.
+        origin: DVec3,
+        /// Warp of the line.
+        warp: Warp,
+    },
+    /// Two fragments on either side of a polyline.
+    Path {
+        /// Unit directions of its points, at least two.
+        points: Vec<DVec3>,
+        /// Warp of the line.
+        warp: Warp,
+    },
+    /// Fragments around a junction.
+    Sectors {
+        /// Unit direction of the junction.
+        junction: DVec3,
+        /// Azimuths of the lines in ascending order, 0..2π.
+        azimuths: Vec<f64>,
+        /// Warp of the lines.
+        warp: Warp,
+    },
+}
+
+/// The shift of a line as a function of the position along it.
+#[derive(Clone, Copy, Debug)]
+pub struct Warp {
+    /// The noise.
+    pub noise: Noise,
+    /// Largest shift in radians.
+    pub amplitude: f64,
+    /// Periods of the noise per radian.
+    pub frequency: f64,
+}
+
+impl Warp {
+    /// Shift at the position `t` radians along line number `line`.
+    fn shift(&self, t: f64, line: usize) -> f64 {
+        let p = DVec3::new(t, 3.7 * line as f64, 0.5);
+        self.amplitude * self.noise.fractal(p, self.frequency, 4)
+    }
+}
+
+impl RiftShape {
+    /// A random line or junction through a plate around `centroid` with the extent `reach` radians.
+    pub fn random(stream: &Stream, counter: u64, centroid: DVec3, reach: f64, fragments: u32, warp: Warp) -> Self {
+        let draw = |k: u64| stream.unit(16 * counter + k);
+        let east = any_tangent(centroid);
+        let north = centroid.cross(east);
+        let (s, c) = sin_cos(TAU * draw(0));
+        let offset = (east * c + north * s) * (0.35 * reach * draw(1));
+        let junction = (centroid + offset).normalize();
+        if fragments == 2 {
+            let (s, c) = sin_cos(PI * draw(2));
+            let tangent = any_tangent(junction);
+            let normal = tangent * c + junction.cross(tangent) * s;
+            return Self::Line { normal, origin: junction, warp };
+        }
+        let width = TAU / f64::from(fragments);
+        let azimuths = (0..fragments)
+            .map(|k| width * (f64::from(k) + 0.3 * draw(3 + u64::from(k))) + 0.5 * width * draw(9))
+            .collect();
+        Self::Sectors { junction, azimuths, warp }
+    }
+
+    /// Number of fragments.
+    pub fn fragments(&self) -> usize {
+        match self {
+            Self::Line { .. } | Self::Path { .. } => 2,
+            Self::Sectors { azimuths, .. } => azimuths.len(),
+        }
+    }
+
+    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians.
+    pub fn split(&self, p: DVec3) -> (usize, f64) {
+        match self {
+            Self::Line { normal, origin, warp } => {
+                let along = atan2(p.dot(normal.cross(*origin)), p.dot(*origin));
+                let side = asin(p.dot(*normal)) - warp.shift(along, 0);
+                (usize::from(side < 0.0), side.abs())
+            }
+            Self::Path { points, warp } => {
+                let (side, along) = beside(points, p);
+                let side = side - warp.shift(along, 0);
+                (usize::from(side < 0.0), side.abs())
+            }
+            Self::Sectors { junction, azimuths, warp } => sector(*junction, azimuths, warp, p),
+        }
+    }
+
+    /// Angular velocities in rad/My that the fragments gain, for a relative speed of `speed` rad/My. `plate` are
+    /// directions all over the plate. `far_end` chooses at which end of a line the pole lies.
+    ///
+    /// `None` if the line is so long that no pole opens all of it.
+    pub fn motions(&self, plate: &[DVec3], speed: f64, far_end: bool) -> Option<Vec<DVec3>> {
+        match self {
+            Self::Line { normal, origin, .. } => open_line(*normal, *origin, plate, speed, far_end),
+            Self::Path { points, .. } => {
+                let (first, last) = (points[0], points[points.len() - 1]);
+                let normal = first.cross(last).try_normalize()?;
+                open_line(normal, (first + last).try_normalize()?, plate, speed, far_end)
+            }
+            Self::Sectors { junction, azimuths, .. } => Some(open_sectors(*junction, azimuths, speed)),
+        }
+    }
+}
+
+/// Signed distance of `p` from a polyline whose ends are extended, and the position along it, in radians.
+/// The first fragment lies to its left.
+fn beside(points: &[DVec3], p: DVec3) -> (f64, f64) {
+    let mut best = (f64::INFINITY, 0.0, 0.0);
+    let mut travelled = 0.0;
+    let last = points.len() - 2;
+    for k in 0..=last {
+        let (a, b) = (points[k], points[k + 1]);
+        let length = angle_between(a, b);
+        let normal = a.cross(b).normalize_or_zero();
+        let along = atan2(p.dot(normal.cross(a)), p.dot(a));
+        // Only the outermost segments go on beyond their ends.
+        let low = if k == 0 { -PI } else { 0.0 };
+        let high = if k == last { PI } else { length };
+        let on = along.clamp(low, high);
+        let (s, c) = sin_cos(on);
+        let foot = a * c + normal.cross(a) * s;
+        let distance = angle_between(p, foot);
+        if distance < best.0 {
+            let side = if p.dot(normal) >= 0.0 { distance } else { -distance };
+            best = (distance, side, travelled + on);
+        }
+        travelled += length;
+    }
+    (best.1, best.2)
+}
+
+/// The sector around the junction that holds `p`, and the distance from the nearest line.
+fn sector(junction: DVec3, azimuths: &[f64], warp: &Warp, p: DVec3) -> (usize, f64) {
+    let east = any_tangent(junction);
+    let azimuth = atan2(p.dot(junction.cross(east)), p.dot(east));
+    let r = angle_between(junction, p);
+    let n = azimuths.len();
+    let mut found = (n - 1, f64::INFINITY, f64::INFINITY);
+    for (k, &line) in azimuths.iter().enumerate() {
+        // The shift is an arc across the line; as an angle it must vanish at the junction and stay
+        // within the sector.
+        let bend = (warp.shift(r, k) / sin(r).max(0.2)).clamp(-0.35, 0.35) * (r / 0.1).min(1.0);
+        let ahead = (azimuth - line - bend).rem_euclid(TAU);
+        if ahead < found.1 {
+            found = (k, ahead, found.2);
+        }
+        let across = (sin(ahead) * sin(r)).abs();
+        if sin(ahead + 0.5 * PI) > 0.0 {
+            found.2 = found.2.min(asin(across));
+        }
+    }
+    (found.0, found.2)
+}
+
+/// Two fragments turn about a pole on the line's extension beyond the plate.
+fn open_line(normal: DVec3, origin: DVec3, plate: &[DVec3], speed: f64, far_end: bool) -> Option<Vec<DVec3>> {
+    let tangent = normal.cross(origin);
+    let along = |p: &DVec3| atan2(p.dot(tangent), p.dot(origin));
+    let low = plate.iter().map(along).fold(f64::INFINITY, f64::min);
+    let high = plate.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+    let margin = 0.15;
+    if high - low + 2.0 * margin >= PI {
+        return None;
+    }
+    let at = if far_end { high + margin } else { low - margin };
+    let (s, c) = sin_cos(at);
+    let pole = origin * c + tangent * s;
+    // The first fragment must move to the side of the normal all along the line.
+    let middle = 0.5 * (low + high);
+    let (s, c) = sin_cos(middle);
+    let sign = if pole.cross(origin * c + tangent * s).dot(normal) >= 0.0 { 1.0 } else { -1.0 };
+    let farthest = if far_end { at - low } else { high - at };
+    let fastest = if farthest > 0.5 * PI { 1.0 } else { sin(farthest) };
+    let half = pole * (sign * 0.5 * speed / fastest.max(0.1));
+    Some(vec![half, -half])
+}
+
+/// Fragments move away from the junction along the middle of their sectors.
+fn open_sectors(junction: DVec3, azimuths: &[f64], speed: f64) -> Vec<DVec3> {
+    let n = azimuths.len();
+    let east = any_tangent(junction);
+    let north = junction.cross(east);
+    let rate = 0.5 * speed / sin(PI / n as f64);
+    (0..n)
+        .map(|k| {
+            let width = (azimuths[(k + 1) % n] - azimuths[k]).rem_euclid(TAU);
+            let (s, c) = sin_cos(azimuths[k] + 0.5 * width);
+            junction.cross(east * c + north * s) * rate
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{direction, rotation};
+    use crate::random::Purpose;
+
+    fn warp(amplitude: f64) -> Warp {
+        Warp { noise: Noise::new(1, Purpose::RiftWarp, 0), amplitude, frequency: 6.0 }
+    }
+
+    fn cap(center: DVec3, reach: f64) -> Vec<DVec3> {
+        let stream = Stream::new(2, Purpose::RiftShape, 0);
+        (0..4000)
+            .map(|i| (center + stream.direction(i) * reach).normalize())
+            .filter(|p| angle_between(*p, center) < reach)
+            .collect()
+    }
+
+    /// Normal velocity across every line is positive: fragments move away from each other wherever they touch.
+    fn opens(shape: &RiftShape, plate: &[DVec3], far_end: bool) {
+        let motions = shape.motions(plate, 0.006, far_end).unwrap();
+        let mut touching = 0;
+        for p in plate {
+            let (a, _) = shape.split(*p);
+            for k in 0..6 {
+                let (s, c) = sin_cos(TAU * f64::from(k) / 6.0);
+                let t = any_tangent(*p);
+                let step = (t * c + p.cross(t) * s) * 0.01;
+                let q = (*p + step).normalize();
+                let (b, _) = shape.split(q);
+                if a != b {
+                    touching += 1;
+                    // Over 20 My neither fragment may run into the other: points of a moved by its
+                    // motion relative to b stay in a.
+                    let relative = motions[a] - motions[b];
+                    for age in [2.0, 10.0, 20.0] {
+                        let moved = rotation(relative.normalize(), relative.length() * age) * *p;
+                        assert_ne!(shape.split(moved).0, b, "{p} enters after {age} My");
+                    }
+                }
+            }
+        }
+        assert!(touching > 20);
+    }
+
+    #[test]
+    fn all_shapes_open() {
+        let center = direction(20.0, 50.0);
+        let plate = cap(center, 0.5);
+        let stream = Stream::new(4, Purpose::RiftShape, 7);
+        for counter in 0..6 {
+            for far_end in [false, true] {
+                let shape = RiftShape::random(&stream, counter, center, 0.5, 2, warp(0.05));
+                opens(&shape, &plate, far_end);
+            }
+        }
+        for fragments in [3, 4] {
+            let shape = RiftShape::random(&stream, 9, center, 0.5, fragments, warp(0.0));
+            assert_eq!(shape.fragments(), fragments as usize);
+            opens(&shape, &plate, false);
+        }
+        let points = vec![direction(0.0, 40.0), direction(20.0, 48.0), direction(40.0, 60.0)];
+        opens(&RiftShape::Path { points, warp: warp(0.01) }, &plate, true);
+    }
+
+    #[test]
+    fn the_gap_grows_with_the_distance_from_the_pole() {
+        let shape = RiftShape::Line { normal: DVec3::Z, origin: DVec3::X, warp: warp(0.0) };
+        let plate = cap(DVec3::X, 0.4);
+        let motions = shape.motions(&plate, 0.006, true).unwrap();
+        let relative = motions[0] - motions[1];
+        let opening = |lon: f64| relative.cross(direction(0.0, lon)).dot(DVec3::Z);
+        assert!(opening(20.0) > 0.0);
+        assert!(opening(0.0) > opening(20.0) && opening(-20.0) > opening(0.0));
+        assert!((opening(-22.9) - 0.006).abs() < 2e-4);
+    }
+
+    #[test]
+    fn a_path_is_followed_and_extended() {
+        let points = vec![direction(0.0, 0.0), direction(0.0, 10.0), direction(10.0, 20.0)];
+        let shape = RiftShape::Path { points, warp: warp(0.0) };
+        for (lat, lon, left) in [(1.0, 5.0, 0), (-1.0, 5.0, 1), (1.0, -30.0, 0), (-1.0, -30.0, 1), (9.0, 14.0, 0), (1.0, 16.0, 1)] {
+            assert_eq!(shape.split(direction(lat, lon)).0, left, "{lat} {lon}");
+        }
+        assert!((shape.split(direction(2.0, 5.0)).1 - 2.0_f64.to_radians()).abs() < 1e-9);
+    }
+}

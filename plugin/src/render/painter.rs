@@ -1,0 +1,369 @@
+//! Keeps globes up to date with their planets.
+//!
+//! A picture is painted from a copy of the surface on another thread: colours, gradients, lines, the picking tree.
+//! The main thread only copies columns (about 60 bytes a sample) and hands over finished buffers.
+//! What needs no painting (sun, exaggeration, sea, air) reaches the shaders in the same frame.
+
+use super::material::{
+    AirMaterial, AirUniform, GroundMaterial, GroundUniform, LineMaterial, LineUniform,
+};
+use super::{Globe, GlobePicker, columns, lines, mesh};
+use crate::crust::{Crust, Surface};
+use crate::overlay::{Overlay, OverlayInput, colorize, relief};
+use crate::params::TectonicParams;
+use crate::planet::{Lattice, Planet};
+use crate::plate::{Plate, PlateId, PlateMotion, PlateRow, PlateStats, PlateTable, Plates};
+use crate::sphere::SphereMesh;
+use bevy::asset::RenderAssetUsages;
+use bevy::camera::visibility::NoFrustumCulling;
+use bevy::light::{NotShadowCaster, NotShadowReceiver};
+use bevy::pbr::PbrPlugin;
+use bevy::prelude::*;
+use bevy::render::storage::ShaderBuffer;
+use bevy::tasks::{AsyncComputeTaskPool, Task, TaskPool, futures::check_ready};
+use std::sync::{Arc, OnceLock};
+
+/// Systems that draw globes.
+pub(super) struct PainterPlugin;
+
+impl Plugin for PainterPlugin {
+    fn build(&self, app: &mut App) {
+        app.add_systems(PostUpdate, (attach, hang_pictures).chain().in_set(GlobeSystems));
+        if app.is_plugin_added::<PbrPlugin>() {
+            app.init_resource::<Shell>().add_systems(
+                PostUpdate,
+                (build_parts, show_pictures, shade).chain().after(hang_pictures).in_set(GlobeSystems),
+            );
+        }
+        app.configure_sets(PostUpdate, GlobeSystems.before(bevy::asset::AssetEventSystems));
+        app.add_systems(PostUpdate, begin_pictures.after(GlobeSystems));
+    }
+}
+
+#[derive(SystemSet, Clone, Debug, PartialEq, Eq, Hash)]
+struct GlobeSystems;
+
+/// What the globe shows at the moment; changes when a new picture is shown. On the planet's entity.
+#[derive(Component, Clone, Debug, PartialEq)]
+pub struct GlobeDrawn {
+    /// [`Surface::version`] that was painted.
+    pub version: u64,
+    /// The overlay that was painted.
+    pub overlay: Overlay,
+}
+
+/// The part of a [`Globe`] that pictures depend on.
+#[derive(Clone, Debug, PartialEq)]
+struct Subject {
+    version: u64,
+    overlay: Overlay,
+    relief: f32,
+    sea: bool,
+    boundaries: bool,
+    selected: Option<PlateId>,
+}
+
+impl Subject {
+    fn new(version: u64, globe: &Globe, radius: f64) -> Self {
+        Self {
+            version,
+            overlay: globe.overlay,
+            relief: globe.relief(radius),
+            sea: globe.sea,
+            boundaries: globe.boundaries,
+            selected: globe.selected,
+        }
+    }
+}
+
+/// The painter's memory of a planet.
+#[derive(Component, Default)]
+struct Easel {
+    task: Option<Task<Picture>>,
+    /// A finished picture that is not shown yet.
+    finished: Option<Picture>,
+    subject: Option<Subject>,
+    /// The lattice that the meshes were built for.
+    lattice: Option<Arc<SphereMesh>>,
+    /// A surface to copy into, so that nothing is allocated.
+    spare: Surface,
+}
+
+/// Everything that a picture is painted from.
+struct Job {
+    planet: Planet,
+    mesh: Arc<SphereMesh>,
+    surface: Surface,
+    plates: PlateTable,
+    params: TectonicParams,
+    globe: Globe,
+    subject: Subject,
+    fresh: bool,
+}
+
+/// A painted picture.
+struct Picture {
+    subject: Subject,
+    columns: Vec<u8>,
+    lines: Mesh,
+    no_lines: bool,
+    ground: Option<Mesh>,
+    picker: Option<GlobePicker>,
+    surface: Surface,
+}
+
+/// The entities and assets of a globe.
+#[derive(Component)]
+struct Parts {
+    ground: Entity,
+    lines: Entity,
+    air: Entity,
+    edges: Option<Entity>,
+    samples: Handle<ShaderBuffer>,
+}
+
+impl Parts {
+    fn entities(&self) -> impl Iterator<Item = Entity> {
+        [Some(self.ground), Some(self.lines), Some(self.air), self.edges].into_iter().flatten()
+    }
+}
+
+/// The mesh of the air, shared by all globes.
+#[derive(Resource, Default)]
+struct Shell(Option<Handle<Mesh>>);
+
+fn attach(
+    mut commands: Commands,
+    bare: Query<(Entity, Has<Globe>), (With<Planet>, With<Surface>, Or<(Without<Globe>, Without<Easel>)>)>,
+) {
+    for (planet, has_globe) in &bare {
+        let mut planet = commands.entity(planet);
+        planet.insert(Easel::default());
+        if !has_globe {
+            planet.insert(Globe::default());
+        }
+    }
+}
+
+/// Begins a picture of every planet that has changed and is not being painted.
+fn begin_pictures(
+    mut planets: Query<(&Planet, &Lattice, &Surface, &TectonicParams, &Globe, Option<&Plates>, &mut Easel)>,
+    plates: Query<(Entity, &PlateId, &PlateMotion, &PlateStats, &Plate)>,
+) {
+    for (planet, lattice, surface, params, globe, members, mut easel) in &mut planets {
+        let subject = Subject::new(surface.version, globe, planet.radius);
+        let busy = easel.task.is_some() || easel.finished.is_some();
+        if busy || easel.subject.as_ref() == Some(&subject) || surface.len() != lattice.len() {
+            continue;
+        }
+        let fresh = !easel.lattice.as_ref().is_some_and(|known| Arc::ptr_eq(known, &lattice.0));
+        let mut copy = std::mem::take(&mut easel.spare);
+        copy_surface(&mut copy, surface);
+        let members = members.map(|m| m.iter()).into_iter().flatten();
+        let rows = members.filter_map(|plate| plates.get(plate).ok()).map(plate_row);
+        let job = Job {
+            planet: *planet,
+            mesh: lattice.0.clone(),
+            surface: copy,
+            plates: PlateTable::new(rows),
+            params: params.clone(),
+            globe: globe.clone(),
+            subject: subject.clone(),
+            fresh,
+        };
+        easel.subject = Some(subject);
+        easel.lattice = Some(lattice.0.clone());
+        let pool = AsyncComputeTaskPool::get_or_init(TaskPool::new);
+        easel.task = Some(pool.spawn(async move { aside(|| paint(job)) }));
+    }
+}
+
+fn plate_row(
+    (entity, id, motion, stats, plate): (Entity, &PlateId, &PlateMotion, &PlateStats, &Plate),
+) -> PlateRow {
+    PlateRow { id: *id, entity, motion: *motion, stats: *stats, born: plate.born }
+}
+
+/// `to = from.clone()` without new allocations.
+fn copy_surface(to: &mut Surface, from: &Surface) {
+    let Surface { time, version, crust, plate, cover, trench } = from;
+    (to.time, to.version) = (*time, *version);
+    to.plate.clone_from(plate);
+    to.cover.clone_from(cover);
+    to.trench.clone_from(trench);
+    let Crust { frame, kind, thickness, elevation, ocean_age, ridge, orogeny_age, orogeny, fold } = crust;
+    to.crust.frame.clone_from(frame);
+    to.crust.kind.clone_from(kind);
+    to.crust.thickness.clone_from(thickness);
+    to.crust.elevation.clone_from(elevation);
+    to.crust.ocean_age.clone_from(ocean_age);
+    to.crust.ridge.clone_from(ridge);
+    to.crust.orogeny_age.clone_from(orogeny_age);
+    to.crust.orogeny.clone_from(orogeny);
+    to.crust.fold.clone_from(fold);
+}
+
+/// Runs `work` with a thread of its own for its parallel loops, so that painting never holds the
+/// threads that a step of the simulation waits for.
+fn aside<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
+    let build = || {
+        let name = |_| "globe painter".to_string();
+        rayon::ThreadPoolBuilder::new().num_threads(1).thread_name(name).build().ok()
+    };
+    match POOL.get_or_init(build) {
+        Some(pool) => pool.install(work),
+        None => work(),
+    }
+}
+
+fn paint(job: Job) -> Picture {
+    let Job { planet, mesh, surface, plates, params, globe, subject, fresh } = job;
+    let input =
+        OverlayInput { planet: &planet, mesh: &mesh, surface: &surface, plates: &plates, params: &params };
+    // The elevation is tinted by the shader, which knows it between the samples too.
+    let colors = if globe.overlay == Overlay::Elevation { Vec::new() } else { colorize(globe.overlay, &input) };
+    let gradients = relief::gradients(&input);
+    let columns = columns::pack(&mesh, &surface, &gradients, planet.radius, &colors, globe.selected);
+    let radius = |i| globe.drawn_radius(surface.elevation(i), subject.relief);
+    let radii = (0..mesh.len()).map(radius).collect();
+    let lines = lines::collect(&input, &globe);
+    Picture {
+        columns,
+        no_lines: lines.len() == 0,
+        lines: lines.into_mesh(),
+        ground: fresh.then(|| mesh::ground(&mesh)),
+        picker: Some(GlobePicker::new(mesh.clone(), radii)),
+        subject,
+        surface,
+    }
+}
+
+/// Takes finished pictures off the other thread.
+fn hang_pictures(
+    mut commands: Commands,
+    mut easels: Query<(Entity, &mut Easel)>,
+    renderer: Option<Res<Shell>>,
+) {
+    for (planet, mut easel) in &mut easels {
+        let Some(task) = &mut easel.task else { continue };
+        let Some(mut picture) = check_ready(task) else { continue };
+        easel.task = None;
+        easel.spare = std::mem::take(&mut picture.surface);
+        let drawn = GlobeDrawn { version: picture.subject.version, overlay: picture.subject.overlay };
+        commands.entity(planet).insert(drawn);
+        if let Some(picker) = picture.picker.take() {
+            commands.entity(planet).insert(picker);
+        }
+        easel.finished = renderer.is_some().then_some(picture);
+    }
+}
+
+/// Makes the entities of a globe when the first picture on its lattice is there.
+fn build_parts(
+    mut commands: Commands,
+    globes: Query<(Entity, &Planet, &Globe, &Easel, Option<&Parts>)>,
+    mut shell: ResMut<Shell>,
+    mut meshes: ResMut<Assets<Mesh>>,
+    mut buffers: ResMut<Assets<ShaderBuffer>>,
+    (mut grounds, mut airs, mut line_materials): (
+        ResMut<Assets<GroundMaterial>>,
+        ResMut<Assets<AirMaterial>>,
+        ResMut<Assets<LineMaterial>>,
+    ),
+) {
+    for (planet, &Planet { radius, .. }, globe, easel, old) in &globes {
+        let Some(picture) = easel.finished.as_ref().filter(|picture| picture.ground.is_some()) else {
+            continue;
+        };
+        for part in old.into_iter().flat_map(Parts::entities) {
+            commands.entity(part).try_despawn();
+        }
+        let size = picture.columns.len();
+        let samples = buffers.add(ShaderBuffer::with_size(size, RenderAssetUsages::RENDER_WORLD));
+        let part = |name| {
+            (Name::new(name), ChildOf(planet), NoFrustumCulling, NotShadowCaster, NotShadowReceiver)
+        };
+        let ground = GroundMaterial {
+            uniform: GroundUniform::new(globe, radius),
+            samples: samples.clone(),
+            wire: false,
+        };
+        let ground = commands.spawn((part("ground"), MeshMaterial3d(grounds.add(ground)))).id();
+        let line = LineMaterial { uniform: LineUniform::new(globe, radius) };
+        let lines = commands.spawn((part("lines"), MeshMaterial3d(line_materials.add(line)))).id();
+        let sphere = shell.0.get_or_insert_with(|| meshes.add(mesh::shell())).clone();
+        let air = AirMaterial { uniform: AirUniform::new(globe) };
+        let air = (part("air"), Mesh3d(sphere), MeshMaterial3d(airs.add(air)));
+        let air = commands.spawn(air).id();
+        commands.entity(planet).insert(Parts { ground, lines, air, edges: None, samples });
+    }
+}
+
+/// Hands finished pictures to the renderer.
+fn show_pictures(
+    mut commands: Commands,
+    mut globes: Query<(&mut Easel, &Parts)>,
+    mut meshes: ResMut<Assets<Mesh>>,
+    mut buffers: ResMut<Assets<ShaderBuffer>>,
+) {
+    for (mut easel, parts) in &mut globes {
+        let Some(picture) = easel.finished.take() else { continue };
+        if let Some(mut samples) = buffers.get_mut(&parts.samples) {
+            samples.data = Some(picture.columns);
+        }
+        if let Some(ground) = picture.ground {
+            commands.entity(parts.ground).insert(Mesh3d(meshes.add(ground)));
+        }
+        let seen = if picture.no_lines { Visibility::Hidden } else { Visibility::Inherited };
+        commands.entity(parts.lines).insert((Mesh3d(meshes.add(picture.lines)), seen));
+    }
+}
+
+/// Tells the shaders what needs no painting, and makes or hides the edges of triangles.
+fn shade(
+    mut commands: Commands,
+    mut globes: Query<(Entity, &Planet, &Globe, &Easel, &mut Parts), Or<(Changed<Globe>, Changed<Parts>)>>,
+    handles: Query<(
+        Option<&MeshMaterial3d<GroundMaterial>>,
+        Option<&MeshMaterial3d<AirMaterial>>,
+        Option<&MeshMaterial3d<LineMaterial>>,
+    )>,
+    mut meshes: ResMut<Assets<Mesh>>,
+    (mut grounds, mut airs, mut lines): (
+        ResMut<Assets<GroundMaterial>>,
+        ResMut<Assets<AirMaterial>>,
+        ResMut<Assets<LineMaterial>>,
+    ),
+) {
+    for (planet, &Planet { radius, .. }, globe, easel, mut parts) in &mut globes {
+        let wanted = globe.wireframe || globe.overlay == Overlay::Mesh;
+        if let (true, None, Some(lattice)) = (wanted, parts.edges, &easel.lattice) {
+            let material = GroundMaterial {
+                uniform: GroundUniform::new(globe, radius),
+                samples: parts.samples.clone(),
+                wire: true,
+            };
+            let edges = (Mesh3d(meshes.add(mesh::edges(lattice))), MeshMaterial3d(grounds.add(material)));
+            let part = (Name::new("edges"), ChildOf(planet), NoFrustumCulling, NotShadowCaster);
+            parts.edges = Some(commands.spawn((part, edges)).id());
+        }
+        for part in parts.entities() {
+            let Ok((ground, air, line)) = handles.get(part) else { continue };
+            if let Some(mut material) = ground.and_then(|m| grounds.get_mut(m)) {
+                material.uniform = GroundUniform::new(globe, radius);
+            }
+            if let Some(mut material) = air.and_then(|m| airs.get_mut(m)) {
+                material.uniform = AirUniform::new(globe);
+            }
+            if let Some(mut material) = line.and_then(|m| lines.get_mut(m)) {
+                material.uniform = LineUniform::new(globe, radius);
+            }
+        }
+        let visible = |on| if on { Visibility::Inherited } else { Visibility::Hidden };
+        commands.entity(parts.air).insert(visible(globe.air > 0.0));
+        if let Some(edges) = parts.edges {
+            commands.entity(edges).insert(visible(wanted));
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Everything that follows from the state: found again after a load, and whenever frames gain or lose samples.
+
+use crate::crust::cover::CoverIndex;
+use crate::crust::terrane::census;
+use crate::crust::{Crust, Frames};
+use crate::events::PlateConsumed;
+use crate::params::TectonicParams;
+use crate::planet::{Lattice, Planet};
+use crate::plate::boundary::Rim;
+use crate::plate::contact::{ContactInput, Contacts, PolarityMemory, find_contacts};
+use crate::plate::stats::plate_stats;
+use crate::plate::PlateId;
+use crate::process::front::FrontField;
+use crate::process::plate_table;
+use bevy::prelude::*;
+
+/// Renews what depends on which samples a frame has: rims, candidate tables and plate statistics. Distances to fronts
+/// become stale, and plates without crust are removed.
+pub fn rebuild(world: &mut World, planet: Entity) {
+    let mut query = world.query::<(
+        (&Planet, &Lattice, &Crust, &Frames),
+        (&mut Rim, &mut CoverIndex, &mut FrontField, &mut PolarityMemory, &mut Contacts),
+    )>();
+    let Ok(((body, lattice, crust, frames), derived)) = query.get_mut(world, planet) else { return };
+    let (mut rim, mut cover, mut field, mut polarity, mut contacts) = derived;
+    *rim = Rim::new(lattice, &crust.frame, frames);
+    *cover = CoverIndex::new(lattice, &crust.frame, frames);
+    // Contacts are parallel to the rim; those of the next step replace these.
+    contacts.0.clear();
+    contacts.0.resize(rim.len(), default());
+    field.stale = true;
+    let stats = plate_stats(lattice, crust, frames, body.radius);
+    let alive = |id: PlateId| stats.iter().any(|(other, stats)| *other == id && stats.samples > 0);
+    polarity.retain(alive);
+    for row in plate_table(world, planet).rows() {
+        match stats.iter().find(|(id, stats)| *id == row.id && stats.samples > 0) {
+            Some((_, stats)) => {
+                world.entity_mut(row.entity).insert(*stats);
+            }
+            None => {
+                world.despawn(row.entity);
+                world.trigger(PlateConsumed { planet, plate: row.id });
+            }
+        }
+    }
+}
+
+/// Finds everything that a planet derives from its state, after it was made or loaded, and projects its surface.
+pub fn refresh(world: &mut World, planet: Entity) {
+    let fronts = world.get::<FrontField>(planet).map(|field| (field.seeds.clone(), field.stale));
+    rebuild(world, planet);
+    let table = plate_table(world, planet);
+    let mut query = world.query::<(
+        (&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim),
+        (&CoverIndex, &PolarityMemory, &mut Contacts, &mut FrontField),
+    )>();
+    if let Ok((input, (cover, polarity, mut contacts, mut field))) = query.get_mut(world, planet) {
+        let (body, mesh, params, crust, frames, rim) = input;
+        let input = ContactInput { mesh, crust, frames, cover, plates: &table, radius: body.radius };
+        // Contacts serve the picture until the next step; the memory must not change by looking.
+        let mut memory = polarity.clone();
+        *contacts = find_contacts(&input, rim, &mut memory, params.polarity_hysteresis);
+        if let Some((seeds, stale)) = fronts {
+            field.seeds = seeds;
+            field.stale = stale;
+            let reach = (params.subduction_distance / body.radius).min(2.0);
+            field.restore(mesh, &crust.frame, frames, rim, reach);
+        }
+    }
+    take_census(world, planet);
+    super::project_now(world, planet);
+}
+
+/// Counts the terranes of all plates anew.
+pub(super) fn take_census(world: &mut World, planet: Entity) {
+    let table = plate_table(world, planet);
+    let mut query = world.query::<(&Planet, &Lattice, &Crust, &Frames)>();
+    let Ok((body, lattice, crust, frames)) = query.get(world, planet) else { return };
+    let found = census(lattice, crust, frames, body.radius);
+    for row in table.rows() {
+        world.entity_mut(row.entity).despawn_related::<crate::crust::Terranes>();
+    }
+    for (plate, terrane) in found {
+        if let Some(row) = table.get(plate) {
+            world.spawn((crate::crust::TerraneOf(row.entity), terrane));
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! What lies where no frame does (paper 000 §4.3).
+//!
+//! The two nearest rims of different plates are found by spreading. *Diverging plates*: the ridge runs halfway
+//! between the rims, and the floor is younger the nearer it is:
+//!
+//! ```text
+//! alpha = d_G / (d_G + d_P)          z = alpha z_mean + (1 - alpha) z_G(d_G)
+//! z_G(d) = z_a + (z_r - z_a) 2^(-d / sigma)            r = (p - q) x p
+//! age = T d_G / (d_G + d_P),  T the shorter of the time since the last resample and the time that the gap needed
+//! ```
+//!
+//! d_G is the distance to the ridge, d_P to the rim, q the projection of p onto the ridge. sigma grows with the
+//! spreading rate, so that z_G agrees with the subsidence of floor that spread at that rate; the parameter holds for
+//! [`REFERENCE_RATE`]. *Plates that do not diverge, and holes within one plate*: filled from the nearest rim, since a gap is not
+//! always an ocean. *Triple junctions*: the two nearest plates decide.
+
+use crate::crust::surface::Cover;
+use crate::crust::{CrustKind, Orogeny, Surface};
+use crate::math::exp2;
+use crate::params::TectonicParams;
+use crate::plate::PlateTable;
+use crate::plate::contact::SLIDING;
+use crate::resample::project::{Notes, Row};
+use crate::sphere::SphereMesh;
+use crate::sphere::spread::{Scratch, UNREACHED, angle_of_chord, spread};
+use bevy::math::DVec3;
+use bevy::prelude::*;
+
+/// Half-spreading rate in km/My at which `ridge_width` agrees with the default `subsidence_time`.
+pub const REFERENCE_RATE: f64 = 12.8;
+
+/// What filling gaps reads.
+pub struct GapInput<'a> {
+    /// Samples and triangles.
+    pub mesh: &'a SphereMesh,
+    /// The plates.
+    pub plates: &'a PlateTable,
+    /// Parameters.
+    pub params: &'a TectonicParams,
+    /// Planet radius in km.
+    pub radius: f64,
+    /// Time since the last resample in My.
+    pub elapsed: f64,
+}
+
+/// Makes crust for every sample of the projection that nothing covers. Returns how many became ridge crust.
+pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usize {
+    let mesh = input.mesh;
+    let open = |i: u32| notes.weight[i as usize] < 0.0;
+    let gaps: Vec<u32> = (0..mesh.len() as u32).filter(|&i| open(i)).collect();
+    if gaps.is_empty() {
+        return 0;
+    }
+    let mut seeds: Vec<u32> = gaps
+        .iter()
+        .flat_map(|&i| mesh.ring(i).iter().copied().filter(|&j| !open(j)))
+        .collect();
+    seeds.sort_unstable();
+    seeds.dedup();
+    let seeds: Vec<_> = seeds.into_iter().map(|i| (i, mesh.point(i))).collect();
+    if seeds.is_empty() {
+        return 0;
+    }
+    let mut scratch = Scratch::default();
+    let mut first = vec![UNREACHED; mesh.len()];
+    let reached = spread(mesh, &mut scratch, &seeds, 2.0, |_, to| open(to));
+    for (&i, &source) in reached.samples.iter().zip(&reached.source) {
+        first[i as usize] = seeds[source as usize].0;
+    }
+    let second = second_rims(mesh, &gaps, &first, surface, &mut scratch);
+    let mut made = 0;
+    for &i in &gaps {
+        let near = first[i as usize];
+        if near == UNREACHED {
+            continue;
+        }
+        let row = match second[i as usize] {
+            UNREACHED => None,
+            far => ridge_row(input, surface, i, near, far),
+        };
+        let k = i as usize;
+        surface.plate[k] = surface.plate[near as usize];
+        surface.cover[k] = if row.is_some() { Cover::Ridge } else { Cover::Filled };
+        made += usize::from(row.is_some());
+        row.unwrap_or_else(|| Row::read(&surface.crust, near as usize)).write(&mut surface.crust, k);
+    }
+    made
+}
+
+/// For every gap sample the nearest rim of another plate than the nearest rim's: spread from where the regions of two
+/// plates meet within the gap.
+fn second_rims(mesh: &SphereMesh, gaps: &[u32], first: &[u32], surface: &Surface, scratch: &mut Scratch) -> Vec<u32> {
+    let plate = |i: u32| match first[i as usize] {
+        UNREACHED => None,
+        rim => Some(surface.plate[rim as usize]),
+    };
+    let mut seeds = Vec::new();
+    let mut rims = Vec::new();
+    for &i in gaps {
+        for &j in mesh.ring(i) {
+            // A covered neighbour has no entry in `first`; only gap samples of another plate's region count.
+            if plate(i).is_some() && plate(j).is_some() && plate(i) != plate(j) {
+                let rim = first[j as usize];
+                seeds.push((i, mesh.point(rim)));
+                rims.push(rim);
+            }
+        }
+    }
+    let mut second = vec![UNREACHED; mesh.len()];
+    let same = |from: u32, to: u32| plate(to).is_some() && plate(from) == plate(to);
+    let reached = spread(mesh, scratch, &seeds, 2.0, same);
+    for (&i, &source) in reached.samples.iter().zip(&reached.source) {
+        second[i as usize] = rims[source as usize];
+    }
+    second
+}
+
+/// New ocean crust at sample `i` between the rims `near` and `far`; none where the plates do not diverge.
+fn ridge_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32) -> Option<Row> {
+    let &GapInput { mesh, plates, params, radius, elapsed } = input;
+    let (p, a, b) = (mesh.point(i), mesh.point(near), mesh.point(far));
+    let across = b - a;
+    let across = (across - p * across.dot(p)).try_normalize()?;
+    let relative = plates.angular_velocity(surface.plate[far as usize])
+        - plates.angular_velocity(surface.plate[near as usize]);
+    let opening = relative.cross(p).dot(across) * radius;
+    if opening < SLIDING {
+        return None;
+    }
+    let d1 = angle_of_chord(p.distance(a)) * radius;
+    let d2 = angle_of_chord(p.distance(b)) * radius;
+    let half = 0.5 * (d1 + d2);
+    let to_ridge = (half - d1).max(0.0);
+    let alpha = to_ridge / half;
+    let za = f64::from(surface.crust.elevation[near as usize]);
+    let zb = f64::from(surface.crust.elevation[far as usize]);
+    let between = (za * d2 + zb * d1) / (d1 + d2);
+    let z = alpha * between + (1.0 - alpha) * ridge_profile(params, to_ridge, 0.5 * opening);
+    Some(Row {
+        frame: surface.crust.frame[near as usize],
+        kind: CrustKind::Oceanic,
+        thickness: params.ocean_thickness as f32,
+        elevation: z as f32,
+        ocean_age: (alpha * elapsed.min(2.0 * half / opening)) as f32,
+        ridge: across.cross(p).normalize_or(DVec3::ZERO).as_vec3(),
+        orogeny_age: 0.0,
+        orogeny: Orogeny::None,
+        fold: Vec3::ZERO,
+    })
+}
+
+/// Template z_G of the floor at `d` km from a ridge that spreads at `rate` km/My to either side.
+pub fn ridge_profile(params: &TectonicParams, d: f64, rate: f64) -> f64 {
+    let sigma = params.ridge_width * (rate / REFERENCE_RATE).max(0.1);
+    params.abyss_elevation + (params.ridge_elevation - params.abyss_elevation) * exp2(-d / sigma)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_template_has_its_closed_form() {
+        let params = TectonicParams::default();
+        assert_eq!(ridge_profile(&params, 0.0, REFERENCE_RATE), params.ridge_elevation);
+        let middle = 0.5 * (params.ridge_elevation + params.abyss_elevation);
+        assert!((ridge_profile(&params, params.ridge_width, REFERENCE_RATE) - middle).abs() < 1e-12);
+        assert!((ridge_profile(&params, 1e5, REFERENCE_RATE) - params.abyss_elevation).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_template_agrees_with_subsidence() {
+        let params = TectonicParams::default();
+        for rate in [10.0, 25.0, 50.0] {
+            for age in [5.0, 20.0, 60.0] {
+                let depth = crate::math::exp(-age / params.subsidence_time);
+                let sunk = params.abyss_elevation + (params.ridge_elevation - params.abyss_elevation) * depth;
+                assert!((ridge_profile(&params, rate * age, rate) - sunk).abs() < 0.05);
+            }
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! The stages that resample the crust and project the surface, in slices.
+
+use super::derived::{rebuild, take_census};
+use super::gap::{GapInput, fill_gaps};
+use super::project::{Notes, ProjectInput, prepare, project_slice};
+use super::quota::conserve;
+use super::strays::gather_strays;
+use super::trench::bend;
+use crate::crust::cover::CoverIndex;
+use crate::crust::{Crust, Frame, FrameId, Frames, Ledger, Surface};
+use crate::events::CrustResampled;
+use crate::parallel::CHUNK;
+use crate::params::TectonicParams;
+use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::plate::boundary::Rim;
+use crate::plate::contact::{Contacts, PolarityMemory};
+use crate::plate::PlateTable;
+use crate::process::plate_table;
+use crate::schedule::{CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems};
+use bevy::prelude::*;
+use std::time::Instant;
+
+/// Adds the stages [`Stage::Resample`] and [`Stage::Surface`].
+pub struct ResamplePlugin;
+
+impl Plugin for ResamplePlugin {
+    fn build(&self, app: &mut App) {
+        app.add_systems(
+            TectonicStep,
+            (
+                resample.in_set(TectonicSystems::Process(Stage::Resample)),
+                surface.in_set(TectonicSystems::Process(Stage::Surface)),
+            ),
+        );
+    }
+}
+
+/// Buffers of a projection in progress.
+#[derive(Component, Clone, Debug, Default)]
+pub struct Resampling {
+    next: Surface,
+    notes: Notes,
+    new_ocean: usize,
+    /// Whether this step has resampled the crust.
+    pub done: bool,
+}
+
+/// How often the surface is projected.
+#[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
+#[reflect(Component)]
+pub enum SurfaceDemand {
+    /// At resamples only, and when [`project_now`] is called.
+    #[default]
+    OnRequest,
+    /// After every step.
+    EveryStep,
+}
+
+/// Steps between two resamples when the fastest plate moves at `speed` km/My.
+pub fn interval(params: &TectonicParams, speed: f64) -> u32 {
+    let wanted = params.resample_min_steps * params.max_speed / speed.max(1e-9);
+    let most = params.resample_max_steps.max(params.resample_min_steps);
+    wanted.clamp(params.resample_min_steps, most) as u32
+}
+
+/// Parts of the work after the chunks have been projected.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Finish {
+    Gaps,
+    Quota,
+    Commit,
+}
+
+fn resample(world: &mut World) {
+    let planet = world.resource::<CurrentPlanet>().0;
+    let Some(progress) = world.get::<StepCursor>(planet).map(|cursor| cursor.progress) else { return };
+    if progress == 0 && !is_due(world, planet) {
+        return;
+    }
+    let start = Instant::now();
+    let ended = advance(world, planet, true);
+    if let Some(mut timings) = world.get_mut::<StageTimings>(planet) {
+        timings.resample.0 += u32::from(ended);
+        timings.resample.1 += start.elapsed().as_secs_f64() * 1e3;
+    }
+}
+
+fn surface(world: &mut World) {
+    let planet = world.resource::<CurrentPlanet>().0;
+    let wanted = world.get::<SurfaceDemand>(planet) == Some(&SurfaceDemand::EveryStep);
+    let fresh = world.get::<Resampling>(planet).is_none_or(|resampling| resampling.done);
+    if wanted && !fresh {
+        advance(world, planet, false);
+    }
+}
+
+fn is_due(world: &mut World, planet: Entity) -> bool {
+    let table = plate_table(world, planet);
+    let Some(params) = world.get::<TectonicParams>(planet) else { return false };
+    let Some(clock) = world.get::<GeologicClock>(planet) else { return false };
+    let radius = world.get::<Planet>(planet).map_or(0.0, |planet| planet.radius);
+    let speed = table.rows().iter().map(|row| row.motion.speed * radius).fold(0.0, f64::max);
+    let due = clock.since_resample + 1 >= interval(params, speed);
+    // Frame numbers are 16 bits wide; a planet that collects so many terranes must be tidied.
+    let crowded = world.get::<Frames>(planet).is_some_and(|frames| frames.len() > 50_000);
+    clock.resample_requested || crowded || (params.processes.resample && due)
+}
+
+/// Projects the whole surface at once.
+pub fn project_now(world: &mut World, planet: Entity) {
+    if let Some(mut cursor) = world.get_mut::<StepCursor>(planet) {
+        cursor.progress = 0;
+        cursor.deadline = None;
+    }
+    advance(world, planet, false);
+    if let Some(mut cursor) = world.get_mut::<StepCursor>(planet) {
+        cursor.progress = 0;
+    }
+}
+
+/// Works on the projection until the slice's time is up; then the stage holds. Returns whether it is complete.
+fn advance(world: &mut World, planet: Entity, commit: bool) -> bool {
+    let table = plate_table(world, planet);
+    let Some(mut work) = world.get_mut::<Resampling>(planet).map(|mut r| core::mem::take(&mut *r)) else {
+        return true;
+    };
+    let ended = advance_work(world, planet, &table, &mut work, commit);
+    if ended == Some(true) {
+        finish(world, planet, &table, &mut work, commit);
+        work.done = commit;
+    }
+    if let Some(mut slot) = world.get_mut::<Resampling>(planet) {
+        *slot = work;
+    }
+    ended.unwrap_or(true)
+}
+
+fn advance_work(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Resampling, commit: bool) -> Option<bool> {
+    let mut query = world.query::<(
+        (&Planet, &Lattice, &TectonicParams, &GeologicClock, &Crust, &Frames),
+        (&mut CoverIndex, &PolarityMemory, &mut Ledger, &mut StepCursor),
+    )>();
+    let ((body, mesh, params, clock, crust, frames), (mut cover, polarity, mut ledger, mut cursor)) =
+        query.get_mut(world, planet).ok()?;
+    let chunks = mesh.len().div_ceil(CHUNK);
+    if cursor.progress == 0 {
+        // Collisions and riftings of this step have changed the frames since the contacts were found.
+        cover.turn(frames);
+        prepare(&mut work.next, &mut work.notes, mesh.len());
+    }
+    let input = ProjectInput { mesh, crust, frames, cover: &cover, polarity };
+    loop {
+        if cursor.progress < chunks {
+            cursor.progress = project_slice(&input, &mut work.next, &mut work.notes, cursor.progress);
+        } else {
+            match [Finish::Gaps, Finish::Quota, Finish::Commit][cursor.progress - chunks] {
+                Finish::Gaps => {
+                    let now = clock.time + if commit { params.time_step } else { 0.0 };
+                    let elapsed = now - clock.last_resample;
+                    let gaps = GapInput { mesh, plates, params, radius: body.radius, elapsed };
+                    work.new_ocean = fill_gaps(&gaps, &mut work.next, &work.notes);
+                }
+                Finish::Quota if commit => {
+                    let Resampling { next, notes, .. } = work;
+                    conserve(&input, params, body.radius, next, notes, &mut ledger);
+                    gather_strays(mesh, next);
+                }
+                Finish::Quota => {}
+                Finish::Commit => return Some(true),
+            }
+            cursor.progress += 1;
+        }
+        if cursor.out_of_time() {
+            cursor.hold();
+            return Some(false);
+        }
+    }
+}
+
+/// Publishes the projection; after a resample it becomes the state.
+fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Resampling, commit: bool) {
+    bend_trenches(world, planet, &mut work.next);
+    let mut query =
+        world.query::<(&Planet, &Lattice, &TectonicParams, &mut Crust, &mut Frames, &mut GeologicClock, &mut Surface)>();
+    let Ok((body, mesh, params, mut crust, mut frames, mut clock, mut surface)) = query.get_mut(world, planet) else {
+        return;
+    };
+    work.next.version = surface.version + 1;
+    work.next.time = clock.time;
+    if commit {
+        renumber(&mut work.next, plates, &mut frames);
+        crust.clone_from(&work.next.crust);
+        clock.last_resample = clock.time + params.time_step;
+        clock.resample_requested = false;
+        work.next.time = clock.last_resample;
+    }
+    core::mem::swap(&mut *surface, &mut work.next);
+    let share = work.new_ocean as f64 / mesh.len() as f64;
+    let new_ocean = share * 4.0 * crate::math::PI * body.radius * body.radius;
+    if commit {
+        rebuild(world, planet);
+        take_census(world, planet);
+        world.trigger(CrustResampled { planet, new_ocean });
+    }
+}
+
+fn bend_trenches(world: &mut World, planet: Entity, next: &mut Surface) {
+    let mut query =
+        world.query::<(&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim, &Contacts)>();
+    if let Ok((body, mesh, params, crust, frames, rim, contacts)) = query.get(world, planet) {
+        bend(mesh, crust, frames, rim, contacts, params, body.radius, next);
+    }
+}
+
+/// One frame at rest for every plate that has samples, in the order of plate numbers.
+fn renumber(surface: &mut Surface, plates: &PlateTable, frames: &mut Frames) {
+    let mut used = vec![false; plates.rows().len()];
+    let index: Vec<usize> =
+        surface.plate.iter().map(|&id| plates.index(id).unwrap_or(0)).collect();
+    index.iter().for_each(|&k| used[k] = true);
+    let mut number = vec![0 as FrameId; used.len()];
+    frames.0.clear();
+    for (k, row) in plates.rows().iter().enumerate().filter(|(k, _)| used[*k]) {
+        number[k] = frames.len() as FrameId;
+        frames.0.push(Frame::at_rest(row.id));
+    }
+    for (frame, k) in surface.crust.frame.iter_mut().zip(index) {
+        *frame = number[k];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fast_plates_are_resampled_sooner() {
+        let params = TectonicParams::default();
+        assert_eq!(interval(&params, 100.0), 10);
+        assert_eq!(interval(&params, 50.0), 20);
+        assert_eq!(interval(&params, 1.0), 60);
+        assert_eq!(interval(&params, 0.0), 60);
+        assert_eq!(interval(&params, 300.0), 10);
+    }
+}

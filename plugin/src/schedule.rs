@@ -1,0 +1,318 @@
+//! The schedule of one tectonic step, and the runner that spreads it over frames.
+//!
+//! A step is a walk through the [`Stage`]s. A long stage may ask for another slice with
+//! [`StepCursor::hold`]; the runner runs [`TectonicStep`] again and again until the frame's budget is
+//! spent, and each run goes on where the last one stopped. Without a budget a single run is a whole step.
+
+use crate::planet::{GeologicClock, Planet};
+use bevy::ecs::schedule::{
+    InternedScheduleLabel, LogLevel, ScheduleBuildSettings, ScheduleLabel, SingleThreadedExecutor,
+};
+use bevy::prelude::*;
+use core::time::Duration;
+use std::time::Instant;
+
+/// The schedule of one tectonic step. Its sets are [`TectonicSystems`].
+#[derive(ScheduleLabel, Clone, Debug, PartialEq, Eq, Hash)]
+pub struct TectonicStep;
+
+/// The stages of a step, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Reflect)]
+#[repr(u8)]
+pub enum Stage {
+    /// Commands of the user take effect.
+    Commands,
+    /// Frames rotate with their plates.
+    Drift,
+    /// Where plates meet, and which goes under.
+    Contact,
+    /// Overriding plates rise.
+    Subduction,
+    /// Subducting plates turn towards their fronts.
+    SlabPull,
+    /// Terranes break off and are sutured.
+    Collision,
+    /// Plates break.
+    Rifting,
+    /// Erosion, subsidence, sediment, isostasy, noise.
+    Relief,
+    /// When it is due: even samples again, and new ocean crust.
+    Resample,
+    /// The clock ticks and the ledger is checked.
+    Commit,
+    /// When someone looks at the planet: its surface is projected.
+    Surface,
+}
+
+impl Stage {
+    /// All stages in order.
+    pub const ALL: [Self; Self::COUNT] = [
+        Self::Commands,
+        Self::Drift,
+        Self::Contact,
+        Self::Subduction,
+        Self::SlabPull,
+        Self::Collision,
+        Self::Rifting,
+        Self::Relief,
+        Self::Resample,
+        Self::Commit,
+        Self::Surface,
+    ];
+
+    /// Number of stages.
+    pub const COUNT: usize = 11;
+
+    /// Name for panels and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Commands => "commands",
+            Self::Drift => "drift",
+            Self::Contact => "contact",
+            Self::Subduction => "subduction",
+            Self::SlabPull => "slab pull",
+            Self::Collision => "collision",
+            Self::Rifting => "rifting",
+            Self::Relief => "relief",
+            Self::Resample => "resample",
+            Self::Commit => "commit",
+            Self::Surface => "surface",
+        }
+    }
+}
+
+/// The sets of [`TectonicStep`], all in one chain: `Process(s)` then `After(s)` for every stage in order.
+///
+/// A stage that holds runs its `Process` set several times in one step; `After` runs once.
+/// A geological process of your own goes into the `After` set of the stage that it follows.
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TectonicSystems {
+    /// The stage's own systems.
+    Process(Stage),
+    /// Once per step, when the stage has ended.
+    After(Stage),
+}
+
+/// The planet that [`TectonicStep`] works on. The runner sets it.
+#[derive(Resource, Clone, Copy, Debug)]
+pub struct CurrentPlanet(pub Entity);
+
+/// Where in a step a planet is.
+#[derive(Component, Clone, Debug, Default)]
+pub struct StepCursor {
+    position: usize,
+    held: bool,
+    /// How far a stage that holds has come; the stage gives the number its meaning, 0 at the start.
+    pub progress: usize,
+    /// When the present slice of work should end. `None`: never.
+    pub deadline: Option<Instant>,
+    entered: Option<Instant>,
+    spent: Duration,
+    /// Set when a whole step has ended, until the runner sees it.
+    pub step_done: bool,
+}
+
+impl StepCursor {
+    /// Asks for another slice of the present stage.
+    pub fn hold(&mut self) {
+        self.held = true;
+    }
+
+    /// Whether the present slice should end.
+    pub fn out_of_time(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
+    }
+
+    /// Whether the planet stands between two steps: saves and commands are safe.
+    pub fn at_boundary(&self) -> bool {
+        self.position == 0 && self.progress == 0
+    }
+
+    fn len() -> usize {
+        2 * Stage::ALL.len()
+    }
+}
+
+/// Wall-clock time of each stage.
+#[derive(Component, Clone, Debug, Default)]
+pub struct StageTimings {
+    /// Time of each stage in the last step in ms, in the order of [`Stage::ALL`]; slices are summed.
+    pub last_ms: [f64; Stage::COUNT],
+    /// Sum over all steps in ms.
+    pub total_ms: [f64; Stage::COUNT],
+    /// Largest time of a step in ms, without resampling, rifting and projecting the surface.
+    pub step_max_ms: f64,
+    /// Steps measured.
+    pub steps: u64,
+    /// Resamplings done, and their time in ms.
+    pub resample: (u32, f64),
+    /// Riftings done, and their time in ms.
+    pub rift: (u32, f64),
+}
+
+impl StageTimings {
+    /// Time of the last step in ms, without resampling, rifting and projecting the surface.
+    pub fn last_step_ms(&self) -> f64 {
+        self.without_events(&self.last_ms)
+    }
+
+    /// Mean time of a step in ms, without resampling, rifting and projecting the surface.
+    pub fn step_mean_ms(&self) -> f64 {
+        self.without_events(&self.total_ms) / self.steps.max(1) as f64
+    }
+
+    fn without_events(&self, ms: &[f64; Stage::COUNT]) -> f64 {
+        let apart = [Stage::Resample, Stage::Rifting, Stage::Surface];
+        ms.iter().sum::<f64>() - apart.map(|stage| ms[stage as usize]).iter().sum::<f64>()
+    }
+}
+
+/// The order of stages as a plugin: schedule, sets and gates, without any process.
+pub struct TectonicSchedulePlugin;
+
+impl Plugin for TectonicSchedulePlugin {
+    fn build(&self, app: &mut App) {
+        let mut schedule = Schedule::new(TectonicStep);
+        schedule.set_executor(SingleThreadedExecutor::new()).set_build_settings(
+            ScheduleBuildSettings { ambiguity_detection: LogLevel::Error, ..default() },
+        );
+        let mut previous = None;
+        for position in 0..StepCursor::len() {
+            let set = set_at(position);
+            schedule.configure_sets(set.run_if(at(position)));
+            if let Some(previous) = previous {
+                schedule.configure_sets(Leave(previous).before(set));
+            }
+            schedule.configure_sets(Leave(position).after(set));
+            schedule.add_systems(leave.in_set(Leave(position)).run_if(at(position)));
+            previous = Some(position);
+        }
+        app.add_schedule(schedule).add_systems(Update, run_planets);
+    }
+}
+
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Leave(usize);
+
+fn set_at(position: usize) -> TectonicSystems {
+    let stage = Stage::ALL[position / 2];
+    if position.is_multiple_of(2) { TectonicSystems::Process(stage) } else { TectonicSystems::After(stage) }
+}
+
+fn at(position: usize) -> impl Fn(Res<CurrentPlanet>, Query<&StepCursor>) -> bool + Clone {
+    move |current: Res<CurrentPlanet>, cursors: Query<&StepCursor>| {
+        cursors.get(current.0).is_ok_and(|cursor| cursor.position == position && !cursor.held)
+    }
+}
+
+/// Moves the cursor on, unless the stage holds.
+fn leave(current: Res<CurrentPlanet>, mut planets: Query<(&mut StepCursor, &mut StageTimings)>) {
+    let Ok((mut cursor, mut timings)) = planets.get_mut(current.0) else { return };
+    let now = Instant::now();
+    let elapsed = cursor.entered.map_or(Duration::ZERO, |entered| now - entered);
+    cursor.entered = Some(now);
+    cursor.spent += elapsed;
+    if cursor.held {
+        return;
+    }
+    let stage = cursor.position / 2;
+    let ms = cursor.spent.as_secs_f64() * 1e3;
+    if cursor.position.is_multiple_of(2) {
+        timings.last_ms[stage] = ms;
+    } else {
+        timings.last_ms[stage] += ms;
+        timings.total_ms[stage] += timings.last_ms[stage];
+    }
+    cursor.spent = Duration::ZERO;
+    cursor.progress = 0;
+    cursor.position += 1;
+    if cursor.position == StepCursor::len() {
+        cursor.position = 0;
+        cursor.step_done = true;
+        timings.steps += 1;
+        timings.step_max_ms = timings.step_max_ms.max(timings.last_step_ms());
+    }
+}
+
+/// Runs one slice of a step for `planet`; with no deadline that is one whole step. Returns whether a step ended.
+pub fn run_slice(world: &mut World, planet: Entity, deadline: Option<Instant>) -> bool {
+    world.insert_resource(CurrentPlanet(planet));
+    if let Some(mut cursor) = world.get_mut::<StepCursor>(planet) {
+        cursor.held = false;
+        cursor.deadline = deadline;
+        cursor.entered = Some(Instant::now());
+    }
+    world.run_schedule(TectonicStep);
+    let Some(mut cursor) = world.get_mut::<StepCursor>(planet) else { return false };
+    core::mem::take(&mut cursor.step_done)
+}
+
+/// Runs whole steps until `count` have ended, without regard to clocks and budgets: for tools and tests.
+pub fn run_steps(world: &mut World, planet: Entity, count: u64) {
+    let mut done = 0;
+    while done < count {
+        if world.get::<StepCursor>(planet).is_none() {
+            return;
+        }
+        done += u64::from(run_slice(world, planet, None));
+    }
+}
+
+/// Advances every planet by as many slices as its clock and budget allow.
+fn run_planets(world: &mut World) {
+    let delta = world.get_resource::<Time>().map_or(0.0, |time| time.delta_secs_f64());
+    let mut planets: Vec<Entity> =
+        world.query_filtered::<Entity, With<Planet>>().iter(world).collect();
+    planets.sort();
+    for planet in planets {
+        run_planet(world, planet, delta);
+    }
+}
+
+/// Geological time that a clock owes to the wall clock; a component so that each planet has its own.
+#[derive(Component, Clone, Debug, Default)]
+pub struct TimeDebt(f64);
+
+fn run_planet(world: &mut World, planet: Entity, delta: f64) {
+    let Some(clock) = world.get::<GeologicClock>(planet).cloned() else { return };
+    let step = world.get::<crate::params::TectonicParams>(planet).map_or(2.0, |p| p.time_step);
+    let at_boundary = world.get::<StepCursor>(planet).is_some_and(StepCursor::at_boundary);
+    let Some(mut debt) = world.get_mut::<TimeDebt>(planet) else { return };
+    if !clock.paused {
+        // A slow machine owes at most one step: it lags instead of working off a backlog.
+        debt.0 = (debt.0 + delta * clock.speed).min(2.0 * step);
+    }
+    let wanted = (!clock.paused && debt.0 >= step) || clock.single_steps > 0;
+    if at_boundary && !wanted {
+        crate::authoring::apply_pending(world, planet);
+        return;
+    }
+    let deadline = Instant::now() + clock.frame_budget;
+    loop {
+        if run_slice(world, planet, Some(deadline)) {
+            finish_step(world, planet, step);
+            return;
+        }
+        if Instant::now() >= deadline {
+            return;
+        }
+    }
+}
+
+fn finish_step(world: &mut World, planet: Entity, step: f64) {
+    if let Some(mut debt) = world.get_mut::<TimeDebt>(planet) {
+        debt.0 = (debt.0 - step).max(0.0);
+    }
+    if let Some(mut clock) = world.get_mut::<GeologicClock>(planet) {
+        clock.single_steps = clock.single_steps.saturating_sub(1);
+        if clock.until.is_some_and(|until| clock.time >= until) {
+            clock.paused = true;
+            clock.until = None;
+        }
+    }
+}
+
+/// The label as schedules know it, for `app.edit_schedule`.
+pub fn tectonic_step() -> InternedScheduleLabel {
+    TectonicStep.intern()
+}

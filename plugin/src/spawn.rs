@@ -1,0 +1,126 @@
+//! Making a planet: from a recipe to an entity with plates.
+
+use crate::authoring::{Inbox, Recording};
+use crate::crust::{Crust, Frames, Ledger, Surface};
+use crate::planet::{GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe};
+use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateStats};
+use crate::schedule::{StageTimings, StepCursor, TimeDebt};
+use crate::sphere::SphereMesh;
+use bevy::prelude::*;
+use std::sync::Arc;
+
+/// Everything that a planet is made of, before it is in a world: what a recipe or a save file gives.
+#[derive(Clone)]
+pub struct PlanetState {
+    /// Radius and seed.
+    pub planet: Planet,
+    /// Samples and triangles.
+    pub lattice: Lattice,
+    /// Crust columns.
+    pub crust: Crust,
+    /// Frames.
+    pub frames: Frames,
+    /// Plates in order of their numbers: number, motion, time of birth in My.
+    pub plates: Vec<(PlateId, PlateMotion, f64)>,
+    /// The clock.
+    pub clock: GeologicClock,
+    /// Parameters.
+    pub params: crate::params::TectonicParams,
+    /// The account of continental crust.
+    pub ledger: Ledger,
+    /// What was done to the planet.
+    pub recording: Recording,
+    /// The memory of subduction polarity.
+    pub polarity: crate::plate::contact::PolarityMemory,
+    /// Distances to fronts; only `seeds` and `stale` are state, the rest is found again.
+    pub fronts: crate::process::front::FrontField,
+}
+
+impl PlanetState {
+    /// Grows the planet that `recipe` describes, at time 0.
+    ///
+    /// # Errors
+    /// [`PlanetError`] names the value of the recipe that is refused.
+    pub fn new(recipe: &PlanetRecipe) -> Result<Self, PlanetError> {
+        recipe.validate()?;
+        Self::on(recipe, Arc::new(SphereMesh::fibonacci(recipe.samples)?))
+    }
+
+    /// The same on a mesh that is already there; its number of samples counts, not the recipe's.
+    ///
+    /// # Errors
+    /// As [`PlanetState::new`].
+    pub fn on(recipe: &PlanetRecipe, mesh: Arc<SphereMesh>) -> Result<Self, PlanetError> {
+        recipe.validate()?;
+        let planet = Planet { radius: recipe.radius, seed: recipe.seed };
+        let (motions, owner) = crate::plate::partition::initial_plates(recipe, &mesh);
+        let mut crust = crate::plate::continents::initial_crust(recipe, &mesh, &owner);
+        crust.frame.clone_from(&owner);
+        let plates: Vec<_> = motions
+            .into_iter()
+            .enumerate()
+            .map(|(i, motion)| (PlateId(i as u32), motion, 0.0))
+            .collect();
+        let frames =
+            Frames(plates.iter().map(|&(id, ..)| crate::crust::Frame::at_rest(id)).collect());
+        let initial = crate::crust::ledger::measure(&crust, &mesh, planet.radius);
+        let ledger = Ledger { initial, ..default() };
+        let clock = GeologicClock { next_plate: plates.len() as u32, ..default() };
+        Ok(Self {
+            planet,
+            lattice: Lattice(mesh),
+            crust,
+            frames,
+            plates,
+            clock,
+            params: recipe.params.clone(),
+            ledger,
+            recording: Recording::default(),
+            polarity: default(),
+            fronts: default(),
+        })
+    }
+
+    /// Puts the planet into a world. Returns its entity.
+    pub fn spawn(self, world: &mut World) -> Entity {
+        let planet = world
+            .spawn((
+                (self.planet, self.lattice, self.crust, self.frames, self.clock, self.params),
+                (self.ledger, self.recording, self.polarity, self.fronts),
+                (Inbox::default(), Surface::default(), crate::resample::SurfaceDemand::default()),
+                (StepCursor::default(), StageTimings::default(), TimeDebt::default()),
+                (Name::new("planet"), crate::process::ProcessState::default()),
+            ))
+            .id();
+        for (id, motion, born) in self.plates {
+            world.spawn((
+                Name::new(format!("plate {}", id.0)),
+                PlateOf(planet),
+                Plate { born },
+                id,
+                motion,
+                PlateStats::default(),
+            ));
+        }
+        crate::resample::refresh(world, planet);
+        planet
+    }
+}
+
+/// `commands.spawn_planet(recipe)`: grows and spawns a planet at the next sync point.
+pub trait SpawnPlanet {
+    /// Spawns a planet. A refused recipe is logged as an error and spawns nothing; use
+    /// [`PlanetState::new`] to handle it.
+    fn spawn_planet(&mut self, recipe: PlanetRecipe);
+}
+
+impl SpawnPlanet for Commands<'_, '_> {
+    fn spawn_planet(&mut self, recipe: PlanetRecipe) {
+        self.queue(move |world: &mut World| match PlanetState::new(&recipe) {
+            Ok(state) => {
+                state.spawn(world);
+            }
+            Err(error) => error!("{error}"),
+        });
+    }
+}

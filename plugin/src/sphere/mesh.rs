@@ -1,0 +1,194 @@
+//! The immutable lattice of samples that a planet's crust is stored on.
+
+use super::nearest::Grid;
+use super::rings::Rings;
+use super::triangulation::triangulate;
+use super::{SphereError, area, chord_squared, sampling};
+use crate::{math, parallel::CHUNK};
+use bevy::math::DVec3;
+use rayon::prelude::*;
+use std::fmt;
+
+/// Samples on the unit sphere, their spherical Delaunay triangulation, Voronoi areas and a lookup
+/// of the nearest sample.
+///
+/// Takes about 100 bytes per sample. Indices are `u32`; methods that take the index of a sample panic, like a
+/// slice, if there is no such sample.
+#[derive(Clone)]
+pub struct SphereMesh {
+    pub(super) points: Vec<DVec3>,
+    pub(super) rings: Rings,
+    pub(super) grid: Grid,
+    /// A point whose squared chord to a sample is below this has no nearer sample.
+    pub(super) clearance: f64,
+    triangles: Vec<[u32; 3]>,
+    areas: Vec<f64>,
+    is_fibonacci: bool,
+}
+
+impl SphereMesh {
+    /// Fewest samples of a planet.
+    pub const MIN_SAMPLES: u32 = 100;
+    /// Most samples of a planet.
+    pub const MAX_SAMPLES: u32 = 2_000_000;
+
+    /// `samples` spherical Fibonacci points, evenly spread.
+    ///
+    /// # Errors
+    /// [`SphereError::SampleCount`] outside of 100..=2,000,000.
+    pub fn fibonacci(samples: u32) -> Result<Self, SphereError> {
+        if !(Self::MIN_SAMPLES..=Self::MAX_SAMPLES).contains(&samples) {
+            return Err(SphereError::SampleCount(samples));
+        }
+        let mesh = Self::build(sampling::fibonacci(samples))?;
+        Ok(Self {
+            is_fibonacci: true,
+            ..mesh
+        })
+    }
+
+    /// A mesh of any points, in the order given.
+    ///
+    /// Points need not have length 1; those that have it keep their bits.
+    ///
+    /// # Errors
+    /// For fewer than 4 or more than 2,000,000 points, for points that are zero, infinite or not a
+    /// number, for points that coincide, and for points that leave a hemisphere empty.
+    pub fn from_points(mut points: Vec<DVec3>) -> Result<Self, SphereError> {
+        if points.len() < 4 || points.len() > Self::MAX_SAMPLES as usize {
+            return Err(SphereError::PointCount(points.len()));
+        }
+        for (i, p) in points.iter_mut().enumerate() {
+            *p = normalised(*p).ok_or(SphereError::NotADirection(i))?;
+        }
+        Self::build(points)
+    }
+
+    fn build(points: Vec<DVec3>) -> Result<Self, SphereError> {
+        let soup = triangulate(&points)?;
+        let rings = Rings::new(points.len(), &soup).ok_or(SphereError::EmptyHemisphere)?;
+        drop(soup);
+        let triangles = rings.triangles();
+        if !surrounds_centre(&points, &triangles) {
+            return Err(SphereError::EmptyHemisphere);
+        }
+        let areas = area::voronoi_areas(&points, &rings);
+        let clearance = clearance(&points, &rings);
+        let mut mesh = Self {
+            points,
+            rings,
+            grid: Grid::default(),
+            clearance,
+            triangles,
+            areas,
+            is_fibonacci: false,
+        };
+        mesh.grid = Grid::new(&mesh);
+        Ok(mesh)
+    }
+
+    /// Number of samples.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Never true: a mesh has at least four samples.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
+    /// Was this mesh made by [`fibonacci`](Self::fibonacci)? Then its number of samples says all about it.
+    #[inline]
+    pub fn is_fibonacci(&self) -> bool {
+        self.is_fibonacci
+    }
+
+    /// All samples, unit vectors.
+    #[inline]
+    pub fn points(&self) -> &[DVec3] {
+        &self.points
+    }
+
+    /// Sample `i`, a unit vector.
+    #[inline]
+    pub fn point(&self, i: u32) -> DVec3 {
+        self.points[i as usize]
+    }
+
+    /// The 2n - 4 triangles, counter-clockwise seen from outside, each with its lowest index first,
+    /// in the order of that index.
+    #[inline]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Neighbours of sample `i`, counter-clockwise seen from outside, beginning with the lowest index.
+    #[inline]
+    pub fn ring(&self, i: u32) -> &[u32] {
+        self.rings.of(i)
+    }
+
+    /// Area of the Voronoi cell of sample `i`, in steradian.
+    #[inline]
+    pub fn area(&self, i: u32) -> f64 {
+        self.areas[i as usize]
+    }
+
+    /// Areas of all Voronoi cells, in steradian; they sum to 4π.
+    #[inline]
+    pub fn areas(&self) -> &[f64] {
+        &self.areas
+    }
+
+    /// Mean distance of neighbouring samples in radians, that of a hexagonal lattice of the same density.
+    pub fn spacing(&self) -> f64 {
+        (8.0 * math::PI / (3.0_f64.sqrt() * self.len() as f64)).sqrt()
+    }
+}
+
+impl fmt::Debug for SphereMesh {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SphereMesh")
+            .field("samples", &self.len())
+            .finish_non_exhaustive()
+    }
+}
+
+/// The direction of `p`, the same bits if it is a unit vector already; `None` if it has none.
+fn normalised(p: DVec3) -> Option<DVec3> {
+    if (p.length_squared() - 1.0).abs() < 1e-15 {
+        return Some(p);
+    }
+    let largest = p.abs().max_element();
+    // Dividing by the largest coordinate first keeps the length clear of overflow and underflow.
+    (p.is_finite() && largest > 0.0).then(|| (p / largest).normalize())
+}
+
+/// Do all triangles face away from the centre, as those of points around it do?
+fn surrounds_centre(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
+    triangles.par_iter().with_min_len(CHUNK).all(|t| {
+        let [a, b, c] = t.map(|i| points[i as usize]);
+        a.dot((b - a).cross(c - a)) > 0.0
+    })
+}
+
+/// A quarter of the smallest squared chord between neighbours: half way between the closest two samples.
+fn clearance(points: &[DVec3], rings: &Rings) -> f64 {
+    let closest = |i: u32| {
+        let chords = rings
+            .of(i)
+            .iter()
+            .map(|&j| chord_squared(points[i as usize], points[j as usize]));
+        chords.fold(f64::INFINITY, f64::min)
+    };
+    let samples = (0..points.len() as u32).into_par_iter().with_min_len(CHUNK);
+    let smallest = samples.map(closest).reduce(|| f64::INFINITY, f64::min);
+    // The margin is far above rounding errors of either chord.
+    0.25 * smallest * (1.0 - 1e-6)
+}
+
+#[cfg(test)]
+#[path = "mesh_tests.rs"]
+mod tests;

@@ -1,0 +1,64 @@
+//! The sample lattice of a planet: points on the unit sphere and everything that is fixed about them.
+//!
+//! ```text
+//! cube            the sphere as six squares: order along a curve, cells of a grid
+//! sampling        Fibonacci points, ordered along a space-filling curve
+//! triangulation   spherical Delaunay triangulation (planar Delaunay of a stereographic projection)
+//! rings           neighbours of every sample, in order around it
+//! area            spherical Voronoi cells
+//! nearest         nearest sample of a direction: a cube-map grid, then a walk over neighbours
+//! locate          containing triangle and barycentric weights of a direction
+//! spread          distances from many sources, spread over the mesh
+//! ```
+//!
+//! A [`SphereMesh`] never changes: crust moves in rotating frames, samples stay where they are
+//! (paper 000 §3 samples the sphere in the same way, and triangulates once).
+//!
+//! Policies:
+//! - The nearest of several samples at the same distance is the one with the lowest index.
+//!   So the answer depends on the point alone, not on where the search began.
+//! - A direction exactly on a sample has weight 1 on that sample and 0 on the others.
+//! - A direction on an edge belongs to either triangle of that edge; the weights are the same.
+
+mod area;
+mod cube;
+mod locate;
+mod mesh;
+mod nearest;
+mod rings;
+mod sampling;
+pub mod spread;
+mod triangulation;
+
+pub use locate::Location;
+pub use mesh::SphereMesh;
+
+/// Why a [`SphereMesh`] could not be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SphereError {
+    /// The number of Fibonacci samples is out of range.
+    #[error("{0} samples asked for; a planet has {min} to {max}",
+        min = SphereMesh::MIN_SAMPLES, max = SphereMesh::MAX_SAMPLES)]
+    SampleCount(u32),
+    /// Too few or too many points were given.
+    #[error("{0} points given; a mesh needs 4 to {max}", max = SphereMesh::MAX_SAMPLES)]
+    PointCount(usize),
+    /// The point with this index has no direction: it is zero, infinite or not a number.
+    #[error("point {0} is zero or not finite")]
+    NotADirection(usize),
+    /// Two points are equal, or too close to be told apart.
+    #[error("two points are equal or too close to be told apart")]
+    Duplicate,
+    /// The points do not surround the centre: some hemisphere holds none of them.
+    #[error("the points leave a whole hemisphere empty")]
+    EmptyHemisphere,
+}
+
+/// Squared length of the chord between two points.
+///
+/// Points are compared by chord, not by dot product: near a sample the dot product is 1 minus half
+/// the squared distance and has lost all digits below 1e-8 rad.
+#[inline(always)]
+fn chord_squared(a: bevy::math::DVec3, b: bevy::math::DVec3) -> f64 {
+    (a - b).length_squared()
+}

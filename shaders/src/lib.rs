@@ -1,0 +1,11 @@
+//! The WGSL of Pangaea.
+//!
+//! Sources only: the crate has no dependencies and knows no renderer. [`globe`] holds the passes that draw a
+//! planet from orbit. A source is written in the dialect of Bevy (`naga_oil`: `#import`, `#ifdef`, `#{NAME}`).
+//!
+//! Two kinds of source, told apart by their headers:
+//! - *libraries* (`#define_import_path pangaea_shaders::...`) hold pure functions and import nothing, so they
+//!   can be reused in other passes, validated alone, and twinned on the CPU;
+//! - *passes* have entry points and bindings, and import the renderer's view and mesh.
+
+pub mod globe;
