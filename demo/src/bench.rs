@@ -6,7 +6,7 @@ use crate::error::CliError;
 use crate::headless::{Headless, set_threads, sprout};
 use crate::output::{check_file, print, say, write_file};
 use crate::progress;
-use bevy_pangaea::authoring::{Inbox, TectonicCommand};
+use bevy_pangaea::authoring::{Inbox, TectonicCommand, apply::apply};
 use bevy_pangaea::crust::Crust;
 use bevy_pangaea::io::{Timings, floor, stats::peak_rss_mb};
 use bevy_pangaea::planet::PlanetRecipe;
@@ -16,7 +16,7 @@ use std::time::Instant;
 
 /// Steps per measurement: 128 My, with several resamplings.
 const STEPS: u64 = 64;
-/// Steps after which the largest plate is torn apart.
+/// Steps after which the largest plate that can break is torn apart.
 const RIFTS: [u64; 3] = [16, 32, 48];
 /// A step after which a resampling is asked for, so that there is one on the slowest planet, too.
 const RESAMPLE: u64 = 40;
@@ -67,7 +67,7 @@ fn measure(samples: u32) -> Result<Row, CliError> {
             tear_largest(&mut headless);
         }
         if step == RESAMPLE {
-            send(&mut headless, TectonicCommand::Resample);
+            ask_for_resample(&mut headless);
         }
         headless.run(1, |_| bar.inc(1))?;
     }
@@ -86,18 +86,23 @@ fn measure(samples: u32) -> Result<Row, CliError> {
     Ok(Row { samples, plates: plate_count, steps: STEPS, timings_ms, stages_ms, peak_rss_mb })
 }
 
+/// Breaks the largest plate that can break.
 fn tear_largest(headless: &mut Headless) {
-    let plates = headless.plates();
-    let largest = plates.rows().iter().max_by(|a, b| a.stats.area.total_cmp(&b.stats.area));
-    if let Some(plate) = largest.map(|row| row.id) {
-        send(headless, TectonicCommand::RiftPlate { plate, line: Vec::new(), fragments: 2 });
+    let mut plates = headless.plates().rows().to_vec();
+    plates.sort_by(|a, b| b.stats.area.total_cmp(&a.stats.area));
+    let planet = headless.planet;
+    for row in plates {
+        let command = TectonicCommand::RiftPlate { plate: row.id, line: Vec::new(), fragments: 2 };
+        if apply(headless.app.world_mut(), planet, &command).is_ok() {
+            return;
+        }
     }
 }
 
-fn send(headless: &mut Headless, command: TectonicCommand) {
+fn ask_for_resample(headless: &mut Headless) {
     let planet = headless.planet;
     if let Some(mut inbox) = headless.app.world_mut().get_mut::<Inbox>(planet) {
-        inbox.0.push(command);
+        inbox.0.push(TectonicCommand::Resample);
     }
 }
 

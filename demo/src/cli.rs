@@ -15,6 +15,9 @@ use std::path::PathBuf;
 #[derive(Parser, Debug)]
 #[command(name = "pangaea", version, max_term_width = 100, args_conflicts_with_subcommands = true)]
 pub struct Cli {
+    /// How the explorer starts.
+    #[command(flatten)]
+    pub start: StartArgs,
     /// Open the explorer for this many frames only
     #[arg(long, hide = true, value_name = "N", value_parser = |s: &str| integer(s, 1, 1_000_000))]
     pub frames: Option<u64>,
@@ -26,6 +29,40 @@ pub struct Cli {
     pub command: Option<Command>,
 }
 
+/// What the explorer opens with. An option given here replaces what the preset says.
+#[derive(Args, Debug, Default, Clone)]
+pub struct StartArgs {
+    /// A planet file to open instead of growing a planet
+    #[arg(long, value_name = "PLANET.pangaea", conflicts_with_all = ["seed", "samples", "plates", "land", "preset"])]
+    pub open: Option<PathBuf>,
+    /// Seed of the first planet [default: 1]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 0, u64::MAX))]
+    pub seed: Option<u64>,
+    /// Number of samples of the sphere, 100 to 2,000,000 [default: 60000]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 100, 2_000_000))]
+    pub samples: Option<u64>,
+    /// Number of initial plates, 2 to 1000 [default: 40]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 2, 1000))]
+    pub plates: Option<u64>,
+    /// Share of land, 0 to 0.9 [default: 0.3]
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = |s: &str| number(s, 0.0, 0.9))]
+    pub land: Option<f64>,
+    /// Recipe of the planet, *.planet.ron
+    #[arg(long, value_name = "FILE")]
+    pub preset: Option<PathBuf>,
+}
+
+impl StartArgs {
+    /// The recipe that preset and options make together, checked.
+    ///
+    /// # Errors
+    /// A preset that cannot be read, or a number that is refused.
+    pub fn recipe(&self) -> Result<PlanetRecipe, CliError> {
+        let Self { seed, samples, plates, land, ref preset, .. } = *self;
+        RecipeArgs { seed, samples, plates, land, preset: preset.clone(), ..RecipeArgs::default() }.recipe()
+    }
+}
+
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
@@ -33,6 +70,8 @@ pub enum Command {
     Generate(GenerateArgs),
     /// Render a picture of the globe
     Render(RenderArgs),
+    /// Render the globe from eight sides, as `demo/run` does where there is no display
+    Views(ViewsArgs),
     /// Measure how fast this machine grows planets
     Bench(BenchArgs),
     /// Print the facts of a planet file
@@ -153,6 +192,17 @@ pub struct RenderArgs {
     pub size: (u32, u32),
     /// The picture, a PNG file
     #[arg(long, value_name = "F.png")]
+    pub out: PathBuf,
+}
+
+/// Options of `views`.
+#[derive(Args, Debug)]
+pub struct ViewsArgs {
+    /// How to grow the planet.
+    #[command(flatten)]
+    pub recipe: RecipeArgs,
+    /// Folder for the pictures; it is made if it does not exist
+    #[arg(long, value_name = "DIR", default_value = "pangaea-views")]
     pub out: PathBuf,
 }
 

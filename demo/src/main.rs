@@ -1,5 +1,7 @@
 //! `pangaea`: the explorer, and headless commands that grow, draw and measure planets.
 
+#![allow(unreachable_pub, reason = "nothing outside can reach into a program")]
+
 mod cli;
 mod error;
 mod values;
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
         None => explore(&cli),
         Some(Command::Generate(args)) => generate::generate(args),
         Some(Command::Render(args)) => picture::render(args),
+        Some(Command::Views(args)) => picture::views(args),
         Some(Command::Bench(args)) => bench::bench(args),
         Some(Command::Info(args)) => info::info(args),
     };
@@ -42,7 +45,8 @@ fn main() -> ExitCode {
 
 fn explore(cli: &Cli) -> Result<(), CliError> {
     let frames = cli.frames.map(|frames| frames as u32);
-    let options = explorer::Options { frames, capture: cli.capture.clone(), ..Default::default() };
+    let (recipe, open) = (cli.start.recipe()?, cli.start.open.clone());
+    let options = explorer::Options { recipe, open, frames, capture: cli.capture.clone() };
     explorer::run(options).map_err(CliError::Failed)
 }
 

@@ -1,10 +1,10 @@
 //! `pangaea render`: the globe as a PNG file, and the eight orbit views of a machine without a display.
 
-use crate::cli::{CameraSpec, RenderArgs};
+use crate::cli::{CameraSpec, RenderArgs, ViewsArgs};
 use crate::error::CliError;
 use crate::headless::Seedling;
 use crate::offscreen::{Offscreen, OffscreenError};
-use crate::output::check_file;
+use crate::output::{Files, check_file, print};
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use bevy_pangaea::io::{self, IoError};
@@ -63,6 +63,19 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     Ok(write_png(&picture, &args.out)?)
 }
 
+/// Grows a planet, draws it from eight sides, and says where the pictures are.
+///
+/// # Errors
+/// [`CliError`]
+pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
+    let seedling = Seedling::new(None, &args.recipe)?;
+    // Refused now rather than after the planet has grown.
+    Files::new(&args.out)?;
+    let files = eight_orbit_views(seedling.grow()?, &args.out)?;
+    let list: String = files.iter().map(|path| format!("{}\n", path.display())).collect();
+    print(&list)
+}
+
 /// Draws a planet from eight sides into `dir`, and returns the files.
 ///
 /// # Errors
@@ -110,7 +123,7 @@ fn sun(view: &Transform) -> DVec3 {
     let up = view.translation.normalize();
     let left = view.rotation * Vec3::NEG_X;
     let side = (left - up * left.dot(up)).normalize_or(up.any_orthonormal_vector());
-    bevy_pangaea::render::from_bevy(0.62 * up + 0.7 * side + 0.35 * up.cross(side)).normalize()
+    bevy_pangaea::render::from_bevy(0.62 * up + 0.7 * side + 0.35 * side.cross(up)).normalize()
 }
 
 fn write_png(raster: &Raster, path: &Path) -> Result<(), PictureError> {
@@ -149,8 +162,10 @@ mod tests {
     fn the_sun_lights_what_the_camera_sees() {
         for (lat, lon) in [(0.0, 0.0), (60.0, 100.0), (-90.0, 0.0)] {
             let view = camera(lat, lon, 30.0, -90.0);
-            let lit = to_bevy(sun(&view)).dot(view.translation.normalize());
+            let sun = to_bevy(sun(&view));
+            let lit = sun.dot(view.translation.normalize());
             assert!((0.5..0.8).contains(&lit), "{lit}");
+            assert!(sun.dot(*view.left()) > 0.5 && sun.dot(*view.up()) > 0.2);
         }
     }
 }

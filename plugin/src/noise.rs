@@ -19,18 +19,22 @@ impl Noise {
 
     /// One octave at `p`, which is in units of the noise's lattice.
     pub fn octave(&self, p: DVec3) -> f64 {
+        let (hashes, f) = self.corners(p);
+        interpolate(f, |corner, d| gradient(hashes[corner], d))
+    }
+
+    /// Hashes of the corners of the cell around `p`, in the order of x, then y, then z, and the position in it.
+    #[inline]
+    fn corners(&self, p: DVec3) -> ([u64; 8], DVec3) {
         let cell = p.floor();
-        let f = p - cell;
-        let (x, y, z) = (cell.x as i64, cell.y as i64, cell.z as i64);
-        let corner = |i: i64, j: i64, k: i64| {
-            let hash = mix(mix(mix(self.key ^ (x + i) as u64) ^ (y + j) as u64) ^ (z + k) as u64);
-            gradient(hash, f - DVec3::new(i as f64, j as f64, k as f64))
-        };
-        let fade = |t: f64| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
-        let (u, v, w) = (fade(f.x), fade(f.y), fade(f.z));
-        let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
-        let edge = |j, k| lerp(u, corner(0, j, k), corner(1, j, k));
-        lerp(w, lerp(v, edge(0, 0), edge(1, 0)), lerp(v, edge(0, 1), edge(1, 1)))
+        let (x, y, z) = (cell.x as i64 as u64, cell.y as i64 as u64, cell.z as i64 as u64);
+        let mut hashes = [0; 8];
+        for (corner, hash) in hashes.iter_mut().enumerate() {
+            let (i, j, k) = (corner as u64 & 1, corner as u64 >> 1 & 1, corner as u64 >> 2);
+            let row = mix(mix(self.key ^ x.wrapping_add(i)) ^ y.wrapping_add(j));
+            *hash = mix(row ^ z.wrapping_add(k));
+        }
+        (hashes, p - cell)
     }
 
     /// `octaves` octaves at the direction `p`: the first has `frequency` periods per radian,
@@ -55,18 +59,30 @@ impl Noise {
     }
 }
 
+/// Blends the values of a cell's corners at the position `f` in it; a value is given the corner and
+/// the vector from there.
+#[inline]
+fn interpolate(f: DVec3, value: impl Fn(usize, DVec3) -> f64) -> f64 {
+    let fade = |t: f64| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+    let (u, v, w) = (fade(f.x), fade(f.y), fade(f.z));
+    let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
+    let corner = |i: usize, j: usize, k: usize| {
+        value(i + 2 * j + 4 * k, f - DVec3::new(i as f64, j as f64, k as f64))
+    };
+    let edge = |j, k| lerp(u, corner(0, j, k), corner(1, j, k));
+    lerp(w, lerp(v, edge(0, 0), edge(1, 0)), lerp(v, edge(0, 1), edge(1, 1)))
+}
+
 /// Dot product of `d` with one of twelve edge directions of a cube, chosen by `hash` (Perlin 2002),
 /// scaled so that one octave reaches about -1..1.
 #[inline]
 fn gradient(hash: u64, d: DVec3) -> f64 {
-    let (a, b) = match (hash >> 60) % 3 {
-        0 => (d.x, d.y),
-        1 => (d.y, d.z),
-        _ => (d.z, d.x),
-    };
-    let a = if hash & 1 == 0 { a } else { -a };
-    let b = if hash & 2 == 0 { b } else { -b };
-    a + b
+    let axis = ((hash >> 60) % 3) as usize;
+    let a = [d.x, d.y, d.z][axis];
+    let b = [d.y, d.z, d.x][axis];
+    // The sign bit is set from the hash: a branch would be mispredicted every second time.
+    let signed = |x: f64, bit: u64| f64::from_bits(x.to_bits() ^ (bit << 63));
+    signed(a, hash & 1) + signed(b, hash >> 1 & 1)
 }
 
 #[cfg(test)]

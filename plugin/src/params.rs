@@ -152,13 +152,13 @@ params! {
         collision_distance = 4200.0 in 100.0..10000.0, "km";
         /// Share of the collision distance at which the surge really ends: 1 is the paper's, which makes belts of 2000 km and
         /// more when continents meet; Earth's widest, Tibet, reaches 1500 km from the suture.
-        collision_reach = 0.4 in 0.05..1.0, "";
+        collision_reach = 0.25 in 0.05..1.0, "";
         /// Average initial area A_0 of a plate as a share of the planet's: 1/40.
         plate_share = 0.025 in 0.001..1.0, "";
         /// Collision coefficient Δ_c. Paper 000, Appendix A.
         collision_coefficient = 1.3e-5 in 0.0..1e-3, "1/km";
         /// Highest surge of one collision: the Δ_c A of a continent would be 100 km and more. Tibet stands 5 km high.
-        collision_surge_max = 5.0 in 0.0..15.0, "km";
+        collision_surge_max = 4.0 in 0.0..15.0, "km";
         /// Area of the smallest terrane that breaks off its slab; smaller islands are forced down or scraped off.
         terrane_min_area = 20000.0 in 0.0..1e7, "km²";
     }

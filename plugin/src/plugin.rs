@@ -24,6 +24,7 @@ use bevy::prelude::*;
 /// | [`ReliefPlugin`] | erosion, subsidence, sediment, isostasy, noise |
 /// | [`ResamplePlugin`] | even samples again, new ocean crust, the surface for pictures |
 /// | [`CommitPlugin`] | commands, clock, ledger |
+/// | [`PresetPlugin`](crate::io::PresetPlugin) | `*.planet.ron` as hot-reloaded assets, where there are assets |
 pub struct PangaeaPlugins;
 
 impl PluginGroup for PangaeaPlugins {
@@ -39,5 +40,6 @@ impl PluginGroup for PangaeaPlugins {
             .add(ReliefPlugin)
             .add(ResamplePlugin)
             .add(CommitPlugin)
+            .add(crate::io::PresetPlugin)
     }
 }

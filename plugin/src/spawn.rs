@@ -65,6 +65,8 @@ impl PlanetState {
             Frames(plates.iter().map(|&(id, ..)| crate::crust::Frame::at_rest(id)).collect());
         let initial = crate::crust::ledger::measure(&crust, &mesh, planet.radius);
         let ledger = Ledger { initial, ..default() };
+        let mut fronts = crate::process::front::FrontField::default();
+        fronts.invalidate(plates.iter().map(|&(id, ..)| id));
         let clock = GeologicClock { next_plate: plates.len() as u32, ..default() };
         Ok(Self {
             planet,
@@ -77,7 +79,7 @@ impl PlanetState {
             ledger,
             recording: Recording::default(),
             polarity: default(),
-            fronts: default(),
+            fronts,
         })
     }
 

@@ -15,6 +15,9 @@ pub const SAMPLE: &str = include_str!("globe/sample.wgsl");
 /// Library `pangaea_shaders::globe::light`: sun, twilight, gloss of the sea, air, highlights.
 pub const LIGHT: &str = include_str!("globe/light.wgsl");
 
+/// Library `pangaea_shaders::globe::coast`: noise that makes coasts ragged between the samples.
+pub const COAST: &str = include_str!("globe/coast.wgsl");
+
 /// Pass: ground and sea, displaced and lit; with the definition `WIREFRAME` triangle edges in one colour.
 pub const SURFACE: &str = include_str!("globe/surface.wgsl");
 
@@ -25,9 +28,10 @@ pub const ATMOSPHERE: &str = include_str!("globe/atmosphere.wgsl");
 pub const LINE: &str = include_str!("globe/line.wgsl");
 
 /// Libraries, in the order in which they may be composed.
-pub const LIBRARIES: [Source; 2] = [
+pub const LIBRARIES: [Source; 3] = [
     Source { path: "pangaea_shaders/globe/sample.wgsl", wgsl: SAMPLE },
     Source { path: "pangaea_shaders/globe/light.wgsl", wgsl: LIGHT },
+    Source { path: "pangaea_shaders/globe/coast.wgsl", wgsl: COAST },
 ];
 
 /// Passes.

@@ -49,7 +49,7 @@ pub struct OrbitCamera {
 
 impl Default for OrbitCamera {
     fn default() -> Self {
-        Self { yaw: 0.6, pitch: 0.35, distance: 5.2, target: 3.9, spin: Vec2::ZERO, dragging: false }
+        Self { yaw: 0.6, pitch: 0.35, distance: 5.5, target: 4.2, spin: Vec2::ZERO, dragging: false }
     }
 }
 

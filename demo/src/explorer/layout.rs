@@ -15,7 +15,7 @@ use super::style::{self, section};
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use bevy_egui::egui::{
-    Context, Frame, LayerId, Margin, Panel, Rect, RichText, ScrollArea, Spinner, Ui, UiBuilder,
+    Context, Frame, LayerId, Margin, Order, Panel, Rect, RichText, ScrollArea, Spinner, Ui, UiBuilder,
 };
 use bevy_egui::{EguiContexts, egui};
 
@@ -97,7 +97,7 @@ fn left(ui: &mut Ui, view: Option<&View>, readings: &Readings, forms: &mut Forms
         section(ui, "Time", true, |ui| panels::time::show(ui, view, out));
     }
     section(ui, "View", true, |ui| panels::overlays::show(ui, &mut forms.look));
-    section(ui, "Planet", view.is_none(), |ui| {
+    section(ui, "Planet", false, |ui| {
         panels::planet::show(ui, view, &readings.session, &mut forms.planet, out);
     });
     if let Some(view) = view {
@@ -161,7 +161,7 @@ fn waiting(ctx: &Context, free: Rect, session: &Session) {
 fn is_on_globe(ctx: &Context, free: Rect) -> bool {
     let Some(at) = ctx.input(|input| input.pointer.latest_pos()) else { return false };
     free.contains(at)
-        && ctx.layer_id_at(at).is_none()
+        && ctx.layer_id_at(at).is_none_or(|layer| layer.order == Order::Background)
         && !ctx.egui_is_using_pointer()
         && !ctx.any_popup_open()
 }

@@ -47,6 +47,7 @@ use bevy::window::{PresentMode, WindowResizeConstraints, WindowResolution};
 use bevy_egui::{EguiPlugin, EguiPrimaryContextPass};
 use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::prelude::*;
+use bevy_pangaea::render::PangaeaRenderPlugin;
 use bevy_pangaea::render::adapter::open_adapter;
 use std::path::PathBuf;
 
@@ -76,7 +77,10 @@ pub fn run(options: Options) -> Result<(), String> {
     let adapter = open_adapter().map_err(|error| error.to_string())?;
     let mut app = App::new();
     app.add_plugins((default_plugins(adapter), EguiPlugin::default(), PangaeaPlugins));
-    app.add_plugins(|app: &mut App| build(app, options));
+    if !app.is_plugin_added::<PangaeaRenderPlugin>() {
+        app.add_plugins(PangaeaRenderPlugin);
+    }
+    build(&mut app, options);
     match app.run() {
         AppExit::Success => Ok(()),
         AppExit::Error(_) => Err("the explorer ended with an error".into()),

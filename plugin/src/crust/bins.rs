@@ -53,7 +53,29 @@ impl CubeGrid {
 
     /// Calls `visit` for every cell that may lie within the chord `reach` of the unit direction `p`.
     /// Cells near the limit may be visited without lying within it; none within it is left out.
+    #[inline]
     pub fn visit_near(&self, p: DVec3, reach: f64, mut visit: impl FnMut(usize)) {
+        match self.only_cell(p, reach) {
+            Some(cell) => visit(cell),
+            None => self.visit_faces(p, reach, visit),
+        }
+    }
+
+    /// The cell of `p`, if nothing within reach lies in another.
+    #[inline]
+    fn only_cell(&self, p: DVec3, reach: f64) -> Option<usize> {
+        let (face, u, v) = project(p);
+        // Gnomonic coordinates change by at most 3.5 times a small chord, at the corners of a face.
+        let spread = 3.5 * reach;
+        let low = [u - spread, v - spread].map(|x| (x + 1.0) * 0.5 * self.cells as f64);
+        let high = [u + spread, v + spread].map(|x| (x + 1.0) * 0.5 * self.cells as f64);
+        let end = self.cells as f64;
+        let inside = low[0] > 0.0 && low[1] > 0.0 && high[0] < end && high[1] < end;
+        let same = low[0] as usize == high[0] as usize && low[1] as usize == high[1] as usize;
+        (inside && same && reach < 0.1).then(|| self.index(face, low[0] as usize, low[1] as usize))
+    }
+
+    fn visit_faces(&self, p: DVec3, reach: f64, mut visit: impl FnMut(usize)) {
         for face in 0..6 {
             let (depth, u, v) = components(face, p);
             // A point of a face has a depth of 1/sqrt(3) at least.

@@ -60,6 +60,8 @@ impl Hits {
 #[derive(Component, Clone, Debug)]
 pub struct CoverIndex {
     grid: CubeGrid,
+    /// Centre and radius, as a chord, of each bin.
+    bins: Vec<(DVec3, f64)>,
     /// Number of 64-bit words of a set of frames.
     words: usize,
     /// Frames with samples in or near each bin of the lattice.
@@ -70,18 +72,26 @@ pub struct CoverIndex {
 
 impl Default for CoverIndex {
     fn default() -> Self {
-        Self { grid: CubeGrid::new(1), words: 0, lattice: Vec::new(), world: Vec::new() }
+        Self {
+            grid: CubeGrid::new(1),
+            bins: Vec::new(),
+            words: 0,
+            lattice: Vec::new(),
+            world: Vec::new(),
+        }
     }
 }
 
 impl CoverIndex {
     /// Builds both tables.
     pub fn new(mesh: &SphereMesh, frame: &[FrameId], frames: &[Frame]) -> Self {
-        // A bin is at least three samples wide, so that a sample touches few of them.
-        let cells = ((mesh.len() as f64 / 6.0).sqrt() / 3.0).clamp(2.0, 32.0) as usize;
+        // Bins several samples wide are touched by few samples; more of them cost more at every turn
+        // than they save at look-ups.
+        let cells = ((mesh.len() as f64 / 6.0).sqrt() / 5.0).clamp(2.0, 20.0) as usize;
         let grid = CubeGrid::new(cells);
         let words = frames.len().div_ceil(64).max(1);
-        let mut index = Self { grid, words, lattice: Vec::new(), world: Vec::new() };
+        let bins = (0..grid.len()).map(|cell| (grid.center(cell), grid.radius(cell))).collect();
+        let mut index = Self { grid, bins, words, lattice: Vec::new(), world: Vec::new() };
         index.lattice = index.mark_lattice(mesh, frame);
         index.turn(frames);
         index
@@ -118,7 +128,7 @@ impl CoverIndex {
         let mut world = vec![0u64; self.lattice.len()];
         for cell in 0..self.grid.len() {
             let marks = &self.lattice[cell * self.words..(cell + 1) * self.words];
-            let (center, reach) = (self.grid.center(cell), self.grid.radius(cell));
+            let (center, reach) = self.bins[cell];
             for id in ones(marks) {
                 let p = frames[id].to_world(center);
                 self.grid.visit_near(p, reach, |at| {
@@ -152,9 +162,22 @@ impl CoverIndex {
 
     /// All frames that cover the unit direction `p`, in order of their numbers.
     pub fn covering(&self, mesh: &SphereMesh, crust: &Crust, frames: &[Frame], p: DVec3) -> Hits {
+        self.covering_if(mesh, crust, frames, p, |_| true)
+    }
+
+    /// The frames of a choice that cover the unit direction `p`, in order of their numbers.
+    pub fn covering_if(
+        &self,
+        mesh: &SphereMesh,
+        crust: &Crust,
+        frames: &[Frame],
+        p: DVec3,
+        choice: impl Fn(&Frame) -> bool,
+    ) -> Hits {
         let mut hits = Hits::default();
         for id in ones(self.candidates(p)) {
-            if let Some(hit) = self.hit(mesh, crust, frames, id as FrameId, p) {
+            if choice(&frames[id])
+                && let Some(hit) = self.hit(mesh, crust, frames, id as FrameId, p) {
                 hits.push(hit);
             }
         }

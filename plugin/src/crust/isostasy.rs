@@ -16,16 +16,20 @@ pub struct Isostasy {
     pub slope_land: f32,
     /// Elevation per thickness below sea level.
     pub slope_sea: f32,
+    /// Thickness per elevation above and below sea level: a division is dear in a sweep.
+    inverse: [f32; 2],
 }
 
 impl Isostasy {
     /// The law that `params` describes.
     pub fn new(params: &TectonicParams) -> Self {
         let e0 = params.sea_level_thickness;
+        let slope_sea = -params.abyss_elevation / (e0 - params.ocean_thickness);
         Self {
             sea_level_thickness: e0 as f32,
             slope_land: params.isostasy as f32,
-            slope_sea: (-params.abyss_elevation / (e0 - params.ocean_thickness)) as f32,
+            slope_sea: slope_sea as f32,
+            inverse: [(1.0 / params.isostasy) as f32, (1.0 / slope_sea) as f32],
         }
     }
 
@@ -39,13 +43,19 @@ impl Isostasy {
     /// Thickness in km of crust that floats at elevation `z` km, the inverse of [`Self::elevation`].
     #[inline]
     pub fn thickness(&self, z: f32) -> f32 {
-        self.sea_level_thickness + z / if z > 0.0 { self.slope_land } else { self.slope_sea }
+        self.sea_level_thickness + self.load(z)
     }
 
     /// How much thicker crust of elevation `z` km becomes when it is raised by `dz` km.
     #[inline]
     pub fn thickening(&self, z: f32, dz: f32) -> f32 {
-        self.thickness(z + dz) - self.thickness(z)
+        self.load(z + dz) - self.load(z)
+    }
+
+    /// Thickness above that which floats at sea level.
+    #[inline]
+    fn load(&self, z: f32) -> f32 {
+        z * if z > 0.0 { self.inverse[0] } else { self.inverse[1] }
     }
 }
 

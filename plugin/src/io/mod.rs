@@ -7,7 +7,8 @@
 //! preset     *.planet.ron: recipes
 //! scenario   *.scenario.ron: commands to come
 //! png        16-bit elevation, RGB maps
-//! stats      figures of a planet, and the floor that timings are measured by
+//! stats      figures of a planet
+//! floor      the time of one sweep over the crust, by which timings are measured
 //! ```
 //!
 //! What is read is never trusted: every error is one line that names the file, and no input makes a
@@ -32,12 +33,15 @@ pub mod png;
 
 pub mod stats;
 
+mod floor;
+
 pub use capture::capture;
 pub use digest::digest;
 pub use preset::{PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{SaveError, load, save};
 pub use scenario::load_scenario;
-pub use stats::{Stats, Timings, floor};
+pub use floor::floor;
+pub use stats::{Stats, Timings};
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Read, Write};

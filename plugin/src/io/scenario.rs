@@ -38,10 +38,8 @@ pub fn load_scenario(path: &Path) -> Result<Scenario, IoError> {
     parse_scenario(&read_text(path)?).map_err(|error| error.in_file(path))
 }
 
-/// Largest elevation, up or down, that a brush may ask for in km.
-const BRUSH_LIMIT: f64 = 20.0;
-
-/// Checks the numbers and names of a command, as far as they do not depend on a planet.
+/// Checks the numbers and names of a command, as far as they do not depend on a planet. What a planet
+/// accepts passes, so recordings are checked by it, too.
 ///
 /// # Errors
 /// What is wrong, in words.
@@ -52,8 +50,8 @@ pub fn check(command: &TectonicCommand) -> Result<(), String> {
             within("speed", *speed, -300.0, 300.0)
         }
         TectonicCommand::RiftPlate { line, fragments, .. } => {
-            if line.len() == 1 {
-                return Err("a line needs at least two points".into());
+            if line.len() == 1 || line.len() > 1000 {
+                return Err("a line has 2 to 1000 points".into());
             }
             line.iter().try_for_each(|&point| coordinates(point))?;
             within("fragments", f64::from(*fragments), 2.0, 4.0)
@@ -61,10 +59,11 @@ pub fn check(command: &TectonicCommand) -> Result<(), String> {
         TectonicCommand::PaintCrust { target, brush } => {
             if let PaintTarget::Disc { center, radius } = target {
                 coordinates(*center)?;
-                within("radius", *radius, 0.1, 400_000.0)?;
+                within("radius", *radius, 0.0, 100_000.0)?;
             }
             match brush {
-                Brush::Raise(km) | Brush::Elevation(km) => within("brush", *km, -BRUSH_LIMIT, BRUSH_LIMIT),
+                Brush::Raise(km) => within("height", *km, -20.0, 20.0),
+                Brush::Elevation(km) => within("elevation", *km, -15.0, 20.0),
                 Brush::Kind(_) => Ok(()),
             }
         }

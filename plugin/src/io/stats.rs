@@ -1,14 +1,11 @@
-//! Figures of a planet (`stats.json`), and the floor that timings are measured by.
+//! Figures of a planet (`stats.json`).
 
-use crate::crust::{Cause, Crust, CrustKind, Ledger, Orogeny, Surface};
-use crate::parallel::{self, CHUNK};
+use crate::crust::{Cause, CrustKind, Ledger, Orogeny, Surface};
+use crate::parallel;
 use crate::planet::GeologicClock;
 use crate::schedule::StageTimings;
 use crate::sphere::SphereMesh;
-use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use std::hint::black_box;
-use std::time::Instant;
 
 /// Bins of the hypsometry: 250 m each, from -11 km to 11 km.
 pub const BINS: usize = 88;
@@ -111,7 +108,7 @@ pub struct Timings {
     pub rift_mean: Option<f64>,
     /// The whole simulation.
     pub total: Option<f64>,
-    /// One parallel sweep over all columns: see [`floor`].
+    /// One parallel sweep over all columns: see [`floor`](super::floor()).
     pub floor: Option<f64>,
 }
 
@@ -223,52 +220,10 @@ pub fn peak_rss_mb() -> Option<f64> {
     Some(kib * 1024.0 / 1e6)
 }
 
-/// The floor of all timings in ms: one parallel sweep in fixed chunks that reads and writes every crust
-/// column once, the median of several. A step that takes 6 floors moves six times the memory, or
-/// computes as long.
-pub fn floor(crust: &Crust) -> f64 {
-    const SWEEPS: usize = 15;
-    let mut crust = crust.clone();
-    let mut times: Vec<f64> = (0..SWEEPS)
-        .map(|_| {
-            let start = Instant::now();
-            sweep(&mut crust);
-            start.elapsed().as_secs_f64() * 1e3
-        })
-        .collect();
-    black_box(&crust);
-    times.sort_by(f64::total_cmp);
-    times[SWEEPS / 2]
-}
-
-/// Changes every value of every column.
-fn sweep(crust: &mut Crust) {
-    let Crust { frame, kind, thickness, elevation, ocean_age, ridge, orogeny_age, orogeny, fold } = crust;
-    let small = (frame.par_chunks_mut(CHUNK), kind.par_chunks_mut(CHUNK), orogeny.par_chunks_mut(CHUNK));
-    let scalars = (thickness.par_chunks_mut(CHUNK), elevation.par_chunks_mut(CHUNK));
-    let ages = (ocean_age.par_chunks_mut(CHUNK), orogeny_age.par_chunks_mut(CHUNK));
-    let vectors = (ridge.par_chunks_mut(CHUNK), fold.par_chunks_mut(CHUNK));
-    let all = (small.into_par_iter(), scalars.into_par_iter(), ages.into_par_iter(), vectors.into_par_iter());
-    all.into_par_iter().for_each(|((frame, kind, orogeny), (thickness, elevation), (age, folded), (ridge, fold))| {
-        frame.iter_mut().for_each(|f| *f ^= 1);
-        kind.iter_mut().for_each(|k| {
-            *k = if *k == CrustKind::Oceanic { CrustKind::Continental } else { CrustKind::Oceanic };
-        });
-        orogeny.iter_mut().for_each(|o| {
-            *o = if *o == Orogeny::Andean { Orogeny::Himalayan } else { Orogeny::Andean };
-        });
-        for column in [thickness, elevation, age, folded] {
-            column.iter_mut().for_each(|x| *x = 1.0 - *x);
-        }
-        for column in [ridge, fold] {
-            column.iter_mut().for_each(|v| *v = -*v);
-        }
-    });
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::crust::Crust;
 
     #[test]
     fn hypsometry_has_open_ends_and_sum_one() {
@@ -309,19 +264,5 @@ mod tests {
         assert!((stats.ocean_age_my.mean - 50.0).abs() < 1e-9);
         assert_eq!(stats.orogeny_fraction.andean, 0.0);
         assert!((stats.hypsometry[20] - 0.5).abs() < 1e-3 && (stats.hypsometry[48] - 0.5).abs() < 1e-3);
-    }
-
-    #[test]
-    fn the_floor_touches_every_value_and_leaves_the_crust_alone() {
-        let crust = Crust::ocean(3 * CHUNK + 5, &crate::params::TectonicParams::default());
-        let mut swept = crust.clone();
-        sweep(&mut swept);
-        for i in [0, CHUNK, crust.len() - 1] {
-            assert!(swept.frame[i] != crust.frame[i] && swept.kind[i] != crust.kind[i]);
-            assert!(swept.orogeny[i] != crust.orogeny[i] && swept.thickness[i] != crust.thickness[i]);
-            assert!(swept.elevation[i] != crust.elevation[i] && swept.ocean_age[i] != crust.ocean_age[i]);
-            assert!(swept.orogeny_age[i] != crust.orogeny_age[i]);
-        }
-        assert!(floor(&crust) > 0.0);
     }
 }

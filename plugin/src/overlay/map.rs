@@ -6,12 +6,12 @@
 use super::boundary::{BoundaryKind, boundaries};
 use super::field::{Field, majority};
 use super::palette::{self, Rgba};
-use super::relief::{gradients, shade};
+use super::relief::{gradients_of, shade};
 use super::{Overlay, OverlayInput};
 use crate::crust::{CrustKind, Surface};
 use crate::math;
 use crate::plate::PlateId;
-use crate::sphere::SphereMesh;
+use crate::sphere::{Location, SphereMesh};
 use bevy::math::{DVec3, Vec3};
 use rayon::prelude::*;
 
@@ -34,22 +34,28 @@ pub struct MapProjection {
     pixels: Vec<Pixel>,
 }
 
-/// The triangle around a pixel's centre and the weights of its first two corners.
+/// The triangle around a pixel's centre and the weights of its first two corners in 65535ths: a map has
+/// millions of pixels, and no colour needs more.
 #[derive(Clone, Copy, Default)]
 struct Pixel {
     vertices: [u32; 3],
-    weights: [f32; 2],
+    weights: [u16; 2],
 }
 
 impl Pixel {
+    fn new(found: &Location) -> Self {
+        let [a, b, _] = found.weights.map(|w| (w * 65_535.0 + 0.5) as u16);
+        Self { vertices: found.vertices, weights: [a, b.min(u16::MAX - a)] }
+    }
+
     fn weights(&self) -> [f32; 3] {
         let [a, b] = self.weights;
-        [a, b, (1.0 - a - b).max(0.0)]
+        [a, b, u16::MAX - a - b].map(|w| f32::from(w) / 65_535.0)
     }
 }
 
 /// How much steeper than true the relief of maps is drawn, on land and under water.
-const EXAGGERATION: (f32, f32) = (22.0, 9.0);
+const EXAGGERATION: (f32, f32) = (20.0, 9.0);
 
 impl MapProjection {
     /// Largest width or height of a map in pixels.
@@ -70,9 +76,7 @@ impl MapProjection {
                     None => mesh.nearest(p),
                 };
                 hint = Some(nearest);
-                let found = mesh.locate_from(p, nearest);
-                let [a, b, _] = found.weights;
-                *pixel = Pixel { vertices: found.vertices, weights: [a as f32, b as f32] };
+                *pixel = Pixel::new(&mesh.locate_from(p, nearest));
             }
         });
         Self { width, height, samples: mesh.len(), pixels }
@@ -131,8 +135,9 @@ fn latitude(y: u32, height: u32) -> f64 {
 /// What is drawn over the colours of an overlay.
 enum Ink {
     Nothing,
-    /// Uphill gradient per sample.
-    Relief(Vec<Vec3>),
+    /// Uphill gradient per sample, of the land with the sea as a plain, and of the sea floor with the land as one:
+    /// a coast is no cliff.
+    Relief { land: Vec<Vec3>, sea: Vec<Vec3> },
     /// Kind of boundary per sample.
     Boundaries(Vec<BoundaryKind>),
     /// Opacity and width (in barycentric weight) of the edges of triangles.
@@ -150,7 +155,10 @@ struct Brush<'a> {
 impl<'a> Brush<'a> {
     fn new(overlay: Overlay, input: &OverlayInput<'a>, map: &MapProjection) -> Self {
         let ink = match overlay {
-            Overlay::Elevation => Ink::Relief(gradients(input)),
+            Overlay::Elevation => Ink::Relief {
+                land: gradients_of(input, |z| z.max(0.0)),
+                sea: gradients_of(input, |z| z.min(0.0)),
+            },
             Overlay::Plates => Ink::Boundaries(boundaries(input)),
             Overlay::Mesh => {
                 // Height of a triangle in pixels: where it is small, edges fade instead of covering all.
@@ -168,7 +176,7 @@ impl<'a> Brush<'a> {
         let color = self.field.between(vertices, weights, self.kinds);
         match &self.ink {
             Ink::Nothing => color,
-            Ink::Relief(gradients) => self.shaded(color, vertices, weights, gradients),
+            Ink::Relief { land, sea } => self.shaded(color, vertices, weights, [land, sea]),
             Ink::Boundaries(kinds) => self.bordered(color, vertices, weights, kinds),
             Ink::Edges { opacity, width } => {
                 let least = weights[0].min(weights[1]).min(weights[2]);
@@ -177,14 +185,12 @@ impl<'a> Brush<'a> {
         }
     }
 
-    fn shaded(&self, color: Rgba, vertices: [u32; 3], weights: [f32; 3], gradients: &[Vec3]) -> Rgba {
-        let (mut p, mut gradient, mut z) = (Vec3::ZERO, Vec3::ZERO, 0.0);
-        for (v, w) in vertices.into_iter().zip(weights) {
-            p += w * self.mesh.point(v).as_vec3();
-            gradient += w * gradients[v as usize];
-            z += w * self.surface.elevation(v as usize);
-        }
-        let exaggeration = if z >= 0.0 { EXAGGERATION.0 } else { EXAGGERATION.1 };
+    fn shaded(&self, color: Rgba, vertices: [u32; 3], weights: [f32; 3], [land, sea]: [&[Vec3]; 2]) -> Rgba {
+        let corners = || vertices.into_iter().map(|v| v as usize).zip(weights);
+        let z: f32 = corners().map(|(v, w)| w * self.surface.elevation(v)).sum();
+        let (gradients, exaggeration) = if z >= 0.0 { (land, EXAGGERATION.0) } else { (sea, EXAGGERATION.1) };
+        let p: Vec3 = corners().map(|(v, w)| w * self.mesh.point(v as u32).as_vec3()).sum();
+        let gradient: Vec3 = corners().map(|(v, w)| w * gradients[v]).sum();
         let light = shade(p.normalize_or(Vec3::Z), gradient * exaggeration);
         palette::scaled(color, light.clamp(0.45, 1.35))
     }

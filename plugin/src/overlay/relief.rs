@@ -12,7 +12,12 @@ use bevy::math::{DVec3, Vec3};
 
 /// Gradient of the elevation at every sample: a tangent vector in km per km, uphill.
 pub fn gradients(input: &OverlayInput) -> Vec<Vec3> {
-    let elevation = |i: u32| f64::from(input.surface.elevation(i as usize));
+    gradients_of(input, |z| z)
+}
+
+/// Gradient of a function of the elevation in km at every sample, as [`gradients`].
+pub fn gradients_of(input: &OverlayInput, height: impl Fn(f32) -> f32 + Sync) -> Vec<Vec3> {
+    let elevation = |i: u32| f64::from(height(input.surface.elevation(i as usize)));
     per_sample(input.mesh, |i| {
         (fit(input.mesh, i, elevation).0 / input.planet.radius).as_vec3()
     })

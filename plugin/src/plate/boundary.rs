@@ -7,6 +7,9 @@ use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
 
+/// Entry of [`Rim::index`] for samples that are on no rim.
+pub const INTERIOR: u32 = u32::MAX;
+
 /// The samples on the rims of all frames, in sample order, with what never changes while no frame gains or
 /// loses samples. Vectors are in lattice coordinates.
 #[derive(Component, Clone, Debug, Default)]
@@ -15,6 +18,8 @@ pub struct Rim {
     pub samples: Vec<u32>,
     /// Unit tangent vector that points out of the frame.
     pub normal: Vec<DVec3>,
+    /// Position of every sample in `samples`; [`INTERIOR`] for those that are on no rim.
+    pub index: Vec<u32>,
     /// Length of front in radians that one sample stands for.
     pub length: f64,
 }
@@ -39,6 +44,10 @@ impl Rim {
         for (samples, normal) in parts {
             rim.samples.extend(samples);
             rim.normal.extend(normal);
+        }
+        rim.index = vec![INTERIOR; mesh.len()];
+        for (k, &i) in rim.samples.iter().enumerate() {
+            rim.index[i as usize] = k as u32;
         }
         rim
     }

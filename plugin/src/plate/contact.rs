@@ -101,15 +101,8 @@ fn meet(input: &ContactInput, rim: &Rim, polarity: &PolarityMemory, k: usize) ->
     let local = mesh.point(sample);
     let probe = (local + rim.normal[k] * (0.75 * mesh.spacing())).normalize();
     let p = frame.to_world(probe).normalize();
-    let hits = cover.covering(mesh, crust, frames, p);
-    let mut met: Option<Hit> = None;
-    for &hit in hits.as_slice().iter().filter(|hit| frames.plate(hit.frame) != frame.plate) {
-        let above = met.is_none_or(|top| crate::crust::cover::overrides(crust, frames, polarity, hit, top, p));
-        if above {
-            met = Some(hit);
-        }
-    }
-    let Some(hit) = met else { return Contact::default() };
+    let others = cover.covering_if(mesh, crust, frames, p, |other| other.plate != frame.plate);
+    let Some(hit) = topmost(crust, frames, polarity, &others, p) else { return Contact::default() };
     let other = frames.plate(hit.frame);
     let relative = plates.angular_velocity(frame.plate) - plates.angular_velocity(other);
     let relative = frame.to_lattice(relative);

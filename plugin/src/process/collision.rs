@@ -77,17 +77,17 @@ pub fn collision(
     }
     let mesh: &SphereMesh = lattice;
     let scene = Scene { planet, mesh, params, rim, contacts, cover, plates: plates.table() };
-    let mut sutured = false;
+    let mut touched = Vec::new();
     for overlap in scene.overlaps(&crust, &frames) {
         if let Some(mut event) = scene.collide(&overlap, &mut crust, &mut frames, &mut ledger) {
             event.planet = plates.planet();
+            touched.extend([event.from, event.to]);
             commands.trigger(event);
-            sutured = true;
         }
     }
-    if sutured {
+    if !touched.is_empty() {
         let planet = plates.planet();
-        commands.queue(move |world: &mut World| crate::resample::rebuild(world, planet));
+        commands.queue(move |world: &mut World| crate::resample::rebuild(world, planet, &touched));
     }
 }
 
@@ -250,7 +250,6 @@ struct Surge {
     radius: f64,
     /// Surge at the suture in km.
     height: f64,
-    planet_radius: f64,
     ceiling: f32,
     isostasy: Isostasy,
 }
@@ -265,7 +264,6 @@ impl Surge {
         Self {
             radius: params.collision_distance * params.collision_reach * share / planet_radius,
             height: if printed > 0.0 { printed * highest / (printed + highest) } else { 0.0 },
-            planet_radius,
             ceiling: params.summit_elevation as f32,
             isostasy: Isostasy::new(params),
         }

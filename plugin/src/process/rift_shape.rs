@@ -114,7 +114,7 @@ impl RiftShape {
     /// Angular velocities in rad/My that the fragments gain, for a relative speed of `speed` rad/My. `plate` are
     /// directions all over the plate. `far_end` chooses at which end of a line the pole lies.
     ///
-    /// `None` if the line is so long that no pole opens all of it.
+    /// `None` if the plate reaches so far that no motion opens all of it.
     pub fn motions(&self, plate: &[DVec3], speed: f64, far_end: bool) -> Option<Vec<DVec3>> {
         match self {
             Self::Line { normal, origin, .. } => open_line(*normal, *origin, plate, speed, far_end),
@@ -123,7 +123,11 @@ impl RiftShape {
                 let normal = first.cross(last).try_normalize()?;
                 open_line(normal, (first + last).try_normalize()?, plate, speed, far_end)
             }
-            Self::Sectors { junction, azimuths, .. } => Some(open_sectors(*junction, azimuths, speed)),
+            Self::Sectors { junction, azimuths, .. } => {
+                // Beyond a quarter of the circle fragments would close in on each other again.
+                let near = plate.iter().all(|p| p.dot(*junction) > 0.25);
+                near.then(|| open_sectors(*junction, azimuths, speed))
+            }
         }
     }
 }

@@ -58,12 +58,12 @@ pub fn subduction(
     let Ok((input, (mut crust, mut field, mut ledger))) = planets.get_mut(current.0) else { return };
     let (planet, lattice, params, clock, frames, rim, contacts) = input;
     if !params.processes.subduction {
-        field.stale = true;
+        field.invalidate(frames.iter().map(|frame| frame.plate));
         return;
     }
     let reach = (params.subduction_distance / planet.radius).min(2.0);
     field.refresh(lattice, &crust.frame, frames, rim, contacts, reach, clock.step);
-    let volume = rise(lattice, &mut crust, &field, contacts, &Uplift::new(params, planet.radius));
+    let volume = rise(lattice, &mut crust, &field, rim, contacts, &Uplift::new(params, planet.radius));
     ledger.book(Cause::SubductionUplift, 0.0, volume);
 }
 
@@ -114,7 +114,14 @@ impl<'a> Uplift<'a> {
 }
 
 /// Raises all samples near a front. Returns the volume in km³ that continents gained.
-fn rise(mesh: &SphereMesh, crust: &mut Crust, field: &FrontField, contacts: &Contacts, law: &Uplift) -> f64 {
+fn rise(
+    mesh: &SphereMesh,
+    crust: &mut Crust,
+    field: &FrontField,
+    rim: &Rim,
+    contacts: &Contacts,
+    law: &Uplift,
+) -> f64 {
     let kind = &crust.kind;
     let volumes: Vec<f64> = (
         crust.elevation.par_chunks_mut(CHUNK),
@@ -131,10 +138,15 @@ fn rise(mesh: &SphereMesh, crust: &mut Crust, field: &FrontField, contacts: &Con
             for k in 0..elevation.len() {
                 let i = start + k;
                 let source = field.source[i];
-                if source == UNREACHED || contacts.0[source as usize].role != Role::Overriding {
+                if source == UNREACHED {
                     continue;
                 }
-                let contact = &contacts.0[source as usize];
+                // A front sample may have become interior or stopped overriding since distances were spread.
+                let at = rim.index[source as usize];
+                let Some(contact) = contacts.0.get(at as usize) else { continue };
+                if contact.role != Role::Overriding {
+                    continue;
+                }
                 let (rate, drag) = law.at(mesh, i, field.distance[i], contact);
                 let dt = law.params.time_step as f32;
                 let z = elevation[k];

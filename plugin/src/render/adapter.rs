@@ -10,7 +10,7 @@ use thiserror::Error;
 
 /// No adapter was found, or it would not open.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("no GPU adapter: {reason}\n{CURE}")]
+#[error("no GPU adapter: {reason}; {CURE}")]
 pub struct NoAdapter {
     /// What the renderer said.
     pub reason: String,

@@ -5,7 +5,7 @@ use crate::overlay::Overlay;
 use crate::overlay::palette::HYPSOMETRIC;
 use bevy::asset::{Handle, uuid_handle};
 use bevy::mesh::MeshVertexBufferLayoutRef;
-use bevy::pbr::{Material, MaterialPipeline, MaterialPipelineKey, MaterialPlugin, PbrPlugin};
+use bevy::pbr::{Material, MaterialPipeline, MaterialPipelineKey, MaterialPlugin};
 use bevy::prelude::*;
 use bevy::render::render_resource::{
     AsBindGroup, RenderPipelineDescriptor, ShaderType, SpecializedMeshPipelineError,
@@ -14,9 +14,10 @@ use bevy::render::storage::ShaderBuffer;
 use bevy::shader::{Shader, ShaderRef};
 use pangaea_shaders::globe as wgsl;
 
-const LIBRARIES: [Handle<Shader>; 2] = [
+const LIBRARIES: [Handle<Shader>; 3] = [
     uuid_handle!("3f6c1b5e-52a5-4c0b-9a0c-6c8e4f0d1a01"),
     uuid_handle!("3f6c1b5e-52a5-4c0b-9a0c-6c8e4f0d1a02"),
+    uuid_handle!("3f6c1b5e-52a5-4c0b-9a0c-6c8e4f0d1a03"),
 ];
 const SURFACE: Handle<Shader> = uuid_handle!("3f6c1b5e-52a5-4c0b-9a0c-6c8e4f0d1a11");
 const ATMOSPHERE: Handle<Shader> = uuid_handle!("3f6c1b5e-52a5-4c0b-9a0c-6c8e4f0d1a12");
@@ -37,22 +38,16 @@ const LINE_LIFT: f32 = 0.006;
 const NIGHT: f32 = 0.035;
 const NIGHT_OF_DATA: f32 = 0.3;
 
-/// Half the width of the shore in km of elevation.
-const SHORE: f32 = 0.02;
-
 /// Bits of [`GroundUniform::flags`].
 const SEA: u32 = 1;
 const TINT: u32 = 2;
 const COAST: u32 = 4;
 
-/// Adds shaders and materials, where Bevy's renderer is there to take them.
+/// Adds shaders and materials.
 pub(super) struct GlobeMaterialPlugin;
 
 impl Plugin for GlobeMaterialPlugin {
     fn build(&self, app: &mut App) {
-        if !app.is_plugin_added::<PbrPlugin>() {
-            return;
-        }
         let mut shaders = app.world_mut().resource_mut::<Assets<Shader>>();
         let passes = [SURFACE, ATMOSPHERE, LINE];
         let handles = LIBRARIES.into_iter().chain(passes);
@@ -75,13 +70,13 @@ pub(super) struct GroundUniform {
     relief: f32,
     flags: u32,
     stops: u32,
-    coast: f32,
+    spacing: f32,
     tint: [Vec4; STOPS],
     wire: Vec4,
 }
 
 impl GroundUniform {
-    pub(super) fn new(globe: &Globe, radius: f64) -> Self {
+    pub(super) fn new(globe: &Globe, radius: f64, spacing: f64) -> Self {
         let tinted = globe.overlay == Overlay::Elevation;
         let mut tint = [Vec4::ZERO; STOPS];
         for (slot, &(elevation, [r, g, b])) in tint.iter_mut().zip(HYPSOMETRIC.0) {
@@ -93,7 +88,7 @@ impl GroundUniform {
             relief: globe.relief(radius),
             flags: flag(globe.sea, SEA) | flag(tinted, TINT) | flag(!tinted, COAST),
             stops: HYPSOMETRIC.0.len().min(STOPS) as u32,
-            coast: SHORE,
+            spacing: spacing as f32,
             tint,
             wire: linear([12, 14, 18]).extend(1.0),
         }
@@ -292,7 +287,7 @@ mod tests {
     #[test]
     fn the_tint_fits_the_uniform() {
         assert!(HYPSOMETRIC.0.len() <= STOPS);
-        let uniform = GroundUniform::new(&Globe::default(), 6370.0);
+        let uniform = GroundUniform::new(&Globe::default(), 6370.0, 0.01);
         let used = &uniform.tint[..uniform.stops as usize];
         assert!(used.windows(2).all(|pair| pair[0].w <= pair[1].w));
     }

@@ -39,6 +39,7 @@ pub use picking::{GlobePicker, GlobeRay, Hit};
 use crate::overlay::Overlay;
 use crate::plate::PlateId;
 use bevy::math::DVec3;
+use bevy::pbr::PbrPlugin;
 use bevy::prelude::*;
 
 /// How a planet is drawn. On the planet's entity; [`PangaeaRenderPlugin`] gives one to planets that have none.
@@ -107,14 +108,17 @@ pub fn from_bevy(v: Vec3) -> DVec3 {
     DVec3::new(f64::from(v.x), -f64::from(v.z), f64::from(v.y))
 }
 
-/// Draws planets as globes. Needs Bevy's `PbrPlugin`; part of [`PangaeaPlugins`](crate::PangaeaPlugins).
+/// Draws planets as globes. Add it after Bevy's `PbrPlugin` (`DefaultPlugins`).
 ///
-/// Without a GPU adapter (`WgpuSettings::backends` is `None`) it does nothing but keep [`GlobePicker`]s.
+/// Without that plugin it does nothing: an app with no renderer pays nothing.
 pub struct PangaeaRenderPlugin;
 
 impl Plugin for PangaeaRenderPlugin {
     fn build(&self, app: &mut App) {
-        app.register_type::<Globe>().add_plugins((material::GlobeMaterialPlugin, painter::PainterPlugin));
+        app.register_type::<Globe>();
+        if app.is_plugin_added::<PbrPlugin>() {
+            app.add_plugins((material::GlobeMaterialPlugin, painter::PainterPlugin));
+        }
     }
 }
 

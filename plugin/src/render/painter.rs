@@ -13,11 +13,11 @@ use crate::overlay::{Overlay, OverlayInput, colorize, relief};
 use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
 use crate::plate::{Plate, PlateId, PlateMotion, PlateRow, PlateStats, PlateTable, Plates};
+use crate::resample::SurfaceDemand;
 use crate::sphere::SphereMesh;
-use bevy::asset::RenderAssetUsages;
+use bevy::asset::{AssetEventSystems, RenderAssetUsages};
 use bevy::camera::visibility::NoFrustumCulling;
 use bevy::light::{NotShadowCaster, NotShadowReceiver};
-use bevy::pbr::PbrPlugin;
 use bevy::prelude::*;
 use bevy::render::storage::ShaderBuffer;
 use bevy::tasks::{AsyncComputeTaskPool, Task, TaskPool, futures::check_ready};
@@ -28,15 +28,14 @@ pub(super) struct PainterPlugin;
 
 impl Plugin for PainterPlugin {
     fn build(&self, app: &mut App) {
-        app.add_systems(PostUpdate, (attach, hang_pictures).chain().in_set(GlobeSystems));
-        if app.is_plugin_added::<PbrPlugin>() {
-            app.init_resource::<Shell>().add_systems(
+        app.init_resource::<Shell>()
+            .configure_sets(PostUpdate, GlobeSystems.before(AssetEventSystems))
+            .add_systems(
                 PostUpdate,
-                (build_parts, show_pictures, shade).chain().after(hang_pictures).in_set(GlobeSystems),
+                (attach, hang_pictures, build_parts, show_pictures, shade, begin_pictures)
+                    .chain()
+                    .in_set(GlobeSystems),
             );
-        }
-        app.configure_sets(PostUpdate, GlobeSystems.before(bevy::asset::AssetEventSystems));
-        app.add_systems(PostUpdate, begin_pictures.after(GlobeSystems));
     }
 }
 
@@ -138,7 +137,7 @@ fn attach(
 ) {
     for (planet, has_globe) in &bare {
         let mut planet = commands.entity(planet);
-        planet.insert(Easel::default());
+        planet.insert((Easel::default(), SurfaceDemand::EveryStep));
         if !has_globe {
             planet.insert(Globe::default());
         }
@@ -240,11 +239,7 @@ fn paint(job: Job) -> Picture {
 }
 
 /// Takes finished pictures off the other thread.
-fn hang_pictures(
-    mut commands: Commands,
-    mut easels: Query<(Entity, &mut Easel)>,
-    renderer: Option<Res<Shell>>,
-) {
+fn hang_pictures(mut commands: Commands, mut easels: Query<(Entity, &mut Easel)>) {
     for (planet, mut easel) in &mut easels {
         let Some(task) = &mut easel.task else { continue };
         let Some(mut picture) = check_ready(task) else { continue };
@@ -255,14 +250,14 @@ fn hang_pictures(
         if let Some(picker) = picture.picker.take() {
             commands.entity(planet).insert(picker);
         }
-        easel.finished = renderer.is_some().then_some(picture);
+        easel.finished = Some(picture);
     }
 }
 
 /// Makes the entities of a globe when the first picture on its lattice is there.
 fn build_parts(
     mut commands: Commands,
-    globes: Query<(Entity, &Planet, &Globe, &Easel, Option<&Parts>)>,
+    globes: Query<(Entity, &Planet, &Lattice, &Globe, &Easel, Option<&Parts>)>,
     mut shell: ResMut<Shell>,
     mut meshes: ResMut<Assets<Mesh>>,
     mut buffers: ResMut<Assets<ShaderBuffer>>,
@@ -272,7 +267,7 @@ fn build_parts(
         ResMut<Assets<LineMaterial>>,
     ),
 ) {
-    for (planet, &Planet { radius, .. }, globe, easel, old) in &globes {
+    for (planet, &Planet { radius, .. }, lattice, globe, easel, old) in &globes {
         let Some(picture) = easel.finished.as_ref().filter(|picture| picture.ground.is_some()) else {
             continue;
         };
@@ -285,7 +280,7 @@ fn build_parts(
             (Name::new(name), ChildOf(planet), NoFrustumCulling, NotShadowCaster, NotShadowReceiver)
         };
         let ground = GroundMaterial {
-            uniform: GroundUniform::new(globe, radius),
+            uniform: GroundUniform::new(globe, radius, lattice.spacing()),
             samples: samples.clone(),
             wire: false,
         };
@@ -323,7 +318,7 @@ fn show_pictures(
 /// Tells the shaders what needs no painting, and makes or hides the edges of triangles.
 fn shade(
     mut commands: Commands,
-    mut globes: Query<(Entity, &Planet, &Globe, &Easel, &mut Parts), Or<(Changed<Globe>, Changed<Parts>)>>,
+    mut globes: Query<(Entity, &Planet, &Lattice, &Globe, &mut Parts), Or<(Changed<Globe>, Changed<Parts>)>>,
     handles: Query<(
         Option<&MeshMaterial3d<GroundMaterial>>,
         Option<&MeshMaterial3d<AirMaterial>>,
@@ -336,11 +331,11 @@ fn shade(
         ResMut<Assets<LineMaterial>>,
     ),
 ) {
-    for (planet, &Planet { radius, .. }, globe, easel, mut parts) in &mut globes {
+    for (planet, &Planet { radius, .. }, lattice, globe, mut parts) in &mut globes {
         let wanted = globe.wireframe || globe.overlay == Overlay::Mesh;
-        if let (true, None, Some(lattice)) = (wanted, parts.edges, &easel.lattice) {
+        if wanted && parts.edges.is_none() {
             let material = GroundMaterial {
-                uniform: GroundUniform::new(globe, radius),
+                uniform: GroundUniform::new(globe, radius, lattice.spacing()),
                 samples: parts.samples.clone(),
                 wire: true,
             };
@@ -351,7 +346,7 @@ fn shade(
         for part in parts.entities() {
             let Ok((ground, air, line)) = handles.get(part) else { continue };
             if let Some(mut material) = ground.and_then(|m| grounds.get_mut(m)) {
-                material.uniform = GroundUniform::new(globe, radius);
+                material.uniform = GroundUniform::new(globe, radius, lattice.spacing());
             }
             if let Some(mut material) = air.and_then(|m| airs.get_mut(m)) {
                 material.uniform = AirUniform::new(globe);

@@ -15,8 +15,8 @@ use crate::process::plate_table;
 use bevy::prelude::*;
 
 /// Renews what depends on which samples a frame has: rims, candidate tables and plate statistics. Distances to fronts
-/// become stale, and plates without crust are removed.
-pub fn rebuild(world: &mut World, planet: Entity) {
+/// become stale on the plates that were `touched`, and plates without crust are removed.
+pub fn rebuild(world: &mut World, planet: Entity, touched: &[PlateId]) {
     let mut query = world.query::<(
         (&Planet, &Lattice, &Crust, &Frames),
         (&mut Rim, &mut CoverIndex, &mut FrontField, &mut PolarityMemory, &mut Contacts),
@@ -28,7 +28,7 @@ pub fn rebuild(world: &mut World, planet: Entity) {
     // Contacts are parallel to the rim; those of the next step replace these.
     contacts.0.clear();
     contacts.0.resize(rim.len(), default());
-    field.stale = true;
+    field.invalidate(touched.iter().copied());
     let stats = plate_stats(lattice, crust, frames, body.radius);
     let alive = |id: PlateId| stats.iter().any(|(other, stats)| *other == id && stats.samples > 0);
     polarity.retain(alive);
@@ -47,28 +47,35 @@ pub fn rebuild(world: &mut World, planet: Entity) {
 
 /// Finds everything that a planet derives from its state, after it was made or loaded, and projects its surface.
 pub fn refresh(world: &mut World, planet: Entity) {
-    let fronts = world.get::<FrontField>(planet).map(|field| (field.seeds.clone(), field.stale));
-    rebuild(world, planet);
-    let table = plate_table(world, planet);
-    let mut query = world.query::<(
-        (&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim),
-        (&CoverIndex, &PolarityMemory, &mut Contacts, &mut FrontField),
-    )>();
-    if let Ok((input, (cover, polarity, mut contacts, mut field))) = query.get_mut(world, planet) {
-        let (body, mesh, params, crust, frames, rim) = input;
-        let input = ContactInput { mesh, crust, frames, cover, plates: &table, radius: body.radius };
-        // Contacts serve the picture until the next step; the memory must not change by looking.
-        let mut memory = polarity.clone();
-        *contacts = find_contacts(&input, rim, &mut memory, params.polarity_hysteresis);
-        if let Some((seeds, stale)) = fronts {
-            field.seeds = seeds;
-            field.stale = stale;
-            let reach = (params.subduction_distance / body.radius).min(2.0);
-            field.restore(mesh, &crust.frame, frames, rim, reach);
-        }
+    let fronts = world.get::<FrontField>(planet).map(|field| (field.seeds.clone(), field.stale.clone()));
+    rebuild(world, planet, &[]);
+    look_for_contacts(world, planet);
+    let mut query =
+        world.query::<(&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &mut FrontField)>();
+    if let Ok((body, mesh, params, crust, frames, mut field)) = query.get_mut(world, planet)
+        && let Some((seeds, stale)) = fronts
+    {
+        field.seeds = seeds;
+        field.stale = stale;
+        let reach = (params.subduction_distance / body.radius).min(2.0);
+        field.restore(mesh, &crust.frame, frames, reach);
     }
     take_census(world, planet);
     super::project_now(world, planet);
+}
+
+/// Finds contacts for pictures, until the next step finds its own: looking must not change the memory of polarity.
+pub(super) fn look_for_contacts(world: &mut World, planet: Entity) {
+    let plates = &plate_table(world, planet);
+    let mut query = world.query::<(
+        (&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim),
+        (&CoverIndex, &PolarityMemory, &mut Contacts),
+    )>();
+    if let Ok((input, (cover, polarity, mut contacts))) = query.get_mut(world, planet) {
+        let (body, mesh, params, crust, frames, rim) = input;
+        let input = ContactInput { mesh, crust, frames, cover, plates, radius: body.radius };
+        *contacts = find_contacts(&input, rim, &mut polarity.clone(), params.polarity_hysteresis);
+    }
 }
 
 /// Counts the terranes of all plates anew.

@@ -11,15 +11,18 @@
 //!
 //! d_G is the distance to the ridge, d_P to the rim, q the projection of p onto the ridge. sigma grows with the
 //! spreading rate, so that z_G agrees with the subsidence of floor that spread at that rate; the parameter holds for
-//! [`REFERENCE_RATE`]. *Plates that do not diverge, and holes within one plate*: filled from the nearest rim, since a gap is not
-//! always an ocean. *Triple junctions*: the two nearest plates decide.
+//! [`REFERENCE_RATE`].
+//!
+//! *Plates that do not diverge, and holes within one plate*: a gap is not always an ocean. It is filled from the nearest rim.
+//! Only cracks below [`WIDEST_CRACK`] between two continents are filled with continental crust; a wider gap
+//! that closes again was an ocean when it opened, and takes the nearer oceanic rim's floor, or new floor where
+//! there is none. *Triple junctions*: the two nearest plates decide.
 
 use crate::crust::surface::Cover;
 use crate::crust::{CrustKind, Orogeny, Surface};
 use crate::math::exp2;
 use crate::params::TectonicParams;
 use crate::plate::PlateTable;
-use crate::plate::contact::SLIDING;
 use crate::resample::project::{Notes, Row};
 use crate::sphere::SphereMesh;
 use crate::sphere::spread::{Scratch, UNREACHED, angle_of_chord, spread};
@@ -28,6 +31,9 @@ use bevy::prelude::*;
 
 /// Half-spreading rate in km/My at which `ridge_width` agrees with the default `subsidence_time`.
 pub const REFERENCE_RATE: f64 = 12.8;
+
+/// Widest gap in km between continents that do not diverge, which their crust fills by stretching.
+pub const WIDEST_CRACK: f64 = 120.0;
 
 /// What filling gaps reads.
 pub struct GapInput<'a> {
@@ -74,15 +80,14 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usiz
         if near == UNREACHED {
             continue;
         }
-        let row = match second[i as usize] {
-            UNREACHED => None,
-            far => ridge_row(input, surface, i, near, far),
-        };
         let k = i as usize;
+        let far = second[k];
+        let ridge = if far == UNREACHED { None } else { ridge_row(input, surface, i, near, far, false) };
         surface.plate[k] = surface.plate[near as usize];
-        surface.cover[k] = if row.is_some() { Cover::Ridge } else { Cover::Filled };
-        made += usize::from(row.is_some());
-        row.unwrap_or_else(|| Row::read(&surface.crust, near as usize)).write(&mut surface.crust, k);
+        surface.cover[k] = if ridge.is_some() { Cover::Ridge } else { Cover::Filled };
+        made += usize::from(ridge.is_some());
+        let row = ridge.unwrap_or_else(|| filled_row(input, surface, i, near, far));
+        row.write(&mut surface.crust, k);
     }
     made
 }
@@ -115,8 +120,27 @@ fn second_rims(mesh: &SphereMesh, gaps: &[u32], first: &[u32], surface: &Surface
     second
 }
 
-/// New ocean crust at sample `i` between the rims `near` and `far`; none where the plates do not diverge.
-fn ridge_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32) -> Option<Row> {
+/// Crust that fills sample `i` of a gap that is not opening.
+fn filled_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32) -> Row {
+    let own = Row::read(&surface.crust, near as usize);
+    if far == UNREACHED || own.kind == CrustKind::Oceanic {
+        return own;
+    }
+    let (p, mesh) = (input.mesh.point(i), input.mesh);
+    let width = angle_of_chord(p.distance(mesh.point(near))) + angle_of_chord(p.distance(mesh.point(far)));
+    let across = Row::read(&surface.crust, far as usize);
+    if across.kind == CrustKind::Oceanic {
+        Row { frame: own.frame, ..across }
+    } else if width * input.radius < WIDEST_CRACK {
+        own
+    } else {
+        ridge_row(input, surface, i, near, far, true).unwrap_or(own)
+    }
+}
+
+/// New ocean crust at sample `i` between the rims `near` and `far`; none where the plates do not diverge, unless it is
+/// `forced`.
+fn ridge_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32, forced: bool) -> Option<Row> {
     let &GapInput { mesh, plates, params, radius, elapsed } = input;
     let (p, a, b) = (mesh.point(i), mesh.point(near), mesh.point(far));
     let across = b - a;
@@ -124,9 +148,11 @@ fn ridge_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32) -
     let relative = plates.angular_velocity(surface.plate[far as usize])
         - plates.angular_velocity(surface.plate[near as usize]);
     let opening = relative.cross(p).dot(across) * radius;
-    if opening < SLIDING {
+    if opening <= 0.0 && !forced {
         return None;
     }
+    // A gap that closes was opened at some rate once; the reference stands for it.
+    let opening = if forced { 2.0 * REFERENCE_RATE } else { opening };
     let d1 = angle_of_chord(p.distance(a)) * radius;
     let d2 = angle_of_chord(p.distance(b)) * radius;
     let half = 0.5 * (d1 + d2);

@@ -2,7 +2,7 @@
 //!
 //! What lies below another frame loses its area: *stacking* where both belong to one plate, *forced subduction*
 //! where not. Its thickness is added to what lies above; what exceeds the root of the highest mountains falls off as
-//! *delamination*. Nearest assignment alone would let the rest of the area flicker by 0.1 to 0.2 %, so samples of
+//! *delamination*. Continental crust that fills a crack is stretched: area without volume, booked as *rifting*. Nearest assignment alone would let the rest of the area flicker by 0.1 to 0.2 %, so samples of
 //! the coast, ranked by the share of continental corners in their triangle, change kind until the area is the
 //! ledger's; less than half a sample is left, and carried to the next resample. Thicknesses are scaled so that the volume is the ledger's.
 
@@ -33,7 +33,12 @@ pub fn conserve(
     }
     ledger.book(Cause::Stacking, -lost[0] * square, 0.0);
     ledger.book(Cause::ForcedSubduction, -lost[1] * square, 0.0);
-    let target = before.area - (lost[0] + lost[1]) * square + ledger.carried_area;
+    let stretched: f64 = (0..surface.len())
+        .filter(|&i| notes.weight[i] < 0.0 && surface.crust.is_continental(i))
+        .map(|i| input.mesh.areas()[i])
+        .sum();
+    ledger.book(Cause::Rifting, stretched * square, 0.0);
+    let target = before.area + (stretched - lost[0] - lost[1]) * square + ledger.carried_area;
     flip_coast(input, surface, notes, target / square);
     let shed = stack(params, &mut surface.crust, input.mesh, notes) * square;
     ledger.book(Cause::Delamination, 0.0, -shed);

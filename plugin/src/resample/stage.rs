@@ -1,6 +1,6 @@
 //! The stages that resample the crust and project the surface, in slices.
 
-use super::derived::{rebuild, take_census};
+use super::derived::{look_for_contacts, rebuild, take_census};
 use super::gap::{GapInput, fill_gaps};
 use super::project::{Notes, ProjectInput, prepare, project_slice};
 use super::quota::conserve;
@@ -198,7 +198,9 @@ fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Res
     let share = work.new_ocean as f64 / mesh.len() as f64;
     let new_ocean = share * 4.0 * crate::math::PI * body.radius * body.radius;
     if commit {
-        rebuild(world, planet);
+        let all: Vec<_> = plates.rows().iter().map(|row| row.id).collect();
+        rebuild(world, planet, &all);
+        look_for_contacts(world, planet);
         take_census(world, planet);
         world.trigger(CrustResampled { planet, new_ocean });
     }

@@ -37,7 +37,7 @@ fn sea_gloss(up: vec3<f32>, sun: vec3<f32>, eye: vec3<f32>, depth: f32) -> vec3<
     let day = daylight(altitude);
     let half_way = normalize(sun + eye + vec3(0.0, 1e-6, 0.0));
     let facing = max(dot(up, half_way), 0.0);
-    let glint = 0.2 * pow(facing, 90.0) + 0.09 * pow(facing, 14.0);
+    let glint = 0.1 * pow(facing, 260.0) + 0.03 * pow(facing, 36.0);
     let fresnel = pow(1.0 - max(dot(up, eye), 0.0), 4.0);
     let deep = smoothstep(0.0, 0.2, depth);
     return day * deep * (glint * sun_color(altitude) + 0.1 * fresnel * vec3(0.35, 0.6, 1.0));

@@ -9,6 +9,7 @@
 #import bevy_pbr::view_transformations::position_world_to_clip
 #import pangaea_shaders::globe::sample::{unpack_sample, surface_normal, displaced_radius}
 #import pangaea_shaders::globe::light::{ground_light, sea_gloss, shoulder}
+#import pangaea_shaders::globe::coast::ragged
 
 // A uniform of the whole globe.
 struct Globe {
@@ -21,8 +22,8 @@ struct Globe {
     flags: u32,
     // Number of stops of the tint, 0..=24.
     stops: u32,
-    // Half the width of the band in which land and water meet, km.
-    coast: f32,
+    // Distance between samples in radians.
+    spacing: f32,
     // Tint of the elevation: xyz linear colour, w elevation in km, ascending.
     tint: array<vec4<f32>, 24>,
     // Colour of triangle edges, linear.
@@ -34,6 +35,9 @@ struct Globe {
 
 // Slopes are lit as if they were this much steeper than they are drawn: hill shading.
 const SHADING: f32 = 2.0;
+
+// Half the width in km of elevation of the band in which land and water meet.
+const SHORE: f32 = 0.02;
 
 const SEA: u32 = 1u;
 const TINT: u32 = 2u;
@@ -57,6 +61,8 @@ struct Varying {
     @location(3) color: vec4<f32>,
     // xyz unit vector to the sun, world axes; the same everywhere. w is 1 where the ground stands out.
     @location(4) sun: vec4<f32>,
+    // xyz direction from the centre, globe axes, not of unit length. w steepness in km per radian.
+    @location(5) site: vec4<f32>,
 }
 
 @vertex
@@ -72,6 +78,7 @@ fn vertex(in: Input) -> Varying {
     out.normal = (world_from_local * vec4(surface_normal(in.direction, s.gradient, SHADING * globe.relief), 0.0)).xyz;
     out.up = (world_from_local * vec4(in.direction, 0.0)).xyz;
     out.color = vec4(s.color, s.elevation);
+    out.site = vec4(in.direction, length(s.gradient));
     out.sun = vec4(normalize((world_from_local * vec4(globe.sun.xyz, 0.0)).xyz), s.marked);
 #ifdef WIREFRAME
     // Nearer by a ten-thousandth of the distance (depth is reversed): lines win over their triangles.
@@ -96,7 +103,8 @@ fn tint(z: f32) -> vec3<f32> {
 fn fragment(in: Varying) -> @location(0) vec4<f32> {
     let up = normalize(in.up);
     let ground = normalize(in.normal);
-    let elevation = in.color.w;
+    // Between the samples the coast is ragged; heights elsewhere are as they are.
+    let elevation = ragged(in.color.w, in.site.xyz, in.site.w, globe.spacing);
 #ifdef WIREFRAME
     return vec4(globe.wire.xyz, 1.0);
 #else
@@ -112,7 +120,7 @@ fn fragment(in: Varying) -> @location(0) vec4<f32> {
     }
     var water = 0.0;
     if (globe.flags & SEA) != 0u {
-        water = 1.0 - smoothstep(-globe.coast, globe.coast, elevation);
+        water = 1.0 - smoothstep(-SHORE, SHORE, elevation);
     }
     // The sea floor shows through the water, as on an atlas.
     let normal = normalize(mix(ground, up, 0.6 * water));

@@ -57,7 +57,7 @@ pub fn show(ctx: &Context, open: &mut bool) {
             }
         });
         ui.add_space(6.0);
-        if ui.add(Button::new("Close").min_size(vec2(70.0, 24.0))).clicked() {
+        if ui.add_sized(vec2(70.0, 24.0), Button::new("Close")).clicked() {
             ui.close();
         }
     });

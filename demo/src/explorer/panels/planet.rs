@@ -63,7 +63,7 @@ pub fn show(ui: &mut Ui, view: Option<&View>, session: &Session, form: &mut Plan
         row(ui, "Samples", samples);
         row(ui, "Plates", view.plates.rows().len().to_string());
     }
-    subsection(ui, "New planet", view.is_none(), |ui| new_planet(ui, session, form, out));
+    subsection(ui, "New planet", true, |ui| new_planet(ui, session, form, out));
     subsection(ui, "Save and load", false, |ui| files(ui, view.is_some(), session, form, out));
     subsection(ui, "Picture", false, |ui| {
         let edit = TextEdit::singleline(&mut form.picture).hint_text("pangaea-001.png");

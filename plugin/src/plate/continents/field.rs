@@ -23,6 +23,8 @@ const AMPLITUDE: f64 = 0.40;
 const PERSISTENCE: f64 = 0.58;
 /// Largest amplitude of an octave relative to the radius of a lobe.
 const SHARE_OF_RADIUS: f64 = 0.8;
+/// Noise of a given disc relative to that of a random lobe: its maker wants it where it was put.
+const GIVEN_NOISE: f64 = 0.8;
 /// Octaves that suffice far from the coast.
 const COARSE: usize = 4;
 /// Depth in rad of what is far from the coast: more than the finer octaves ever add.
@@ -58,7 +60,10 @@ impl Coast {
     /// The first `count` octaves at `p`.
     fn ripple(&self, p: DVec3, count: usize) -> Ripple {
         let rough = 0.35 + 1.1 * math::smoothstep(0.5 + 1.3 * self.roughness.fractal(p, 2.2, 2));
-        let mut ripple = Ripple { plain: [0.0; MAX_OCTAVES + 1], scaled: [0.0; MAX_OCTAVES + 1] };
+        let mut ripple = Ripple {
+            plain: [0.0; MAX_OCTAVES + 1],
+            scaled: [0.0; MAX_OCTAVES + 1],
+        };
         let mut octaves = [0.0; MAX_OCTAVES];
         for (o, value) in octaves.iter_mut().enumerate().take(count.min(self.octaves)) {
             let q = p * (FREQUENCY * f64::from(1_u32 << o)) + DVec3::splat(17.3 * (o + 1) as f64);
@@ -84,28 +89,39 @@ struct Disc {
     /// Largest amplitude of an octave, and the number of octaves that it limits.
     limit: f64,
     limited: usize,
+    /// Factor of all noise.
+    noise: f64,
     /// Width over which the lobe melts into others.
     melt: f64,
 }
 
 impl Disc {
-    fn new(lobe: &Lobe, scale: f64) -> Self {
+    fn new(lobe: &Lobe, scale: f64, noise: f64) -> Self {
         let radius = lobe.radius * scale;
         let limit = SHARE_OF_RADIUS * radius;
-        let limited = (0..MAX_OCTAVES).take_while(|&o| amplitude(o) > limit).count();
-        Self { center: lobe.center, radius, limit, limited, melt: (0.5 * radius).min(0.08) }
+        let limited = (0..MAX_OCTAVES)
+            .take_while(|&o| amplitude(o) > limit)
+            .count();
+        Self {
+            center: lobe.center,
+            radius,
+            limit,
+            limited,
+            noise,
+            melt: (0.5 * radius).min(0.08),
+        }
     }
 
     fn depth(&self, p: DVec3, ripple: &Ripple) -> f64 {
         let noise = self.limit * ripple.plain[self.limited] + ripple.scaled[self.limited];
-        self.radius - arc((p - self.center).length()) + noise
+        self.radius - arc((p - self.center).length()) + self.noise * noise
     }
 }
 
-/// Angle in rad that belongs to a chord; 2 % too small for opposite points.
+/// Angle in rad that belongs to a chord: within 1 % up to 128 degrees, 14 % too small for opposite points.
 pub(super) fn arc(chord: f64) -> f64 {
     let x = 0.25 * chord * chord;
-    chord * (1.0 + x * (1.0 / 6.0 + x * (3.0 / 40.0 + x * (5.0 / 112.0 + x * 0.25))))
+    chord * (1.0 + x * (1.0 / 6.0 + x * (3.0 / 40.0 + x * (5.0 / 112.0 + x * 0.06))))
 }
 
 /// Greatest depth in any of the discs, rounded off where two are equal.
@@ -125,14 +141,23 @@ pub(super) fn continentality(
     continents: &Continents,
 ) -> Vec<f64> {
     let coast = Coast::new(recipe, mesh);
-    let scale = if recipe.continents.is_empty() { fit(recipe, mesh, continents, &coast) } else { 1.0 };
-    let discs: Vec<_> = continents.lobes.iter().map(|lobe| Disc::new(lobe, scale)).collect();
+    let (scale, noise) = if recipe.continents.is_empty() {
+        (fit(recipe, mesh, continents, &coast), 1.0)
+    } else {
+        (1.0, GIVEN_NOISE)
+    };
+    let disc = |lobe: &Lobe| Disc::new(lobe, scale, noise);
+    let discs: Vec<_> = continents.lobes.iter().map(disc).collect();
     let parts = map_chunks(mesh.len(), |range| {
         let field = |i: usize| {
             let p = mesh.point(i as u32);
             let coarse = depth(&discs, p, &coast.ripple(p, COARSE));
             // Far from every coast finer octaves do not matter.
-            if coarse.abs() > FAR { coarse } else { depth(&discs, p, &coast.ripple(p, MAX_OCTAVES)) }
+            if coarse.abs() > FAR {
+                coarse
+            } else {
+                depth(&discs, p, &coast.ripple(p, MAX_OCTAVES))
+            }
         };
         range.map(field).collect::<Vec<_>>()
     });
@@ -142,13 +167,22 @@ pub(super) fn continentality(
 /// The factor of the lobes' radii that gives about the wanted share of land.
 fn fit(recipe: &PlanetRecipe, mesh: &SphereMesh, continents: &Continents, coast: &Coast) -> f64 {
     let stride = mesh.len().div_ceil(FIT_SAMPLES);
-    let points: Vec<_> = mesh.points().iter().step_by(stride).map(|&p| (p, coast.ripple(p, COARSE))).collect();
+    let points: Vec<_> = mesh
+        .points()
+        .iter()
+        .step_by(stride)
+        .map(|&p| (p, coast.ripple(p, COARSE)))
+        .collect();
     let wanted = (recipe.land * points.len() as f64) as usize;
     let (mut low, mut high) = (0.1, 6.0);
     for _ in 0..16 {
         let scale = 0.5 * (low + high);
-        let discs: Vec<_> = continents.lobes.iter().map(|lobe| Disc::new(lobe, scale)).collect();
-        let land = points.iter().filter(|(p, ripple)| depth(&discs, *p, ripple) > 0.0).count();
+        let disc = |lobe: &Lobe| Disc::new(lobe, scale, 1.0);
+        let discs: Vec<_> = continents.lobes.iter().map(disc).collect();
+        let land = points
+            .iter()
+            .filter(|(p, ripple)| depth(&discs, *p, ripple) > 0.0)
+            .count();
         *if land < wanted { &mut low } else { &mut high } = scale;
     }
     0.5 * (low + high)

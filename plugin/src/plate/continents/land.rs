@@ -1,6 +1,7 @@
 //! What is land: the level of the field with the wanted share, without specks and puddles.
 
 use super::distance::{Source, nearest};
+use crate::math;
 use crate::plate::partition::connected_regions;
 use crate::sphere::SphereMesh;
 use rayon::prelude::*;
@@ -11,8 +12,11 @@ const ISLAND: u32 = 5;
 /// Share of the sphere below which an enclosed sea is filled: 300,000 km² on Earth.
 const PUDDLE: f64 = 6e-4;
 
-/// Rounds of finding the level and removing specks; each leaves fewer.
-const ROUNDS: usize = 3;
+/// Rounds of removing specks; each leaves fewer.
+const ROUNDS: usize = 6;
+
+/// The first rounds find the level anew.
+const LEVEL_ROUNDS: usize = 3;
 
 /// Land and sea.
 pub(super) struct Land {
@@ -26,29 +30,35 @@ pub(super) struct Land {
 pub(super) fn land(mesh: &SphereMesh, field: Vec<f64>, share: Option<f64>) -> Land {
     // Specks and puddles are decided once and for all: their field is put beyond every level.
     let mut ranked = field.clone();
-    let mut land = Land { mask: Vec::new(), field, level: 0.0 };
+    let mut land = Land {
+        mask: Vec::new(),
+        field,
+        level: 0.0,
+    };
     let samples: Vec<u32> = (0..mesh.len() as u32).collect();
     for round in 0..ROUNDS {
-        land.level = share.map_or(0.0, |share| level(mesh, &ranked, share));
-        land.mask = ranked.iter().map(|&f| f > land.level).collect();
-        if round + 1 == ROUNDS {
-            break;
+        if round < LEVEL_ROUNDS {
+            land.level = share.map_or(0.0, |share| level(mesh, &ranked, share));
         }
+        land.mask = ranked.iter().map(|&f| f > land.level).collect();
         let labels: Vec<u16> = land.mask.iter().map(|&land| u16::from(land)).collect();
         let regions = connected_regions(mesh, &samples, &labels);
         let mut area = vec![0.0; regions.size.len()];
         (0..mesh.len()).for_each(|i| area[regions.region[i] as usize] += mesh.area(i as u32));
+        let small = |region: u32| {
+            let region = region as usize;
+            let puddle = regions.label[region] == 0 && area[region] < PUDDLE * 4.0 * math::PI;
+            puddle || regions.size[region] < ISLAND
+        };
         let mut clean = true;
-        for i in 0..mesh.len() {
-            let region = regions.region[i] as usize;
-            let size = regions.size[region];
-            let speck = land.mask[i] && size < ISLAND;
-            let puddle = !land.mask[i]
-                && (size < ISLAND || area[region] < PUDDLE * 4.0 * crate::math::PI);
-            if speck || puddle {
-                ranked[i] = if speck { f64::NEG_INFINITY } else { f64::INFINITY };
-                clean = false;
-            }
+        for i in (0..mesh.len()).filter(|&i| small(regions.region[i])) {
+            ranked[i] = if land.mask[i] {
+                f64::NEG_INFINITY
+            } else {
+                f64::INFINITY
+            };
+            land.mask[i] = !land.mask[i];
+            clean = false;
         }
         if clean {
             break;
@@ -61,7 +71,7 @@ pub(super) fn land(mesh: &SphereMesh, field: Vec<f64>, share: Option<f64>) -> La
 fn level(mesh: &SphereMesh, field: &[f64], share: f64) -> f64 {
     let mut order: Vec<(f64, u32)> = field.iter().copied().zip(0..).collect();
     order.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    let wanted = share * 4.0 * crate::math::PI;
+    let wanted = share * 4.0 * math::PI;
     let mut area = 0.0;
     for &(value, i) in &order {
         if area + 0.5 * mesh.area(i) >= wanted {
@@ -75,7 +85,13 @@ fn level(mesh: &SphereMesh, field: &[f64], share: f64) -> f64 {
 impl Land {
     /// Area of the land in steradian.
     pub(super) fn area(&self, mesh: &SphereMesh) -> f64 {
-        crate::parallel::sum(mesh.len(), |i| if self.mask[i] { mesh.area(i as u32) } else { 0.0 })
+        crate::parallel::sum(mesh.len(), |i| {
+            if self.mask[i] {
+                mesh.area(i as u32)
+            } else {
+                0.0
+            }
+        })
     }
 
     /// Distance of every sample to the nearest coast in rad, infinite where there is none.
@@ -83,12 +99,24 @@ impl Land {
         let mut sources = Vec::new();
         for i in 0..mesh.len() as u32 {
             let over = |j: u32| self.field[j as usize] - self.level;
-            for &j in mesh.ring(i).iter().filter(|&&j| self.mask[i as usize] != self.mask[j as usize]) {
+            for &j in mesh
+                .ring(i)
+                .iter()
+                .filter(|&&j| self.mask[i as usize] != self.mask[j as usize])
+            {
                 // Where the field crosses its level; half way if a speck or puddle was removed.
                 let crossing = over(i) / (over(i) - over(j));
-                let share = if crossing > 0.0 && crossing < 1.0 { crossing.clamp(0.15, 0.85) } else { 0.5 };
+                let share = if crossing > 0.0 && crossing < 1.0 {
+                    crossing.clamp(0.15, 0.85)
+                } else {
+                    0.5
+                };
                 let point = mesh.point(i).lerp(mesh.point(j), share).normalize();
-                sources.push(Source { sample: i, point, slowness: 1.0 });
+                sources.push(Source {
+                    sample: i,
+                    point,
+                    slowness: 1.0,
+                });
             }
         }
         nearest(mesh, &sources).cost
@@ -105,8 +133,9 @@ pub(super) fn shelf(
     deepest: f32,
 ) -> Vec<u32> {
     let z = |i: u32| elevation[i as usize];
-    let mut order: Vec<u32> =
-        (0..mesh.len() as u32).filter(|&i| !land[i as usize] && z(i) >= deepest).collect();
+    let mut order: Vec<u32> = (0..mesh.len() as u32)
+        .filter(|&i| !land[i as usize] && z(i) >= deepest)
+        .collect();
     order.par_sort_unstable_by(|&a, &b| z(b).total_cmp(&z(a)).then(a.cmp(&b)));
     let mut covered = 0.0;
     let fits = |&&i: &&u32| {

@@ -8,21 +8,21 @@ use super::distance::{Source, nearest};
 use crate::crust::FrameId;
 use crate::math;
 use crate::parallel::map_chunks;
+use crate::planet::PlanetRecipe;
 use crate::plate::motion::PlateMotion;
 use crate::plate::partition::{motions, sites};
-use crate::planet::PlanetRecipe;
 use crate::sphere::SphereMesh;
 use bevy::math::{DVec3, Vec3};
 
 /// Age that the floor approaches far from every ridge, in My; Earth's oldest is 180.
-const OLDEST: f64 = 160.0;
+pub(super) const OLDEST: f64 = 160.0;
 
 /// Slowest half-speed of a ridge in km/My; slower ones would drop to the abyss within a few samples.
 const SLOWEST: f64 = 9.0;
 
 /// Past speed at which crust left a ridge, relative to that at which the plates part now. The time from
 /// the nearest ridge is the least that the age can be; this makes its mean that of Earth's floor, 60 My.
-const PAST: f64 = 0.18;
+pub(super) const PAST: f64 = 0.18;
 
 /// A border is a ridge where it opens with at least this share of the relative speed.
 const OPENING: f64 = 0.4;
@@ -50,10 +50,16 @@ pub(super) fn seafloor(
     let motions = motions(recipe, &sites(recipe));
     let mut sources = Vec::new();
     for i in 0..mesh.len() {
-        let Some((point, relative)) = border(mesh, owner, &motions, i) else { continue };
+        let Some((point, relative)) = border(mesh, owner, &motions, i) else {
+            continue;
+        };
         if open(i) {
             let speed = (PAST * relative * recipe.radius).max(SLOWEST);
-            sources.push(Source { sample: i as u32, point, slowness: recipe.radius / speed });
+            sources.push(Source {
+                sample: i as u32,
+                point,
+                slowness: recipe.radius / speed,
+            });
         }
     }
     let near = nearest(mesh, &sources);
@@ -64,12 +70,22 @@ pub(super) fn seafloor(
             let age = OLDEST * (1.0 - math::exp(-near.cost[i] / OLDEST));
             let z = z_a + (z_r - z_a) * math::exp(-age / params.subsidence_time);
             let p = mesh.point(i as u32);
-            let q = sources.get(near.source[i] as usize).map_or(p, |source| source.point);
-            (age as f32, z as f32, (p - q).cross(p).normalize_or_zero().as_vec3())
+            let q = sources
+                .get(near.source[i] as usize)
+                .map_or(p, |source| source.point);
+            (
+                age as f32,
+                z as f32,
+                (p - q).cross(p).normalize_or_zero().as_vec3(),
+            )
         };
         range.map(column).collect::<Vec<_>>()
     });
-    let mut floor = Seafloor { age: Vec::new(), elevation: Vec::new(), ridge: Vec::new() };
+    let mut floor = Seafloor {
+        age: Vec::new(),
+        elevation: Vec::new(),
+        ridge: Vec::new(),
+    };
     for (age, elevation, ridge) in parts.into_iter().flatten() {
         floor.age.push(age);
         floor.elevation.push(elevation);
@@ -88,11 +104,21 @@ fn border(
 ) -> Option<(DVec3, f64)> {
     let p = mesh.point(i as u32);
     let ring = mesh.ring(i as u32);
-    let other = ring.iter().find(|&&j| owner[j as usize] != owner[i]).map(|&j| owner[j as usize])?;
-    let across = ring.iter().filter(|&&j| owner[j as usize] == other).map(|&j| mesh.point(j));
+    let other = ring
+        .iter()
+        .find(|&&j| owner[j as usize] != owner[i])
+        .map(|&j| owner[j as usize])?;
+    let across = ring
+        .iter()
+        .filter(|&&j| owner[j as usize] == other)
+        .map(|&j| mesh.point(j));
     let (sum, count) = across.fold((DVec3::ZERO, 0.0), |(sum, n), q| (sum + q, n + 1.0));
     let away = p - sum / count;
-    let velocity = |plate: FrameId| motions.get(usize::from(plate)).map(|motion| motion.velocity(p));
+    let velocity = |plate: FrameId| {
+        motions
+            .get(usize::from(plate))
+            .map(|motion| motion.velocity(p))
+    };
     let relative = velocity(owner[i])? - velocity(other)?;
     let opening = relative.dot(away) / away.length();
     let point = (p - 0.5 * away).normalize();

@@ -1,0 +1,57 @@
+//! The ledger and the recording of commands.
+
+use crate::authoring::{Recording, TimedCommand};
+use crate::crust::ledger::Amount;
+use crate::crust::{Cause, Ledger};
+use crate::io::codec::{Decoder, Encoder, invalid};
+use crate::io::save::SaveError;
+use crate::io::scenario::check;
+use crate::spawn::PlanetState;
+
+pub(super) fn ledger(state: &PlanetState) -> Vec<u8> {
+    let mut out = Encoder::default();
+    let ledger = &state.ledger;
+    out.u32(ledger.booked.len() as u32);
+    for amount in core::iter::once(&ledger.initial).chain(&ledger.booked) {
+        out.f64(amount.area);
+        out.f64(amount.volume);
+    }
+    out.f64(ledger.carried_area);
+    out.f64(ledger.unexplained_max);
+    out.f64(ledger.unexplained_volume_max);
+    out.0
+}
+
+pub(super) fn read_ledger(bytes: &[u8]) -> Result<Ledger, SaveError> {
+    let mut read = Decoder(bytes);
+    if read.count(16)? != Cause::ALL.len() {
+        return Err(invalid("its ledger has other causes than this program".into()));
+    }
+    let mut ledger = Ledger::default();
+    for amount in core::iter::once(&mut ledger.initial).chain(&mut ledger.booked) {
+        *amount = Amount { area: read.f64()?, volume: read.f64()? };
+    }
+    ledger.carried_area = read.f64()?;
+    ledger.unexplained_max = read.f64()?;
+    ledger.unexplained_volume_max = read.f64()?;
+    read.end()?;
+    Ok(ledger)
+}
+
+pub(super) fn recording(state: &PlanetState) -> Vec<u8> {
+    // Plain lists of numbers and names always have a text.
+    ron::to_string(&state.recording.0).unwrap_or_default().into_bytes()
+}
+
+pub(super) fn read_recording(bytes: &[u8]) -> Result<Recording, SaveError> {
+    let text = core::str::from_utf8(bytes).map_err(|_| invalid("the recording is no UTF-8".into()))?;
+    let commands: Vec<TimedCommand> =
+        ron::from_str(text).map_err(|error| invalid(format!("the recording: {}", error.code)))?;
+    if commands.windows(2).any(|pair| pair[0].step > pair[1].step) {
+        return Err(invalid("the recording is out of order".into()));
+    }
+    if let Some(problem) = commands.iter().find_map(|timed| check(&timed.command).err()) {
+        return Err(invalid(format!("the recording: {problem}")));
+    }
+    Ok(Recording(commands))
+}

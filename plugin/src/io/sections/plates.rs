@@ -1,0 +1,124 @@
+//! Plates, frames, and what is remembered of their fronts.
+
+use super::{flag, unit};
+use crate::crust::{Frame, Frames};
+use crate::io::codec::{Decoder, Encoder, invalid};
+use crate::io::save::SaveError;
+use crate::plate::contact::PolarityMemory;
+use crate::plate::polarity::Segment;
+use crate::plate::{PlateId, PlateMotion};
+use crate::process::front::FrontField;
+use crate::spawn::PlanetState;
+
+pub(super) fn plates(state: &PlanetState) -> Vec<u8> {
+    let mut out = Encoder::default();
+    out.u32(state.plates.len() as u32);
+    for (id, motion, born) in &state.plates {
+        out.u32(id.0);
+        out.dvec3(motion.axis);
+        out.f64(motion.speed);
+        out.f64(*born);
+    }
+    out.0
+}
+
+pub(super) fn read_plates(bytes: &[u8], next: u32) -> Result<Vec<(PlateId, PlateMotion, f64)>, SaveError> {
+    let mut read = Decoder(bytes);
+    let count = read.count(44)?;
+    let mut plates: Vec<(PlateId, PlateMotion, f64)> = Vec::with_capacity(count);
+    for _ in 0..count {
+        let id = PlateId(read.u32()?);
+        if plates.last().is_some_and(|&(last, ..)| last >= id) || id.0 >= next {
+            return Err(invalid(format!("plate {} is out of order", id.0)));
+        }
+        let axis = unit(read.dvec3()?, "axis of a plate")?;
+        let motion = PlateMotion { axis, speed: read.within("speed of a plate", 0.0, 100.0)? };
+        plates.push((id, motion, read.within("birth of a plate", 0.0, 1e9)?));
+    }
+    read.end()?;
+    if plates.is_empty() { Err(invalid("it has no plates".into())) } else { Ok(plates) }
+}
+
+pub(super) fn frames(state: &PlanetState) -> Vec<u8> {
+    let mut out = Encoder::default();
+    out.u32(state.frames.len() as u32);
+    for frame in state.frames.iter() {
+        out.u32(frame.plate.0);
+        out.dquat(frame.rotation);
+        out.u8(u8::from(frame.terrane));
+    }
+    out.0
+}
+
+pub(super) fn read_frames(bytes: &[u8], next: u32) -> Result<Frames, SaveError> {
+    let mut read = Decoder(bytes);
+    let count = read.count(37)?;
+    let mut frames = Vec::with_capacity(count);
+    for _ in 0..count {
+        let plate = PlateId(read.u32()?);
+        if plate.0 >= next {
+            return Err(invalid(format!("a frame belongs to plate {}, which never was", plate.0)));
+        }
+        let rotation = read.dquat()?;
+        if (rotation.length_squared() - 1.0).abs() > 1e-6 {
+            return Err(invalid("a rotation has no unit length".into()));
+        }
+        frames.push(Frame { plate, rotation, terrane: flag(read.u8()?)? });
+    }
+    read.end()?;
+    Ok(Frames(frames))
+}
+
+pub(super) fn polarity(state: &PlanetState) -> Vec<u8> {
+    let mut out = Encoder::default();
+    out.u32(state.polarity.0.len() as u32);
+    for segment in &state.polarity.0 {
+        out.u32(segment.pair.0.0);
+        out.u32(segment.pair.1.0);
+        out.u16(segment.bin);
+        out.u8(u8::from(segment.first_under));
+    }
+    out.0
+}
+
+pub(super) fn read_polarity(bytes: &[u8]) -> Result<PolarityMemory, SaveError> {
+    let mut read = Decoder(bytes);
+    let count = read.count(11)?;
+    let mut segments: Vec<Segment> = Vec::with_capacity(count);
+    for _ in 0..count {
+        let pair = (PlateId(read.u32()?), PlateId(read.u32()?));
+        let segment = Segment { pair, bin: read.u16()?, first_under: flag(read.u8()?)? };
+        let key = |s: &Segment| (s.pair, s.bin);
+        if pair.0 >= pair.1 || segments.last().is_some_and(|last| key(last) >= key(&segment)) {
+            return Err(invalid("the memory of polarity is out of order".into()));
+        }
+        segments.push(segment);
+    }
+    read.end()?;
+    Ok(PolarityMemory(segments))
+}
+
+pub(super) fn fronts(state: &PlanetState) -> Vec<u8> {
+    let mut out = Encoder::default();
+    out.u32(state.fronts.stale.len() as u32);
+    state.fronts.stale.iter().for_each(|id| out.u32(id.0));
+    out.u32(state.fronts.seeds.len() as u32);
+    state.fronts.seeds.iter().for_each(|&i| out.u32(i));
+    out.0
+}
+
+pub(super) fn read_fronts(bytes: &[u8], samples: u32) -> Result<FrontField, SaveError> {
+    let mut read = Decoder(bytes);
+    let count = read.count(4)?;
+    let stale = (0..count).map(|_| read.u32().map(PlateId)).collect::<Result<Vec<_>, _>>()?;
+    let count = read.count(4)?;
+    let seeds = (0..count).map(|_| read.u32()).collect::<Result<Vec<_>, _>>()?;
+    read.end()?;
+    if stale.windows(2).any(|pair| pair[0] >= pair[1]) {
+        return Err(invalid("the plates of the fronts are out of order".into()));
+    }
+    if seeds.windows(2).any(|pair| pair[0] >= pair[1]) || seeds.last().is_some_and(|&i| i >= samples) {
+        return Err(invalid("the fronts are out of order".into()));
+    }
+    Ok(FrontField { seeds, stale, ..FrontField::default() })
+}
