@@ -1,1 +1,10 @@
-//! Tests.
+//! The tests of Pangaea; `README.md` says what each kind is for.
+
+#![allow(clippy::disallowed_methods, reason = "references in tests need not have the same bits everywhere")]
+
+mod commands;
+mod contracts;
+mod determinism;
+mod input;
+mod laws;
+mod planets;

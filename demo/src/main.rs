@@ -1,6 +1,7 @@
 //! `pangaea`: the explorer, and headless commands that grow, draw and measure planets.
 
 #![allow(unreachable_pub, reason = "nothing outside can reach into a program")]
+#![allow(clippy::disallowed_methods, reason = "what is drawn or typed is no part of a planet's state")]
 
 mod cli;
 mod error;

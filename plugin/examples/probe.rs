@@ -10,7 +10,8 @@ fn main() {
     let samples: u32 = a[2].parse().unwrap();
     let until: u64 = a[3].parse().unwrap();
     let every: u64 = a[4].parse().unwrap();
-    let recipe = PlanetRecipe { seed, samples, ..default() };
+    let mut recipe = PlanetRecipe { seed, samples, ..default() };
+    for kv in std::env::var("PARAMS").unwrap_or_default().split(',').filter(|s| !s.is_empty()) { let (k, v) = kv.split_once('=').unwrap(); recipe.params.set(k, v.parse().unwrap()).unwrap(); }
     let mut app = App::new();
     app.add_plugins(PangaeaPlugins);
     app.add_observer(|e: On<TerraneCollided>| println!("  collision {:?}->{:?} {:.0} km2 v {:.0}", e.from, e.to, e.area, e.speed));
@@ -24,6 +25,7 @@ fn main() {
     let mut done = 0;
     loop {
         bevy_pangaea::resample::project_now(world, planet);
+        { let c = world.get::<bevy_pangaea::plate::contact::Contacts>(planet).unwrap(); let mut h = [0usize; 5]; for c in &c.0 { h[c.role as usize] += 1; } println!("  roles {h:?} since {}", world.get::<GeologicClock>(planet).unwrap().since_resample); }
         let s = world.get::<Surface>(planet).unwrap();
         let mesh = world.get::<Lattice>(planet).unwrap();
         let n = s.len();
@@ -33,7 +35,7 @@ fn main() {
         let min = (0..n).map(|i| s.elevation(i)).fold(f32::MAX, f32::min);
         let age = (0..n).filter(|&i| !s.crust.is_continental(i)).map(|i| s.crust.ocean_age[i] as f64).sum::<f64>() / ((1.0-cont)*n as f64);
         let np = world.get::<Plates>(planet).unwrap().iter().count();
-        println!("{:5.0} My plates {np} land {:.3} cont {:.3} z {:.2}..{:.2} oage {:.0}", s.time, land, cont, min, max, age);
+        let hyp: Vec<usize> = { let mut h = vec![0usize; 22]; for i in 0..n { h[((s.elevation(i) + 11.0).clamp(0.0, 21.9)) as usize] += 1; } h }; println!("  hyp {:?}", hyp.iter().map(|c| c * 1000 / n).collect::<Vec<_>>()); println!("{:5.0} My plates {np} land {:.3} cont {:.3} z {:.2}..{:.2} oage {:.0}", s.time, land, cont, min, max, age);
         // map
         let (w, h) = (1024usize, 512usize);
         let mut img = vec![0u8; w*h*3];

@@ -60,3 +60,8 @@ pub mod prelude {
     pub use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
     pub use crate::spawn::SpawnPlanet;
 }
+
+/// The README's examples, compiled as doc-tests.
+#[cfg(all(doctest, feature = "render"))]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

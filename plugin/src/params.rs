@@ -195,12 +195,12 @@ params! {
     }
     "Rifting" {
         /// Mean number of riftings λ_0 in a time step of a wholly continental plate of average initial area.
-        /// At this value a planet of 40 plates with 30 % land rifts about once in 30 to 60 My.
-        rift_rate = 0.004 in 0.0..10.0, "";
+        /// At this value a planet of 40 plates with 30 % land rifts about once in 15 to 50 My, which keeps its ocean floor below a mean age of 90 My.
+        rift_rate = 0.008 in 0.0..10.0, "";
         /// Share of λ that a wholly oceanic plate keeps.
-        rift_oceanic_share = 0.1 in 0.0..1.0, "";
+        rift_oceanic_share = 0.2 in 0.0..1.0, "";
         /// Speed at which fragments open, far from the pole.
-        rift_speed = 40.0 in 1.0..300.0, "km/My";
+        rift_speed = 60.0 in 1.0..300.0, "km/My";
         /// Width of the zone that a rift thins on either side.
         rift_width = 200.0 in 0.0..1000.0, "km";
         /// Share of its thickness that continental crust at a new rift loses; stretched margins lose a tenth to a half.

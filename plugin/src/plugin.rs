@@ -2,7 +2,7 @@
 
 use crate::process::{
     collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
-    relief::ReliefPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
+    margin::MarginPlugin, relief::ReliefPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
     subduction::SubductionPlugin,
 };
 use crate::resample::ResamplePlugin;
@@ -22,6 +22,7 @@ use bevy::prelude::*;
 /// | [`CollisionPlugin`] | terranes break off and are sutured |
 /// | [`RiftingPlugin`] | plates break |
 /// | [`ReliefPlugin`] | erosion, subsidence, sediment, isostasy, noise |
+/// | [`MarginPlugin`] | sediment slopes beside continents |
 /// | [`ResamplePlugin`] | even samples again, new ocean crust, the surface for pictures |
 /// | [`CommitPlugin`] | commands, clock, ledger |
 /// | [`PresetPlugin`](crate::io::PresetPlugin) | `*.planet.ron` as hot-reloaded assets, where there are assets |
@@ -38,6 +39,7 @@ impl PluginGroup for PangaeaPlugins {
             .add(CollisionPlugin)
             .add(RiftingPlugin)
             .add(ReliefPlugin)
+            .add(MarginPlugin)
             .add(ResamplePlugin)
             .add(CommitPlugin)
             .add(crate::io::PresetPlugin)

@@ -22,6 +22,9 @@ pub struct PlanetState {
     pub frames: Frames,
     /// Plates in order of their numbers: number, motion, time of birth in My.
     pub plates: Vec<(PlateId, PlateMotion, f64)>,
+    /// What each of the plates is made of, as it was found when frames last gained or lost samples: the
+    /// plates' rifting and pull go by it until the next time.
+    pub stats: Vec<PlateStats>,
     /// The clock.
     pub clock: GeologicClock,
     /// Parameters.
@@ -32,7 +35,7 @@ pub struct PlanetState {
     pub recording: Recording,
     /// The memory of subduction polarity.
     pub polarity: crate::plate::contact::PolarityMemory,
-    /// Distances to fronts; only `seeds` and `stale` are state, the rest is found again.
+    /// Distances to fronts.
     pub fronts: crate::process::front::FrontField,
 }
 
@@ -63,10 +66,11 @@ impl PlanetState {
             .collect();
         let frames =
             Frames(plates.iter().map(|&(id, ..)| crate::crust::Frame::at_rest(id)).collect());
+        let stats = crate::plate::stats::plate_stats(&mesh, &crust, &frames, planet.radius);
+        let stats = stats.into_iter().map(|(_, stats)| stats).collect();
         let initial = crate::crust::ledger::measure(&crust, &mesh, planet.radius);
         let ledger = Ledger { initial, ..default() };
-        let mut fronts = crate::process::front::FrontField::default();
-        fronts.invalidate(plates.iter().map(|&(id, ..)| id));
+        let fronts = crate::process::front::FrontField::new(mesh.len());
         let clock = GeologicClock { next_plate: plates.len() as u32, ..default() };
         Ok(Self {
             planet,
@@ -74,6 +78,7 @@ impl PlanetState {
             crust,
             frames,
             plates,
+            stats,
             clock,
             params: recipe.params.clone(),
             ledger,
@@ -94,17 +99,18 @@ impl PlanetState {
                 (Name::new("planet"), crate::process::ProcessState::default()),
             ))
             .id();
+        let mut plates = Vec::with_capacity(self.plates.len());
         for (id, motion, born) in self.plates {
-            world.spawn((
-                Name::new(format!("plate {}", id.0)),
-                PlateOf(planet),
-                Plate { born },
-                id,
-                motion,
-                PlateStats::default(),
-            ));
+            let name = Name::new(format!("plate {}", id.0));
+            let plate = (name, PlateOf(planet), Plate { born }, id, motion, PlateStats::default());
+            plates.push(world.spawn(plate).id());
         }
         crate::resample::refresh(world, planet);
+        for (plate, stats) in plates.into_iter().zip(self.stats) {
+            if let Ok(mut plate) = world.get_entity_mut(plate) {
+                plate.insert(stats);
+            }
+        }
         planet
     }
 }

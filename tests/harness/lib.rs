@@ -1,1 +1,14 @@
-//! Harness.
+//! What the tests of Pangaea share: planets without a window, hand-made crust, and measurements that do not
+//! use the code under test.
+//!
+//! ```text
+//! world      apps, steps, digests, commands, snapshots of the state
+//! shape      planets whose plates and coasts are known to the kilometre
+//! measure    areas, volumes, hypsometry, coverage, by brute force
+//! probe      what every stage of a step does to the state
+//! ```
+
+pub mod measure;
+pub mod probe;
+pub mod shape;
+pub mod world;

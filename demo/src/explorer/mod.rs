@@ -1,6 +1,7 @@
 //! The explorer: a window with a planet to watch, to take by the hand and to save.
 //!
 //! ```text
+//! background  long work on threads of its own
 //! camera      orbit camera, and the viewport between the panels
 //! session     growing, loading and saving planets in the background
 //! state       actions, selection, look; what panels read
@@ -14,6 +15,8 @@
 //! style       colours and small widgets
 //! text        numbers for people
 //! ```
+
+mod background;
 
 mod camera;
 
@@ -39,6 +42,7 @@ mod style;
 
 mod text;
 
+use bevy::app::PanicHandlerPlugin;
 use bevy::asset::AssetPlugin;
 use bevy::prelude::*;
 use bevy::render::RenderPlugin;
@@ -49,6 +53,7 @@ use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::render::PangaeaRenderPlugin;
 use bevy_pangaea::render::adapter::open_adapter;
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 
 /// How the explorer starts.
@@ -75,8 +80,7 @@ struct HelpPage(bool);
 pub fn run(options: Options) -> Result<(), String> {
     has_display()?;
     let adapter = open_adapter().map_err(|error| error.to_string())?;
-    let mut app = App::new();
-    app.add_plugins((default_plugins(adapter), EguiPlugin::default(), PangaeaPlugins));
+    let mut app = open_window(adapter)?;
     if !app.is_plugin_added::<PangaeaRenderPlugin>() {
         app.add_plugins(PangaeaRenderPlugin);
     }
@@ -85,6 +89,27 @@ pub fn run(options: Options) -> Result<(), String> {
         AppExit::Success => Ok(()),
         AppExit::Error(_) => Err("the explorer ended with an error".into()),
     }
+}
+
+/// An app with a window. Winit panics where the display cannot be reached; that becomes an error here.
+fn open_window(adapter: RenderCreation) -> Result<App, String> {
+    let hook = take_hook();
+    set_hook(Box::new(|_| {}));
+    let opened = catch_unwind(AssertUnwindSafe(|| {
+        let mut app = App::new();
+        app.add_plugins((default_plugins(adapter), EguiPlugin::default(), PangaeaPlugins));
+        app
+    }));
+    set_hook(hook);
+    opened.map_err(|panic| {
+        let text = panic.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no reason given");
+        if text.contains("event loop") {
+            let display = std::env::var("DISPLAY").unwrap_or_default();
+            return format!("no window can be opened: the display {display} does not answer");
+        }
+        format!("no window can be opened: {}", text.lines().next().unwrap_or(text))
+    })
 }
 
 fn default_plugins(adapter: RenderCreation) -> impl PluginGroup {
@@ -104,6 +129,8 @@ fn default_plugins(adapter: RenderCreation) -> impl PluginGroup {
         .set(WindowPlugin { primary_window: Some(window), ..default() })
         .set(RenderPlugin { render_creation: adapter, ..default() })
         .set(AssetPlugin { watch_for_changes_override: Some(false), ..default() })
+        // It would print the panics that `open_window` turns into errors.
+        .disable::<PanicHandlerPlugin>()
 }
 
 /// The explorer itself, on top of Bevy, egui and the planet.
@@ -152,6 +179,7 @@ fn add_update_systems(app: &mut App) {
         (
             panels::timings::watch,
             state::apply_actions,
+            state::share_frames,
             session::start_jobs,
             session::finish_jobs,
             session::save_at_boundary,

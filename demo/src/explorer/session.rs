@@ -3,12 +3,11 @@
 //! A new planet replaces the old one only once it is there; whatever fails is said in a message and
 //! the old planet lives on. A save takes the state at a step boundary and writes it on another thread.
 
+use super::background::Background;
 use super::messages::Messages;
 use super::panels::planet::PlanetForm;
 use super::state::{Action, Selection};
 use bevy::prelude::*;
-use bevy::tasks::futures::check_ready;
-use bevy::tasks::{AsyncComputeTaskPool, Task};
 use bevy_pangaea::io;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::schedule::StepCursor;
@@ -23,12 +22,12 @@ pub struct Session {
     job: Option<Job>,
     /// Where to save as soon as the planet stands between two steps.
     save_to: Option<PathBuf>,
-    saving: Option<Task<Result<String, String>>>,
+    saving: Option<Background<String>>,
 }
 
 struct Job {
     what: String,
-    task: Task<Result<Outcome, String>>,
+    work: Background<Outcome>,
 }
 
 enum Outcome {
@@ -54,8 +53,7 @@ impl Session {
         what: String,
         work: impl FnOnce() -> Result<Outcome, String> + Send + 'static,
     ) {
-        let task = AsyncComputeTaskPool::get().spawn(async move { work() });
-        self.job = Some(Job { what, task });
+        self.job = Some(Job { what, work: Background::start(work) });
     }
 }
 
@@ -99,7 +97,7 @@ pub fn start_jobs(
 pub fn finish_jobs(world: &mut World) {
     let mut session = world.resource_mut::<Session>();
     let Some(job) = session.job.as_mut() else { return };
-    let Some(outcome) = check_ready(&mut job.task) else { return };
+    let Some(outcome) = job.work.take() else { return };
     session.job = None;
     match outcome {
         Ok(Outcome::Grown(state)) => {
@@ -145,11 +143,10 @@ pub fn save_at_boundary(world: &mut World) {
     world.resource_mut::<Session>().save_to = None;
     match io::capture(world, planet) {
         Some(state) => {
-            let task = AsyncComputeTaskPool::get().spawn(async move {
+            world.resource_mut::<Session>().saving = Some(Background::start(move || {
                 io::save(&state, &path).map_err(text)?;
                 Ok(format!("saved {}", path.display()))
-            });
-            world.resource_mut::<Session>().saving = Some(task);
+            }));
         }
         None => world.resource_mut::<Messages>().error("the planet cannot be saved now"),
     }
@@ -157,7 +154,7 @@ pub fn save_at_boundary(world: &mut World) {
 
 /// Says how a save went.
 pub fn finish_save(mut session: ResMut<Session>, mut messages: ResMut<Messages>) {
-    let Some(outcome) = session.saving.as_mut().and_then(check_ready) else { return };
+    let Some(outcome) = session.saving.as_mut().and_then(Background::take) else { return };
     session.saving = None;
     match outcome {
         Ok(note) => messages.note(note),

@@ -3,7 +3,6 @@
 //! Panels and keys only say what is wanted, as an [`Action`]; [`session`](super::session) and
 //! [`apply_actions`] do it. So a key, a button and a test take the same way.
 
-use super::messages::Messages;
 use super::session::Session;
 use bevy::ecs::system::SystemParam;
 use bevy::math::DVec3;
@@ -15,6 +14,7 @@ use bevy_pangaea::render::Globe;
 use bevy_pangaea::schedule::StageTimings;
 use bevy_pangaea::sphere::SphereMesh;
 use std::path::PathBuf;
+use std::time::Duration;
 
 /// Slowest and fastest wanted speed in My per second.
 pub const SPEED_LIMITS: (f64, f64) = (0.5, 200.0);
@@ -199,7 +199,6 @@ pub fn apply_actions(
     session: Res<Session>,
     mut clocks: Query<&mut GeologicClock>,
     mut selection: ResMut<Selection>,
-    mut messages: ResMut<Messages>,
 ) {
     for action in actions.read() {
         if let Action::Select(plate) = action {
@@ -220,13 +219,21 @@ pub fn apply_actions(
             Action::SetSpeed(speed) => clock.speed = speed.clamp(SPEED_LIMITS.0, SPEED_LIMITS.1),
             Action::Tectonic(command) => {
                 commands.entity(planet).tectonic(command.clone());
-                if clock.paused {
-                    messages.note("the command takes effect between two steps");
-                }
             }
             _ => {}
         }
     }
+}
+
+/// Gives the simulation its share of a frame: a few ms, or a quarter where drawing takes long anyway.
+pub fn share_frames(
+    frames: Res<super::panels::timings::FrameTimes>,
+    session: Res<Session>,
+    mut clocks: Query<&mut GeologicClock>,
+) {
+    let Some(mut clock) = session.planet.and_then(|planet| clocks.get_mut(planet).ok()) else { return };
+    let ms = (0.25 * frames.mean()).clamp(8.0, 60.0);
+    clock.frame_budget = Duration::from_secs_f64(ms * 1e-3);
 }
 
 /// Gives the globe the chosen look.

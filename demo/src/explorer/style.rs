@@ -102,7 +102,7 @@ pub fn panel_frame() -> Frame {
 /// The frame of things that float over the globe.
 pub fn floating_frame() -> Frame {
     Frame::new()
-        .fill(Color32::from_rgba_unmultiplied(17, 21, 29, 226))
+        .fill(Color32::from_rgba_unmultiplied(17, 21, 29, 242))
         .stroke(Stroke::new(1.0, LINE))
         .corner_radius(CornerRadius::same(8))
         .inner_margin(Margin::symmetric(12, 8))

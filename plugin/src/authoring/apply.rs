@@ -181,6 +181,6 @@ fn edit_crust(world: &mut World, planet: Entity, edit: impl FnOnce(&mut paint::S
     edit(&mut paint::Scene { mesh, params, frames, radius: body.radius, crust: &mut crust });
     let after = crate::crust::ledger::measure(&crust, mesh, body.radius);
     ledger.book(Cause::Command, after.area - before.area, after.volume - before.volume);
-    crate::resample::rebuild(world, planet, &[]);
+    crate::resample::rebuild(world, planet);
     Ok(())
 }

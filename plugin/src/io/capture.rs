@@ -5,7 +5,7 @@ use crate::crust::{Crust, Frames, Ledger};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::contact::PolarityMemory;
-use crate::plate::{Plate, PlateId, PlateMotion, Plates};
+use crate::plate::{Plate, PlateId, PlateMotion, PlateStats, Plates};
 use crate::process::front::FrontField;
 use crate::schedule::StepCursor;
 use crate::spawn::PlanetState;
@@ -20,18 +20,21 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     if entity.get::<StepCursor>().is_some_and(|cursor| !cursor.at_boundary()) {
         return None;
     }
-    let mut plates: Vec<(PlateId, PlateMotion, f64)> = Vec::new();
+    let mut rows: Vec<((PlateId, PlateMotion, f64), PlateStats)> = Vec::new();
     for plate in entity.get::<Plates>().into_iter().flat_map(|plates| plates.iter()) {
         let plate = world.get_entity(plate).ok()?;
-        plates.push((*plate.get::<PlateId>()?, *plate.get::<PlateMotion>()?, plate.get::<Plate>()?.born));
+        let row = (*plate.get::<PlateId>()?, *plate.get::<PlateMotion>()?, plate.get::<Plate>()?.born);
+        rows.push((row, *plate.get::<PlateStats>()?));
     }
-    plates.sort_by_key(|&(id, ..)| id);
+    rows.sort_by_key(|&((id, ..), _)| id);
+    let (plates, stats) = rows.into_iter().unzip();
     Some(PlanetState {
         planet: *entity.get::<Planet>()?,
         lattice: entity.get::<Lattice>()?.clone(),
         crust: entity.get::<Crust>()?.clone(),
         frames: entity.get::<Frames>()?.clone(),
         plates,
+        stats,
         clock: entity.get::<GeologicClock>()?.clone(),
         params: entity.get::<TectonicParams>()?.clone(),
         ledger: entity.get::<Ledger>()?.clone(),

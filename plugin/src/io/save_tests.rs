@@ -9,7 +9,7 @@ use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
 use crate::plate::contact::PolarityMemory;
 use crate::plate::polarity::Segment;
-use crate::plate::{PlateId, PlateMotion};
+use crate::plate::{PlateId, PlateMotion, PlateStats};
 use crate::process::front::FrontField;
 use crate::random::{Purpose, Stream};
 use crate::schedule::run_steps;
@@ -17,6 +17,10 @@ use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::App;
 use std::sync::Arc;
+
+fn stats(continental: f64) -> PlateStats {
+    PlateStats { samples: 75, area: 2.5e8, continental, ocean_age: 60.0, centroid: DVec3::Y }
+}
 
 fn state() -> PlanetState {
     let mesh = Arc::new(SphereMesh::fibonacci(150).unwrap());
@@ -37,22 +41,27 @@ fn state() -> PlanetState {
     ledger.book(Cause::ArcGrowth, 1.25e5, 3.5e6);
     let moved = Frame { rotation: math::rotation(DVec3::Y, 0.3), ..Frame::at_rest(PlateId(1)) };
     let motion = PlateMotion { axis: DVec3::X, speed: 0.01 };
+    let mut fronts = FrontField::new(150);
+    (fronts.stale, fronts.source[7], fronts.distance[7]) = (false, 9, 0.25);
     let paint = TectonicCommand::PaintCrust {
         target: PaintTarget::Disc { center: (10.5, -20.25), radius: 900.0 },
         brush: Brush::Raise(0.1),
     };
+    let mut fronts = FrontField::new(150);
+    (fronts.source[70], fronts.distance[70]) = (3, 0.25);
     PlanetState {
         planet: Planet { radius: 6370.0, seed: 42 },
         lattice: Lattice(mesh),
         crust,
         frames: Frames(vec![Frame::at_rest(PlateId(0)), moved, Frame { terrane: true, ..moved }]),
         plates: vec![(PlateId(0), PlateMotion::REST, 0.0), (PlateId(1), motion, 12.0)],
+        stats: vec![stats(0.25), stats(0.5)],
         clock: GeologicClock { time: 20.0, step: 10, next_plate: 2, resample_requested: true, ..GeologicClock::default() },
         params,
         ledger,
         recording: Recording(vec![TimedCommand { step: 4, command: paint }]),
         polarity: PolarityMemory(vec![Segment { pair: (PlateId(0), PlateId(1)), bin: 17, first_under: true }]),
-        fronts: FrontField { seeds: vec![3, 70, 149], stale: false, ..FrontField::default() },
+        fronts,
     }
 }
 
@@ -79,9 +88,11 @@ fn a_planet_comes_back_with_the_same_bits() {
     assert_eq!(bytes(&back), saved);
     assert_eq!(back.crust, state.crust);
     assert_eq!((back.planet, back.plates, back.frames), (state.planet, state.plates, state.frames));
+    assert_eq!(back.stats, state.stats);
     assert_eq!((back.clock, back.params, back.ledger), (state.clock, state.params, state.ledger));
     assert_eq!((back.recording, back.polarity), (state.recording, state.polarity));
-    assert_eq!((back.fronts.seeds, back.fronts.stale), (state.fronts.seeds, state.fronts.stale));
+    assert_eq!(back.fronts.stale, state.fronts.stale);
+    assert_eq!((back.fronts.source, back.fronts.distance), (state.fronts.source, state.fronts.distance));
     assert_eq!(back.lattice.points(), state.lattice.points());
 }
 
@@ -175,8 +186,9 @@ fn states_that_make_no_planet_are_refused() {
         ("speed", |s| s.plates[1].1.speed = -1.0),
         ("frame's plate", |s| s.frames.0[0].plate = PlateId(9)),
         ("plate of crust", |s| s.plates.truncate(1)),
-        ("front", |s| s.fronts.seeds.push(150)),
-        ("front", |s| s.fronts.seeds.swap(0, 1)),
+        ("front", |s| s.fronts.source[70] = 150),
+        ("front", |s| s.fronts.distance[70] = f32::NAN),
+        ("front", |s| s.fronts.distance.truncate(149)),
         ("parameter", |s| s.params.uplift = 1e9),
         ("clock", |s| s.clock.time = f64::NAN),
         ("no plates", |s| s.plates.clear()),

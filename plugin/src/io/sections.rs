@@ -49,7 +49,7 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
     };
     let (planet, clock) = read_planet(head)?;
     let params = read_params(parm)?;
-    let plates = read_plates(plat, clock.next_plate)?;
+    let (plates, stats) = read_plates(plat, clock.next_plate)?;
     let frames = read_frames(frms, clock.next_plate)?;
     let ledger = read_ledger(ledg)?;
     let recording = read_recording(reco)?;
@@ -59,7 +59,7 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
     carried(&crust, &frames, &plates)?;
     let fronts = read_fronts(fron, samples)?;
     let lattice = read_mesh(mesh)?;
-    Ok(PlanetState { planet, lattice, crust, frames, plates, clock, params, ledger, recording, polarity, fronts })
+    Ok(PlanetState { planet, lattice, crust, frames, plates, stats, clock, params, ledger, recording, polarity, fronts })
 }
 
 fn planet(state: &PlanetState) -> Vec<u8> {

@@ -35,7 +35,7 @@ pub fn laplacians(input: &OverlayInput) -> Vec<f32> {
     per_sample(input.mesh, |i| (fit(input.mesh, i, elevation).1 * unit) as f32)
 }
 
-pub(super) fn per_sample<T: Send>(mesh: &SphereMesh, value: impl Fn(u32) -> T + Sync + Send) -> Vec<T> {
+pub(crate) fn per_sample<T: Send>(mesh: &SphereMesh, value: impl Fn(u32) -> T + Sync + Send) -> Vec<T> {
     let parts = parallel::map_chunks(mesh.len(), |range| {
         range.map(|i| value(i as u32)).collect::<Vec<T>>()
     });
@@ -43,7 +43,7 @@ pub(super) fn per_sample<T: Send>(mesh: &SphereMesh, value: impl Fn(u32) -> T + 
 }
 
 /// Gradient of `value` at sample `i`, per radian, and its Laplacian, per square radian.
-fn fit(mesh: &SphereMesh, i: u32, value: impl Fn(u32) -> f64) -> (DVec3, f64) {
+pub(crate) fn fit(mesh: &SphereMesh, i: u32, value: impl Fn(u32) -> f64) -> (DVec3, f64) {
     let p = mesh.point(i);
     let (east, north) = axes(p);
     // Sums of products of x, y, r² and z over the ring.

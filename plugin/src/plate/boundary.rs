@@ -70,12 +70,16 @@ fn outward(
     plate: &[super::PlateId],
     i: u32,
 ) -> Option<DVec3> {
-    let own = plate[usize::from(frame[i as usize])];
+    let frame_of = |j: u32| frame[j as usize];
+    if mesh.ring(i).iter().all(|&j| frame_of(j) == frame_of(i)) {
+        return None;
+    }
+    let own = plate[usize::from(frame_of(i))];
     let p = mesh.point(i);
     let mut sum = DVec3::ZERO;
     let mut found = false;
     for &j in mesh.ring(i) {
-        if plate[usize::from(frame[j as usize])] != own {
+        if plate[usize::from(frame_of(j))] != own {
             sum += mesh.point(j) - p;
             found = true;
         }

@@ -77,17 +77,17 @@ pub fn collision(
     }
     let mesh: &SphereMesh = lattice;
     let scene = Scene { planet, mesh, params, rim, contacts, cover, plates: plates.table() };
-    let mut touched = Vec::new();
+    let mut sutured = false;
     for overlap in scene.overlaps(&crust, &frames) {
         if let Some(mut event) = scene.collide(&overlap, &mut crust, &mut frames, &mut ledger) {
             event.planet = plates.planet();
-            touched.extend([event.from, event.to]);
+            sutured = true;
             commands.trigger(event);
         }
     }
-    if !touched.is_empty() {
+    if sutured {
         let planet = plates.planet();
-        commands.queue(move |world: &mut World| crate::resample::rebuild(world, planet, &touched));
+        commands.queue(move |world: &mut World| crate::resample::rebuild(world, planet));
     }
 }
 
@@ -159,22 +159,21 @@ impl Scene<'_> {
         if !still_there {
             return None;
         }
-        let terranes = [flood(self.mesh, crust, above), flood(self.mesh, crust, contact.sample)];
-        let area = terranes.each_ref().map(|t| self.area(t));
-        let mover = usize::from(area[1] <= area[0]);
-        if area[mover] < self.params.terrane_min_area {
+        let start = [above, contact.sample];
+        let (mover, terrane) = smaller_terrane(self.mesh, crust, start);
+        let area = self.area(&terrane);
+        if area < self.params.terrane_min_area {
             return None;
         }
-        let start = [above, contact.sample];
         let ids = start.map(|i| crust.frame[i as usize]);
         let (from, to) = (ids[mover], ids[1 - mover]);
         let at = frames[usize::from(ids[0])].to_world(self.mesh.point(above));
-        let centroid = self.centroid(&terranes[mover], &frames[usize::from(from)]);
+        let centroid = self.centroid(&terrane, &frames[usize::from(from)]);
         let relative = self.plates.angular_velocity(frames.plate(from))
             - self.plates.angular_velocity(frames.plate(to));
         let speed = relative.cross(centroid).length() * self.planet.radius;
-        let surge = Surge::new(self.params, self.planet.radius, area[mover], speed);
-        let seeds = self.suture(&terranes[mover], crust, frames, from, to, start, mover);
+        let surge = Surge::new(self.params, self.planet.radius, area, speed);
+        let seeds = self.suture(&terrane, crust, frames, from, to, start, mover);
         for (side, id) in [(0, from), (1, to)] {
             let q = frames[usize::from(id)].to_lattice(centroid);
             let reached = self.spread_on(crust, id, &seeds[side], surge.radius);
@@ -185,11 +184,11 @@ impl Scene<'_> {
             planet: Entity::PLACEHOLDER,
             from: frames.plate(from),
             to: frames.plate(to),
-            area: area[mover],
+            area,
             at,
             speed,
         };
-        reframe(crust, frames, &terranes[mover], from, event.to);
+        reframe(crust, frames, &terrane, from, event.to);
         Some(event)
     }
 
@@ -301,25 +300,34 @@ impl Surge {
     }
 }
 
-/// The connected continental samples of one frame around `start`, in sample order.
-pub fn flood(mesh: &SphereMesh, crust: &Crust, start: u32) -> Vec<u32> {
-    let id = crust.frame[start as usize];
+/// The smaller of two terranes, each the connected continental samples of one frame around its start: which of the two,
+/// and its samples in order. Both are flooded in turns of equal size until one is complete.
+pub fn smaller_terrane(mesh: &SphereMesh, crust: &Crust, start: [u32; 2]) -> (usize, Vec<u32>) {
+    const TURN: usize = 256;
     let mut seen = vec![false; mesh.len()];
-    let mut found = vec![start];
-    seen[start as usize] = true;
-    let mut next = 0;
-    while next < found.len() {
-        for &j in mesh.ring(found[next]) {
-            let k = j as usize;
-            if !seen[k] && crust.frame[k] == id && crust.is_continental(k) {
-                seen[k] = true;
-                found.push(j);
+    let mut found = start.map(|i| vec![i]);
+    let mut next = [0; 2];
+    start.iter().for_each(|&i| seen[i as usize] = true);
+    loop {
+        for side in 0..2 {
+            let id = crust.frame[start[side] as usize];
+            for _ in 0..TURN {
+                let Some(&i) = found[side].get(next[side]) else {
+                    let mut samples = core::mem::take(&mut found[side]);
+                    samples.sort_unstable();
+                    return (side, samples);
+                };
+                next[side] += 1;
+                for &j in mesh.ring(i) {
+                    let k = j as usize;
+                    if !seen[k] && crust.frame[k] == id && crust.is_continental(k) {
+                        seen[k] = true;
+                        found[side].push(j);
+                    }
+                }
             }
         }
-        next += 1;
     }
-    found.sort_unstable();
-    found
 }
 
 /// Gives samples a new frame with the rotation of `from`, owned by the plate `to`.

@@ -2,7 +2,7 @@
 //!
 //! The front is the rim of the overriding plate, so in that plate's frame it stands still: distances stay
 //! true until the set of rim samples that override something changes. They are renewed for a quarter of the
-//! plates in each step, and at once for those whose frames have gained or lost samples.
+//! plates in each step, and for all after a resample. So the field is state: it remembers up to three steps.
 //!
 //! Policy: distance is measured within one frame, around gaps but not across them.
 
@@ -18,13 +18,10 @@ use bevy::prelude::*;
 pub const REFRESH: u64 = 4;
 
 /// Distance to the nearest front, and which rim sample is nearest.
-#[derive(Component, Clone, Debug, Default)]
+#[derive(Component, Clone, Debug)]
 pub struct FrontField {
-    /// Rim samples from which distances were last spread, in sample order: with the frames they
-    /// determine all the rest, so they alone are saved.
-    pub seeds: Vec<u32>,
-    /// Plates whose frames have gained or lost samples since, in order: all their distances must be renewed.
-    pub stale: Vec<PlateId>,
+    /// Whether all distances must be renewed at the next step.
+    pub stale: bool,
     /// Distance in radians; infinite where no front is near.
     pub distance: Vec<f32>,
     /// Rim sample nearest to each sample; [`UNREACHED`] where there is none.
@@ -34,11 +31,14 @@ pub struct FrontField {
 }
 
 impl FrontField {
-    /// Marks the distances of plates as out of date.
-    pub fn invalidate(&mut self, plates: impl IntoIterator<Item = PlateId>) {
-        self.stale.extend(plates);
-        self.stale.sort_unstable();
-        self.stale.dedup();
+    /// The field of `n` samples before any front was seen.
+    pub fn new(n: usize) -> Self {
+        Self {
+            stale: true,
+            distance: vec![f32::INFINITY; n],
+            source: vec![UNREACHED; n],
+            scratch: default(),
+        }
     }
 
     /// Renews the distances of the plates that are due at `step`, up to `reach` radians.
@@ -53,28 +53,8 @@ impl FrontField {
         step: u64,
     ) {
         let turn = |plate: PlateId| (u64::from(plate.0) + step).is_multiple_of(REFRESH);
-        let due: Vec<bool> = frames
-            .iter()
-            .map(|f| turn(f.plate) || self.stale.binary_search(&f.plate).is_ok())
-            .collect();
-        let is_due = |sample: u32| due[usize::from(frame[sample as usize])];
-        let mut seeds: Vec<u32> = self.seeds.iter().copied().filter(|&i| !is_due(i)).collect();
-        let fresh = rim.samples.iter().zip(&contacts.0);
-        seeds.extend(fresh.filter(|(i, c)| c.role == Role::Overriding && is_due(**i)).map(|(&i, _)| i));
-        seeds.sort_unstable();
-        self.seeds = seeds;
-        self.stale.clear();
-        self.spread(mesh, frame, reach, &due);
-    }
-
-    /// Finds all distances again from the seeds, after a load.
-    pub fn restore(&mut self, mesh: &SphereMesh, frame: &[FrameId], frames: &Frames, reach: f64) {
-        self.spread(mesh, frame, reach, &vec![true; frames.len()]);
-    }
-
-    fn spread(&mut self, mesh: &SphereMesh, frame: &[FrameId], reach: f64, due: &[bool]) {
-        self.distance.resize(mesh.len(), f32::INFINITY);
-        self.source.resize(mesh.len(), UNREACHED);
+        let due: Vec<bool> = frames.iter().map(|f| self.stale || turn(f.plate)).collect();
+        self.stale = false;
         for (i, &frame) in frame.iter().enumerate() {
             if due[usize::from(frame)] {
                 self.distance[i] = f32::INFINITY;
@@ -83,11 +63,11 @@ impl FrontField {
         }
         // Two halves of the frames at a time; no distance crosses from one frame to another.
         let half = |half: u16| -> Vec<u32> {
-            let chosen = |&i: &u32| {
-                let id = frame[i as usize];
-                id % 2 == half && due[usize::from(id)]
-            };
-            self.seeds.iter().copied().filter(chosen).collect()
+            let front = rim.samples.iter().zip(&contacts.0).filter(|(i, contact)| {
+                let id = frame[**i as usize];
+                contact.role == Role::Overriding && id % 2 == half && due[usize::from(id)]
+            });
+            front.map(|(&i, _)| i).collect()
         };
         let seeds = [half(0), half(1)];
         let [left, right] = &mut self.scratch;

@@ -9,6 +9,8 @@
 //! | [`collision`] | §4.2 | contacts, crust | frames, elevation, thickness, fold, orogeny |
 //! | [`rifting`] | §4.4 | plates, crust | plates, frames, thickness, elevation |
 //! | [`relief`] | §4.5 | crust | elevation, thickness, ages, kind |
+//! | [`margin`] | §4.5 | elevation, kind | elevation of ocean crust |
+//! | [`commit`] | | crust | clock, ledger |
 //!
 //! New ocean crust (§4.3) belongs to [`resample`](crate::resample).
 
@@ -33,6 +35,8 @@ pub mod ocean_floor;
 pub mod erosion;
 
 pub mod relief;
+
+pub mod margin;
 
 pub mod commit;
 

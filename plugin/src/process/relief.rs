@@ -92,6 +92,8 @@ struct ReliefLaw {
     adjustment: f32,
     isostasy: Isostasy,
     subsidence: Subsidence,
+    /// Highest continental elevation in km.
+    ceiling: f32,
     /// Weights of the two noise patterns in km.
     noise: [f32; 2],
 }
@@ -106,6 +108,7 @@ impl ReliefLaw {
             adjustment: adjustment(params),
             isostasy: Isostasy::new(params),
             subsidence: Subsidence::new(params),
+            ceiling: params.summit_elevation as f32,
             noise: [(amplitude * c) as f32, (amplitude * s) as f32],
         }
     }
@@ -176,5 +179,6 @@ impl ReliefLaw {
         booked.noise += f64::from(noisy - before) * area;
         booked.erosion += f64::from(*e - noisy) * area;
         *z += (self.isostasy.elevation(*e) - *z) * self.adjustment;
+        *z = z.min(self.ceiling);
     }
 }

@@ -217,7 +217,7 @@ fn rift(
             world.spawn((name, PlateOf(planet), born, fragment, motion, PlateStats::default()));
         }
     }
-    crate::resample::rebuild(world, planet, &ids);
+    crate::resample::rebuild(world, planet);
     if let Some(mut timings) = world.get_mut::<StageTimings>(planet) {
         timings.rift.1 += start.elapsed().as_secs_f64() * 1e3;
     }

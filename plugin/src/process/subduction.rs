@@ -58,7 +58,7 @@ pub fn subduction(
     let Ok((input, (mut crust, mut field, mut ledger))) = planets.get_mut(current.0) else { return };
     let (planet, lattice, params, clock, frames, rim, contacts) = input;
     if !params.processes.subduction {
-        field.invalidate(frames.iter().map(|frame| frame.plate));
+        field.stale = true;
         return;
     }
     let reach = (params.subduction_distance / planet.radius).min(2.0);

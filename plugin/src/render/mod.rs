@@ -17,6 +17,8 @@
 //! - The planet's axis (+z) is Bevy's +y: [`to_bevy`] and [`from_bevy`] convert.
 //! - Painting runs on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), one picture at a time; a
 //!   picture that is out of date when it is ready is shown and the next one begun.
+//! - The picture hides the lattice: relief is drawn a little smoothed, coasts ragged below the spacing of samples.
+//!   Numbers are never read from the picture; ask [`Surface`](crate::crust::Surface).
 //! - The light is the globe's own ([`Globe::sun`]); lights of the scene do not touch it.
 
 pub mod adapter;

@@ -7,9 +7,10 @@
 use super::material::{
     AirMaterial, AirUniform, GroundMaterial, GroundUniform, LineMaterial, LineUniform,
 };
-use super::{Globe, GlobePicker, columns, lines, mesh};
+use super::columns::{self, Shape};
+use super::{Globe, GlobePicker, lines, mesh};
 use crate::crust::{Crust, Surface};
-use crate::overlay::{Overlay, OverlayInput, colorize, relief};
+use crate::overlay::{Overlay, OverlayInput, colorize};
 use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
 use crate::plate::{Plate, PlateId, PlateMotion, PlateRow, PlateStats, PlateTable, Plates};
@@ -217,13 +218,25 @@ fn aside<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 }
 
 fn paint(job: Job) -> Picture {
-    let Job { planet, mesh, surface, plates, params, globe, subject, fresh } = job;
+    let Job { planet, mesh, mut surface, plates, params, globe, subject, fresh } = job;
+    // The elevation is tinted by the shader, which knows it between the samples too.
+    let colors = match globe.overlay {
+        Overlay::Elevation => Vec::new(),
+        overlay => {
+            let (planet, mesh, surface) = (&planet, &mesh, &surface);
+            colorize(overlay, &OverlayInput { planet, mesh, surface, plates: &plates, params: &params })
+        }
+    };
+    let shape = Shape::new(&mesh, &surface, globe.sea);
+    let marked = |i: usize| globe.selected.is_some_and(|plate| surface.plate[i] == plate);
+    let columns = columns::pack(&mesh, &shape, &colors, marked);
+    // Lines and rays meet the relief as it is drawn.
+    for (i, elevation) in surface.crust.elevation.iter_mut().enumerate() {
+        *elevation = shape.elevation(i);
+    }
+    surface.trench.fill(0.0);
     let input =
         OverlayInput { planet: &planet, mesh: &mesh, surface: &surface, plates: &plates, params: &params };
-    // The elevation is tinted by the shader, which knows it between the samples too.
-    let colors = if globe.overlay == Overlay::Elevation { Vec::new() } else { colorize(globe.overlay, &input) };
-    let gradients = relief::gradients(&input);
-    let columns = columns::pack(&mesh, &surface, &gradients, planet.radius, &colors, globe.selected);
     let radius = |i| globe.drawn_radius(surface.elevation(i), subject.relief);
     let radii = (0..mesh.len()).map(radius).collect();
     let lines = lines::collect(&input, &globe);

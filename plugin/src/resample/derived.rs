@@ -10,25 +10,24 @@ use crate::plate::boundary::Rim;
 use crate::plate::contact::{ContactInput, Contacts, PolarityMemory, find_contacts};
 use crate::plate::stats::plate_stats;
 use crate::plate::PlateId;
-use crate::process::front::FrontField;
 use crate::process::plate_table;
 use bevy::prelude::*;
 
-/// Renews what depends on which samples a frame has: rims, candidate tables and plate statistics. Distances to fronts
-/// become stale on the plates that were `touched`, and plates without crust are removed.
-pub fn rebuild(world: &mut World, planet: Entity, touched: &[PlateId]) {
+/// Renews what depends on which samples a frame has: rims, candidate tables and plate statistics. Plates
+/// without crust are removed.
+pub fn rebuild(world: &mut World, planet: Entity) {
     let mut query = world.query::<(
         (&Planet, &Lattice, &Crust, &Frames),
-        (&mut Rim, &mut CoverIndex, &mut FrontField, &mut PolarityMemory, &mut Contacts),
+        (&mut Rim, &mut CoverIndex, &mut PolarityMemory, &mut Contacts),
     )>();
     let Ok(((body, lattice, crust, frames), derived)) = query.get_mut(world, planet) else { return };
-    let (mut rim, mut cover, mut field, mut polarity, mut contacts) = derived;
-    *rim = Rim::new(lattice, &crust.frame, frames);
+    let (mut rim, mut cover, mut polarity, mut contacts) = derived;
+    let old = core::mem::replace(&mut *rim, Rim::new(lattice, &crust.frame, frames));
     *cover = CoverIndex::new(lattice, &crust.frame, frames);
-    // Contacts are parallel to the rim; those of the next step replace these.
-    contacts.0.clear();
-    contacts.0.resize(rim.len(), default());
-    field.invalidate(touched.iter().copied());
+    // Contacts are parallel to the rim. What was known stays good enough for pictures until the next step.
+    let known = |&i: &u32| old.index.get(i as usize).and_then(|&k| contacts.0.get(k as usize)).copied();
+    let carried = rim.samples.iter().map(|i| known(i).unwrap_or_default()).collect();
+    contacts.0 = carried;
     let stats = plate_stats(lattice, crust, frames, body.radius);
     let alive = |id: PlateId| stats.iter().any(|(other, stats)| *other == id && stats.samples > 0);
     polarity.retain(alive);
@@ -47,19 +46,8 @@ pub fn rebuild(world: &mut World, planet: Entity, touched: &[PlateId]) {
 
 /// Finds everything that a planet derives from its state, after it was made or loaded, and projects its surface.
 pub fn refresh(world: &mut World, planet: Entity) {
-    let fronts = world.get::<FrontField>(planet).map(|field| (field.seeds.clone(), field.stale.clone()));
-    rebuild(world, planet, &[]);
+    rebuild(world, planet);
     look_for_contacts(world, planet);
-    let mut query =
-        world.query::<(&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &mut FrontField)>();
-    if let Ok((body, mesh, params, crust, frames, mut field)) = query.get_mut(world, planet)
-        && let Some((seeds, stale)) = fronts
-    {
-        field.seeds = seeds;
-        field.stale = stale;
-        let reach = (params.subduction_distance / body.radius).min(2.0);
-        field.restore(mesh, &crust.frame, frames, reach);
-    }
     take_census(world, planet);
     super::project_now(world, planet);
 }

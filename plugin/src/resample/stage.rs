@@ -15,6 +15,7 @@ use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, PolarityMemory};
 use crate::plate::PlateTable;
+use crate::process::front::FrontField;
 use crate::process::plate_table;
 use crate::schedule::{CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems};
 use bevy::prelude::*;
@@ -198,8 +199,10 @@ fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Res
     let share = work.new_ocean as f64 / mesh.len() as f64;
     let new_ocean = share * 4.0 * crate::math::PI * body.radius * body.radius;
     if commit {
-        let all: Vec<_> = plates.rows().iter().map(|row| row.id).collect();
-        rebuild(world, planet, &all);
+        if let Some(mut fronts) = world.get_mut::<FrontField>(planet) {
+            fronts.stale = true;
+        }
+        rebuild(world, planet);
         look_for_contacts(world, planet);
         take_census(world, planet);
         world.trigger(CrustResampled { planet, new_ocean });

@@ -54,7 +54,8 @@ pub fn spread(
     scratch.source.resize(n, UNREACHED);
     scratch.settled.resize(n, false);
     let limit = 2.0 * crate::math::sin(0.5 * reach.min(2.0));
-    let width = mesh.spacing();
+    // Half a spacing: fine enough that few samples are improved after they were settled.
+    let width = 0.5 * mesh.spacing();
     let bucket_of = |chord2: f32| (f64::from(chord2).sqrt() / width) as usize;
     let count = (limit / width) as usize + 2;
     if scratch.buckets.len() < count {

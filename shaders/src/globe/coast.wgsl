@@ -1,15 +1,12 @@
-// Coasts finer than the samples: noise that bends the sea level contour by less than a spacing.
+// Coasts finer than the samples: noise that bends the coast by less than a spacing.
 //
-// It is made up, for the eye only: no height outside of the shore's surroundings changes, and what the
-// planet holds does not change at all. It depends on the direction alone, so it stands still.
+// It is made up, for the eye only: nothing but the coast changes, and what the planet holds does not
+// change at all. It depends on the direction alone, so it stands still.
 
 #define_import_path pangaea_shaders::globe::coast
 
 // How far a coast may move, as a share of the spacing of samples.
-const REACH: f32 = 0.55;
-// What drowned land and made-up land look like, km.
-const SHOAL: f32 = -0.35;
-const BEACH: f32 = 0.12;
+const REACH: f32 = 0.6;
 
 // A number in -1..1 for a point of the integer lattice (the mixer of Jarzynski and Olano 2020).
 fn lattice_value(p: vec3<i32>) -> f32 {
@@ -35,21 +32,15 @@ fn value_noise(p: vec3<f32>) -> f32 {
     return mix(mix(a, b, w.y), mix(c, d, w.y), w.z);
 }
 
-// The elevation at `direction` in km with a ragged coast.
-// `steepness` is the length of the gradient in km per radian, `spacing` that of the samples in radians.
-fn ragged(elevation: f32, direction: vec3<f32>, steepness: f32, spacing: f32) -> f32 {
-    // A shift of the ground by the reach changes its height by this much.
-    let amplitude = REACH * spacing * steepness;
-    if abs(elevation) >= amplitude {
-        return elevation;
+// The side of the coast at `direction`, ragged: land where it is positive.
+// `rough` says how far the coast may move, 0..=1; `spacing` is that of the samples in radians.
+fn ragged(coast: f32, rough: f32, direction: vec3<f32>, spacing: f32) -> f32 {
+    let amplitude = REACH * rough;
+    if abs(coast) >= amplitude {
+        return coast;
     }
     let p = normalize(direction) / spacing;
     let shift = 0.5 * value_noise(0.45 * p) + 0.4 * value_noise(1.1 * p + 7.0) + 0.24 * value_noise(2.3 * p + 19.0)
         + 0.14 * value_noise(5.1 * p + 31.0) + 0.07 * value_noise(11.0 * p + 43.0);
-    let shifted = elevation + amplitude * clamp(shift, -1.0, 1.0);
-    // Only the coast moves: what stays on its side of it keeps its height.
-    if shifted * elevation >= 0.0 {
-        return elevation;
-    }
-    return clamp(shifted, SHOAL, BEACH);
+    return coast + amplitude * clamp(shift, -1.0, 1.0);
 }

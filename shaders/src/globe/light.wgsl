@@ -40,7 +40,7 @@ fn sea_gloss(up: vec3<f32>, sun: vec3<f32>, eye: vec3<f32>, depth: f32) -> vec3<
     let glint = 0.1 * pow(facing, 260.0) + 0.03 * pow(facing, 36.0);
     let fresnel = pow(1.0 - max(dot(up, eye), 0.0), 4.0);
     let deep = smoothstep(0.0, 0.2, depth);
-    return day * deep * (glint * sun_color(altitude) + 0.1 * fresnel * vec3(0.35, 0.6, 1.0));
+    return day * deep * (glint * vec3(0.8, 0.92, 1.0) * sun_color(altitude) + 0.1 * fresnel * vec3(0.35, 0.6, 1.0));
 }
 
 // Keeps highlights from clipping: linear up to 0.7, then a soft shoulder that ends at 1.

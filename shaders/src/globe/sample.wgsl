@@ -7,17 +7,24 @@
 
 // One sample of the crust as it is drawn.
 struct Sample {
-    // Elevation above sea level in km.
-    elevation: f32,
-    // Gradient of the elevation in km per radian, in the tangent basis of the sample.
+    // Elevation of the land in km.
+    land: f32,
+    // Elevation of the sea floor in km.
+    floor: f32,
+    // Gradient of what is seen of them in km per radian, in the tangent basis of the sample.
     gradient: vec2<f32>,
     // Colour of the overlay, linear.
     color: vec3<f32>,
     // 1 where the ground stands out (a selected plate), else 0.
     marked: f32,
+    // Side of the coast: 1 land, -1 sea, between them near the coast, which is where it is 0.
+    coast: f32,
+    // How far the coast may be moved, 0..=1.
+    rough: f32,
 }
 
-// Steepest gradient that can be packed, km per radian.
+// Largest elevation in km and steepest gradient in km per radian that can be packed.
+const MAX_ELEVATION: f32 = 32.0;
 const MAX_GRADIENT: f32 = 8192.0;
 
 // From sRGB, as overlays give it, to linear light (IEC 61966-2-1).
@@ -27,15 +34,25 @@ fn linear_from_srgb(srgb: vec3<f32>) -> vec3<f32> {
     return select(high, low, srgb <= vec3(0.04045));
 }
 
-// A sample from its three packed words: elevation, gradient, colour.
-fn unpack_sample(elevation: u32, gradient: u32, color: u32) -> Sample {
-    let rgbm = unpack4x8unorm(color);
+// A sample from its four words: elevations, gradient, colour, coast.
+fn unpack_sample(words: vec4<u32>) -> Sample {
+    let heights = MAX_ELEVATION * unpack2x16snorm(words.x);
+    let color = unpack4x8unorm(words.z);
+    let coast = unpack2x16snorm(words.w);
     return Sample(
-        bitcast<f32>(elevation),
-        MAX_GRADIENT * unpack2x16snorm(gradient),
-        linear_from_srgb(rgbm.xyz),
-        rgbm.w,
+        heights.x,
+        heights.y,
+        MAX_GRADIENT * unpack2x16snorm(words.y),
+        linear_from_srgb(color.xyz),
+        color.w,
+        coast.x,
+        coast.y,
     );
+}
+
+// The elevation that is drawn at a sample.
+fn drawn_elevation(s: Sample) -> f32 {
+    return select(s.floor, s.land, s.coast > 0.0);
 }
 
 // Two unit vectors perpendicular to the unit vector `n` and to each other (Duff et al. 2017).

@@ -1,13 +1,13 @@
 // Pass: the ground and the sea of a globe, or its triangles as lines (WIREFRAME).
 //
 // In:  vertex buffer   0 direction (f32x3, unit, globe axes)   1 number of the sample (u32)
-//      group 3         0 globe (uniform)   1 samples (storage, three words a sample: see sample.wgsl)
+//      group 3         0 globe (uniform)   1 samples (storage, four words a sample: see sample.wgsl)
 // Out: colour, linear.
 
 #import bevy_pbr::mesh_functions::get_world_from_local
 #import bevy_pbr::mesh_view_bindings::view
 #import bevy_pbr::view_transformations::position_world_to_clip
-#import pangaea_shaders::globe::sample::{unpack_sample, surface_normal, displaced_radius}
+#import pangaea_shaders::globe::sample::{unpack_sample, drawn_elevation, surface_normal, displaced_radius}
 #import pangaea_shaders::globe::light::{ground_light, sea_gloss, shoulder}
 #import pangaea_shaders::globe::coast::ragged
 
@@ -31,13 +31,14 @@ struct Globe {
 }
 
 @group(#{MATERIAL_BIND_GROUP}) @binding(0) var<uniform> globe: Globe;
-@group(#{MATERIAL_BIND_GROUP}) @binding(1) var<storage, read> samples: array<u32>;
+@group(#{MATERIAL_BIND_GROUP}) @binding(1) var<storage, read> samples: array<vec4<u32>>;
 
 // Slopes are lit as if they were this much steeper than they are drawn: hill shading.
 const SHADING: f32 = 2.0;
 
-// Half the width in km of elevation of the band in which land and water meet.
-const SHORE: f32 = 0.02;
+// Elevations in km of the lowest land and of the highest sea floor that are drawn beside a sea.
+const BEACH: f32 = 0.03;
+const SHOAL: f32 = -0.08;
 
 const SEA: u32 = 1u;
 const TINT: u32 = 2u;
@@ -57,19 +58,20 @@ struct Varying {
     @location(1) normal: vec3<f32>,
     // Direction from the centre, world axes, not of unit length.
     @location(2) up: vec3<f32>,
-    // xyz overlay colour, linear. w elevation in km.
+    // xyz overlay colour, linear. w is 1 where the ground stands out.
     @location(3) color: vec4<f32>,
-    // xyz unit vector to the sun, world axes; the same everywhere. w is 1 where the ground stands out.
-    @location(4) sun: vec4<f32>,
-    // xyz direction from the centre, globe axes, not of unit length. w steepness in km per radian.
-    @location(5) site: vec4<f32>,
+    // Unit vector to the sun, world axes; the same everywhere.
+    @location(4) sun: vec3<f32>,
+    // Direction from the centre, globe axes, not of unit length.
+    @location(5) site: vec3<f32>,
+    // Elevations of land and sea floor in km, side of the coast, how far it may move: see sample.wgsl.
+    @location(6) shape: vec4<f32>,
 }
 
 @vertex
 fn vertex(in: Input) -> Varying {
-    let word = 3u * in.sample;
-    let s = unpack_sample(samples[word], samples[word + 1u], samples[word + 2u]);
-    let radius = displaced_radius(s.elevation, globe.relief, (globe.flags & SEA) != 0u);
+    let s = unpack_sample(samples[in.sample]);
+    let radius = displaced_radius(drawn_elevation(s), globe.relief, (globe.flags & SEA) != 0u);
     let world_from_local = get_world_from_local(in.instance);
     var out: Varying;
     out.world = (world_from_local * vec4(in.direction * radius, 1.0)).xyz;
@@ -77,9 +79,10 @@ fn vertex(in: Input) -> Varying {
     // A globe is turned, moved and scaled evenly, so normals turn like directions.
     out.normal = (world_from_local * vec4(surface_normal(in.direction, s.gradient, SHADING * globe.relief), 0.0)).xyz;
     out.up = (world_from_local * vec4(in.direction, 0.0)).xyz;
-    out.color = vec4(s.color, s.elevation);
-    out.site = vec4(in.direction, length(s.gradient));
-    out.sun = vec4(normalize((world_from_local * vec4(globe.sun.xyz, 0.0)).xyz), s.marked);
+    out.color = vec4(s.color, s.marked);
+    out.site = in.direction;
+    out.shape = vec4(s.land, s.floor, s.coast, s.rough);
+    out.sun = normalize((world_from_local * vec4(globe.sun.xyz, 0.0)).xyz);
 #ifdef WIREFRAME
     // Nearer by a ten-thousandth of the distance (depth is reversed): lines win over their triangles.
     out.clip.z *= 1.0003;
@@ -103,24 +106,27 @@ fn tint(z: f32) -> vec3<f32> {
 fn fragment(in: Varying) -> @location(0) vec4<f32> {
     let up = normalize(in.up);
     let ground = normalize(in.normal);
-    // Between the samples the coast is ragged; heights elsewhere are as they are.
-    let elevation = ragged(in.color.w, in.site.xyz, in.site.w, globe.spacing);
 #ifdef WIREFRAME
     return vec4(globe.wire.xyz, 1.0);
 #else
+    var elevation = in.shape.x;
+    let coast = ragged(in.shape.z, in.shape.w, in.site, globe.spacing);
+    // Width of a pixel across the coast.
+    let pixel = max(fwidth(coast), 1e-5);
+    var water = 0.0;
+    if (globe.flags & SEA) != 0u {
+        water = 1.0 - smoothstep(-0.7 * pixel, 0.7 * pixel, coast);
+        elevation = select(min(in.shape.y, SHOAL), max(in.shape.x, BEACH), coast > 0.0);
+    }
     var albedo = in.color.xyz;
     if (globe.flags & TINT) != 0u {
         albedo = tint(elevation);
     }
-    albedo = mix(albedo, vec3(1.0), 0.22 * in.sun.w);
-    let sun = in.sun.xyz;
+    albedo = mix(albedo, vec3(1.0), 0.22 * in.color.w);
+    let sun = in.sun;
     if (globe.flags & COAST) != 0u {
         // The coast as a thin dark line, where colours do not show it.
-        albedo *= 0.35 + 0.65 * smoothstep(0.4, 1.3, abs(elevation) / max(fwidth(elevation), 1e-6));
-    }
-    var water = 0.0;
-    if (globe.flags & SEA) != 0u {
-        water = 1.0 - smoothstep(-SHORE, SHORE, elevation);
+        albedo *= 0.35 + 0.65 * smoothstep(0.4, 1.3, abs(coast) / pixel);
     }
     // The sea floor shows through the water, as on an atlas.
     let normal = normalize(mix(ground, up, 0.6 * water));

@@ -48,14 +48,14 @@ pub fn strip(ctx: &Context, free: Rect, messages: &Messages) {
         .fixed_pos(free.center_top() + vec2(0.0, 12.0))
         .show(ctx, |ui| {
             ui.set_max_width(free.width() - 60.0);
-            for entry in messages.strip() {
-                let error = entry.tone == Tone::Error;
-                let frame = floating_frame();
-                let frame = if error { frame.stroke(Stroke::new(1.0, ERROR)) } else { frame };
-                frame.show(ui, |ui| {
-                    let color = if error { ERROR } else { BRIGHT };
-                    ui.add(Label::new(RichText::new(&entry.text).color(color)).wrap());
-                });
-            }
+            ui.vertical_centered(|ui| messages.strip().for_each(|entry| notice(ui, entry)));
         });
+}
+
+fn notice(ui: &mut Ui, entry: &Entry) {
+    let (color, frame) = match entry.tone {
+        Tone::Error => (ERROR, floating_frame().stroke(Stroke::new(1.0, ERROR))),
+        _ => (BRIGHT, floating_frame()),
+    };
+    frame.show(ui, |ui| ui.add(Label::new(RichText::new(&entry.text).color(color)).wrap()));
 }

@@ -2,30 +2,41 @@
 
 use super::{flag, unit};
 use crate::crust::{Frame, Frames};
-use crate::io::codec::{Decoder, Encoder, invalid};
+use crate::io::codec::{Decoder, Encoder, floats, invalid};
 use crate::io::save::SaveError;
 use crate::plate::contact::PolarityMemory;
 use crate::plate::polarity::Segment;
-use crate::plate::{PlateId, PlateMotion};
+use crate::plate::{PlateId, PlateMotion, PlateStats};
 use crate::process::front::FrontField;
 use crate::spawn::PlanetState;
+use crate::sphere::spread::UNREACHED;
+
+/// A plate as it is in a planet's state.
+type Row = (PlateId, PlateMotion, f64);
 
 pub(super) fn plates(state: &PlanetState) -> Vec<u8> {
     let mut out = Encoder::default();
     out.u32(state.plates.len() as u32);
-    for (id, motion, born) in &state.plates {
+    for (k, (id, motion, born)) in state.plates.iter().enumerate() {
         out.u32(id.0);
         out.dvec3(motion.axis);
         out.f64(motion.speed);
         out.f64(*born);
+        let stats = state.stats.get(k).copied().unwrap_or_default();
+        out.u32(stats.samples);
+        out.f64(stats.area);
+        out.f64(stats.continental);
+        out.f64(stats.ocean_age);
+        out.dvec3(stats.centroid);
     }
     out.0
 }
 
-pub(super) fn read_plates(bytes: &[u8], next: u32) -> Result<Vec<(PlateId, PlateMotion, f64)>, SaveError> {
+pub(super) fn read_plates(bytes: &[u8], next: u32) -> Result<(Vec<Row>, Vec<PlateStats>), SaveError> {
     let mut read = Decoder(bytes);
-    let count = read.count(44)?;
-    let mut plates: Vec<(PlateId, PlateMotion, f64)> = Vec::with_capacity(count);
+    let count = read.count(96)?;
+    let mut plates: Vec<Row> = Vec::with_capacity(count);
+    let mut stats = Vec::with_capacity(count);
     for _ in 0..count {
         let id = PlateId(read.u32()?);
         if plates.last().is_some_and(|&(last, ..)| last >= id) || id.0 >= next {
@@ -34,9 +45,16 @@ pub(super) fn read_plates(bytes: &[u8], next: u32) -> Result<Vec<(PlateId, Plate
         let axis = unit(read.dvec3()?, "axis of a plate")?;
         let motion = PlateMotion { axis, speed: read.within("speed of a plate", 0.0, 100.0)? };
         plates.push((id, motion, read.within("birth of a plate", 0.0, 1e9)?));
+        stats.push(PlateStats {
+            samples: read.u32()?,
+            area: read.within("area of a plate", 0.0, 1e12)?,
+            continental: read.within("continental share of a plate", 0.0, 1.0 + 1e-9)?,
+            ocean_age: read.within("ocean age of a plate", 0.0, 1e9)?,
+            centroid: unit(read.dvec3()?, "centroid of a plate")?,
+        });
     }
     read.end()?;
-    if plates.is_empty() { Err(invalid("it has no plates".into())) } else { Ok(plates) }
+    if plates.is_empty() { Err(invalid("it has no plates".into())) } else { Ok((plates, stats)) }
 }
 
 pub(super) fn frames(state: &PlanetState) -> Vec<u8> {
@@ -100,25 +118,28 @@ pub(super) fn read_polarity(bytes: &[u8]) -> Result<PolarityMemory, SaveError> {
 
 pub(super) fn fronts(state: &PlanetState) -> Vec<u8> {
     let mut out = Encoder::default();
-    out.u32(state.fronts.stale.len() as u32);
-    state.fronts.stale.iter().for_each(|id| out.u32(id.0));
-    out.u32(state.fronts.seeds.len() as u32);
-    state.fronts.seeds.iter().for_each(|&i| out.u32(i));
+    out.u8(u8::from(state.fronts.stale));
+    state.fronts.source.iter().for_each(|&i| out.u32(i));
+    out.0.extend(floats(&state.fronts.distance));
     out.0
 }
 
 pub(super) fn read_fronts(bytes: &[u8], samples: u32) -> Result<FrontField, SaveError> {
+    let n = samples as usize;
+    if bytes.len() != 1 + 8 * n {
+        return Err(invalid("the distances to fronts have not one entry per sample".into()));
+    }
     let mut read = Decoder(bytes);
-    let count = read.count(4)?;
-    let stale = (0..count).map(|_| read.u32().map(PlateId)).collect::<Result<Vec<_>, _>>()?;
-    let count = read.count(4)?;
-    let seeds = (0..count).map(|_| read.u32()).collect::<Result<Vec<_>, _>>()?;
-    read.end()?;
-    if stale.windows(2).any(|pair| pair[0] >= pair[1]) {
-        return Err(invalid("the plates of the fronts are out of order".into()));
+    let stale = flag(read.u8()?)?;
+    let (source, distance) = bytes[1..].split_at(4 * n);
+    let source: Vec<u32> = source.as_chunks::<4>().0.iter().map(|&b| u32::from_le_bytes(b)).collect();
+    let distance: Vec<f32> = distance.as_chunks::<4>().0.iter().map(|&b| f32::from_le_bytes(b)).collect();
+    let sound = source.iter().zip(&distance).all(|(&source, &distance)| match source {
+        UNREACHED => distance == f32::INFINITY,
+        _ => source < samples && (0.0..4.0).contains(&distance),
+    });
+    if !sound {
+        return Err(invalid("a distance to a front is no distance".into()));
     }
-    if seeds.windows(2).any(|pair| pair[0] >= pair[1]) || seeds.last().is_some_and(|&i| i >= samples) {
-        return Err(invalid("the fronts are out of order".into()));
-    }
-    Ok(FrontField { seeds, stale, ..FrontField::default() })
+    Ok(FrontField { stale, source, distance, ..FrontField::new(0) })
 }

@@ -151,7 +151,7 @@ fn given_motion(pole: DVec3, speed: f64, radius: f64) -> PlateMotion {
 /// A random motion of a plate whose crust is continental to the share `continental`.
 ///
 /// The pole is 60 to 120 degrees away, so that the plate travels rather than spins. Oceanic plates
-/// go at 30 to 80 % of the highest speed, continental ones at half of that, as on Earth.
+/// go at 45 to 95 % of the highest speed, continental ones at less than half of that, as on Earth.
 fn random_motion(
     recipe: &PlanetRecipe,
     plate: usize,
@@ -164,7 +164,7 @@ fn random_motion(
     let (sin_bearing, cos_bearing) = math::sin_cos(stream.range(0, 0.0, math::TAU));
     let (sin_tilt, cos_tilt) = math::sin_cos(stream.range(1, -math::PI / 6.0, math::PI / 6.0));
     let axis = (east * cos_bearing + north * sin_bearing) * cos_tilt + site.centroid * sin_tilt;
-    let share = stream.range(2, 0.3, 0.8) * (1.0 - 0.5 * continental);
+    let share = stream.range(2, 0.45, 0.95) * (1.0 - 0.55 * continental);
     PlateMotion {
         axis: axis.normalize(),
         speed: share * recipe.params.max_speed / recipe.radius,

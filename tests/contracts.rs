@@ -1,0 +1,209 @@
+//! Contracts: a stage writes what it declares and nothing else, a process that is off writes nothing, and every plugin can
+//! be left out.
+
+use bevy::app::PluginGroup;
+use bevy::prelude::*;
+use bevy_pangaea::crust::Cause;
+use bevy_pangaea::prelude::*;
+use bevy_pangaea::process::{
+    collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
+    relief::ReliefPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin, subduction::SubductionPlugin,
+};
+use bevy_pangaea::resample::ResamplePlugin;
+use bevy_pangaea::schedule::TectonicSchedulePlugin;
+use bevy_pangaea::spawn::PlanetState;
+use pangaea_tests::probe::{Change, probe};
+use pangaea_tests::shape::small;
+use pangaea_tests::world::{get, params, planet_app, state, steps};
+use std::collections::BTreeSet;
+use std::sync::{Arc, Mutex};
+
+fn lively(seed: u64) -> PlanetRecipe {
+    let mut recipe = small(seed, 5000);
+    recipe.params.rift_rate = 0.02;
+    recipe
+}
+
+/// What a stage may write, as the table of the processes says.
+fn declared(stage: Stage) -> &'static [&'static str] {
+    match stage {
+        Stage::Commands | Stage::Surface => &[],
+        Stage::Drift => &["frames"],
+        Stage::Contact => &["polarity"],
+        Stage::Subduction => &["elevation", "thickness", "fold", "orogeny", "orogeny_age", "ledger"],
+        Stage::SlabPull => &["plates"],
+        Stage::Collision => {
+            &["frame", "frames", "elevation", "thickness", "fold", "orogeny", "orogeny_age", "ledger", "plates", "polarity"]
+        }
+        Stage::Rifting => &["frame", "frames", "plates", "thickness", "elevation", "ledger", "clock", "polarity"],
+        Stage::Relief => &["elevation", "thickness", "ocean_age", "orogeny_age", "kind", "orogeny", "ledger"],
+        Stage::Resample => &[
+            "frame", "frames", "kind", "thickness", "elevation", "ocean_age", "ridge", "orogeny_age", "orogeny", "fold",
+            "plates", "polarity", "ledger", "clock",
+        ],
+        Stage::Commit => &["clock", "ledger"],
+    }
+}
+
+#[test]
+fn every_stage_writes_what_it_declares() {
+    let (mut app, planet) = planet_app(&lively(1));
+    let seen = Arc::new(Mutex::new(BTreeSet::new()));
+    let log = Arc::clone(&seen);
+    probe(&mut app, move |change: &Change| {
+        for column in change.changed() {
+            assert!(declared(change.stage).contains(&column), "{} writes {column}", change.stage.name());
+            log.lock().unwrap().insert((change.stage, column));
+        }
+    });
+    steps(&mut app, planet, 50);
+    let seen = seen.lock().unwrap();
+    for (stage, column) in [
+        (Stage::Drift, "frames"),
+        (Stage::Contact, "polarity"),
+        (Stage::Subduction, "elevation"),
+        (Stage::SlabPull, "plates"),
+        (Stage::Collision, "frame"),
+        (Stage::Rifting, "plates"),
+        (Stage::Relief, "ocean_age"),
+        (Stage::Resample, "ridge"),
+        (Stage::Commit, "clock"),
+    ] {
+        assert!(seen.contains(&(stage, column)), "{} never wrote {column}", stage.name());
+    }
+}
+
+#[test]
+fn a_process_that_is_off_writes_nothing() {
+    for (name, stage) in [
+        ("drift", Stage::Drift),
+        ("subduction", Stage::Subduction),
+        ("slab_pull", Stage::SlabPull),
+        ("collision", Stage::Collision),
+        ("resample", Stage::Resample),
+        ("rifting", Stage::Rifting),
+    ] {
+        let (mut app, planet) = planet_app(&lively(1));
+        *params(&mut app, planet).processes.get_mut(name).unwrap() = false;
+        probe(&mut app, move |change| {
+            let changed = if change.stage == stage { change.changed() } else { Vec::new() };
+            assert!(changed.is_empty(), "{name} is off, but {changed:?} changed in step {}", change.step);
+        });
+        steps(&mut app, planet, 30);
+    }
+}
+
+#[test]
+fn relief_processes_that_are_off_book_and_move_nothing() {
+    for name in ["erosion", "noise", "subsidence", "sediment"] {
+        let (mut app, planet) = planet_app(&lively(2));
+        *params(&mut app, planet).processes.get_mut(name).unwrap() = false;
+        let floor = bevy_pangaea::crust::isostasy::Isostasy::new(get(&app, planet));
+        probe(&mut app, move |change| {
+            if change.stage != Stage::Relief {
+                return;
+            }
+            let (before, after) = (&change.before.crust, &change.after.crust);
+            for i in (0..before.len()).filter(|&i| !before.is_continental(i)) {
+                let (was, is) = (before.elevation[i], after.elevation[i]);
+                let above = was >= floor.elevation(before.thickness[i]);
+                match name {
+                    "subsidence" if above => assert_eq!(was, is, "floor sank"),
+                    "sediment" if !above => assert_eq!(was, is, "floor was filled"),
+                    _ => {}
+                }
+            }
+        });
+        steps(&mut app, planet, 30);
+        let ledger = get::<Ledger>(&app, planet);
+        match name {
+            "erosion" => assert_eq!(ledger.of(Cause::Erosion).volume, 0.0),
+            "noise" => assert_eq!(ledger.of(Cause::Noise).volume, 0.0),
+            _ => assert!(ledger.of(Cause::Erosion).volume < 0.0),
+        }
+    }
+}
+
+#[test]
+fn with_all_processes_off_only_time_passes() {
+    let mut recipe = small(3, 3000);
+    recipe.params.processes = ProcessSwitches::all(false);
+    let (mut app, planet) = planet_app(&recipe);
+    let before = state(&app, planet);
+    steps(&mut app, planet, 70);
+    let after = state(&app, planet);
+    assert_eq!((before.frames, before.plates, before.polarity.0.len()), (after.frames, after.plates, after.polarity.0.len()));
+    assert_eq!((&before.crust.kind, &before.crust.thickness), (&after.crust.kind, &after.crust.thickness));
+    for i in 0..before.crust.len() {
+        assert!((before.crust.elevation[i] - after.crust.elevation[i]).abs() < 1e-3);
+    }
+    assert_eq!(after.clock.time, 140.0);
+}
+
+/// The group without one plugin.
+macro_rules! without {
+    ($($plugin:ident),+) => { [$((
+        stringify!($plugin),
+        (|app: &mut App| { app.add_plugins(PangaeaPlugins.build().disable::<$plugin>()); }) as fn(&mut App),
+    )),+] };
+}
+
+#[test]
+fn every_process_can_be_left_out() {
+    for (name, add) in without!(
+        DriftPlugin, ContactPlugin, SubductionPlugin, SlabPullPlugin, CollisionPlugin, RiftingPlugin, ReliefPlugin,
+        ResamplePlugin, CommitPlugin
+    ) {
+        let mut app = App::new();
+        add(&mut app);
+        let planet = PlanetState::new(&lively(4)).unwrap().spawn(app.world_mut());
+        steps(&mut app, planet, 25);
+        let clock = get::<GeologicClock>(&app, planet);
+        assert_eq!(clock.step, if name == "CommitPlugin" { 0 } else { 25 }, "without {name}");
+        let crust = get::<Crust>(&app, planet);
+        assert!(crust.elevation.iter().all(|z| z.is_finite()), "without {name}");
+        app.update();
+    }
+}
+
+#[test]
+fn presets_and_the_schedule_can_be_left_out() {
+    for (_, add) in without!(TectonicSchedulePlugin) {
+        let mut app = App::new();
+        add(&mut app);
+        PlanetState::new(&small(1, 500)).unwrap().spawn(app.world_mut());
+        app.update();
+    }
+    let mut app = App::new();
+    app.add_plugins(PangaeaPlugins.build().disable::<bevy_pangaea::io::PresetPlugin>());
+    let planet = PlanetState::new(&small(1, 500)).unwrap().spawn(app.world_mut());
+    steps(&mut app, planet, 3);
+}
+
+#[test]
+fn a_process_can_be_replaced() {
+    #[derive(Resource, Default)]
+    struct Called(u32);
+    let mut app = App::new();
+    app.add_plugins(PangaeaPlugins.build().disable::<DriftPlugin>()).init_resource::<Called>();
+    app.add_systems(
+        TectonicStep,
+        (|mut called: ResMut<Called>| called.0 += 1).in_set(TectonicSystems::Process(Stage::Drift)),
+    );
+    let planet = PlanetState::new(&small(1, 1000)).unwrap().spawn(app.world_mut());
+    steps(&mut app, planet, 5);
+    assert_eq!(app.world().resource::<Called>().0, 5);
+    assert!(get::<Frames>(&app, planet).iter().all(|frame| frame.is_at_rest()));
+}
+
+#[test]
+fn an_ambiguous_system_is_an_error() {
+    let clash = || {
+        let (mut app, planet) = planet_app(&small(1, 500));
+        let set = TectonicSystems::After(Stage::Relief);
+        app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
+        app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
+        steps(&mut app, planet, 1);
+    };
+    assert!(std::panic::catch_unwind(clash).is_err(), "two systems that write the crust in no order were accepted");
+}

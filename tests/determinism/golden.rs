@@ -1,0 +1,103 @@
+//! Digests as committed: the same bits on every machine, build profile and thread count.
+//!
+//! A line for every stage, so that the first line that differs names the stage that changed. After an intended
+//! change `PANGAEA_BLESS=1` writes the file anew.
+
+use super::lively;
+use bevy_pangaea::prelude::*;
+use bevy_pangaea::sphere::SphereMesh;
+use pangaea_tests::probe::{Snapshot, probe};
+use pangaea_tests::world::{digest, planet_app, steps};
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+
+/// Steps after each stage of which there is a line: the first, one in the middle, and one that resamples.
+const STEPS: [u64; 3] = [0, 6, 19];
+
+fn mesh_hash(samples: u32) -> String {
+    let mesh = SphereMesh::fibonacci(samples).unwrap();
+    let mut hasher = blake3::Hasher::new();
+    for p in mesh.points() {
+        p.to_array().iter().for_each(|x| drop(hasher.update(&x.to_bits().to_le_bytes())));
+    }
+    for t in mesh.triangles() {
+        t.iter().for_each(|i| drop(hasher.update(&i.to_le_bytes())));
+    }
+    for a in mesh.areas() {
+        hasher.update(&a.to_bits().to_le_bytes());
+    }
+    short(&hasher)
+}
+
+/// 16 hexadecimal digits are enough to see a difference.
+fn short(hasher: &blake3::Hasher) -> String {
+    hasher.finalize().to_hex()[..16].to_string()
+}
+
+fn hash(snapshot: &Snapshot) -> String {
+    let mut hasher = blake3::Hasher::new();
+    let crust = &snapshot.crust;
+    for i in 0..crust.len() {
+        let numbers = [crust.thickness[i], crust.elevation[i], crust.ocean_age[i], crust.orogeny_age[i]];
+        let vectors = [crust.ridge[i], crust.fold[i]].into_iter().flat_map(|v| v.to_array());
+        for x in numbers.into_iter().chain(vectors) {
+            hasher.update(&x.to_bits().to_le_bytes());
+        }
+        hasher.update(&crust.frame[i].to_le_bytes());
+        hasher.update(&[crust.kind[i] as u8, crust.orogeny[i] as u8]);
+    }
+    for frame in snapshot.frames.iter() {
+        hasher.update(&frame.plate.0.to_le_bytes());
+        frame.rotation.to_array().iter().for_each(|x| drop(hasher.update(&x.to_bits().to_le_bytes())));
+    }
+    for (id, motion, born) in &snapshot.plates {
+        hasher.update(&id.0.to_le_bytes());
+        let numbers = [motion.axis.x, motion.axis.y, motion.axis.z, motion.speed, *born];
+        numbers.iter().for_each(|x| drop(hasher.update(&x.to_bits().to_le_bytes())));
+    }
+    for segment in &snapshot.polarity.0 {
+        hasher.update(format!("{segment:?}").as_bytes());
+    }
+    for amount in &snapshot.ledger.booked {
+        hasher.update(&amount.area.to_bits().to_le_bytes());
+        hasher.update(&amount.volume.to_bits().to_le_bytes());
+    }
+    short(&hasher)
+}
+
+fn stages() -> Vec<String> {
+    let mut lines = vec![format!("mesh of 6000 samples: {}", mesh_hash(6000))];
+    let (mut app, planet) = planet_app(&lively(1, 6000));
+    lines.push(format!("initial planet: {}", digest(&app, planet)));
+    let seen = Arc::new(Mutex::new(Vec::new()));
+    let log = Arc::clone(&seen);
+    probe(&mut app, move |change| {
+        if STEPS.contains(&change.step) && !matches!(change.stage, Stage::Commit | Stage::Surface) {
+            let line = format!("step {}, {}: {}", change.step, change.stage.name(), hash(&change.after));
+            log.lock().unwrap().push(line);
+        }
+    });
+    steps(&mut app, planet, 20);
+    lines.append(&mut seen.lock().unwrap());
+    lines.push(format!("after 20 steps: {}", digest(&app, planet)));
+    steps(&mut app, planet, 40);
+    lines.push(format!("after 60 steps: {}", digest(&app, planet)));
+    lines
+}
+
+#[test]
+fn digests_are_as_committed() {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("golden/planet.txt");
+    let found = stages();
+    if std::env::var_os("PANGAEA_BLESS").is_some_and(|value| value == "1") {
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(&path, found.join("\n") + "\n").unwrap();
+        return;
+    }
+    let text = std::fs::read_to_string(&path).expect("golden/planet.txt; PANGAEA_BLESS=1 writes it");
+    let wanted: Vec<&str> = text.lines().collect();
+    for (wanted, found) in wanted.iter().zip(&found) {
+        assert_eq!(wanted, found, "the first stage that differs from {}", path.display());
+    }
+    assert_eq!(wanted.len(), found.len());
+}

@@ -1,0 +1,156 @@
+//! Bad input: every number of a recipe that no planet can have is refused, and every one that it may have works.
+
+use bevy_pangaea::planet::{DiscRecipe, PlanetError, PlateRecipe};
+use bevy_pangaea::prelude::*;
+use bevy_pangaea::spawn::{PlanetState, SpawnPlanet};
+use pangaea_tests::shape::small;
+use pangaea_tests::world::{app, get, planet_app, steps};
+
+const BAD: [f64; 7] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, 1e9, -1e9];
+
+/// Asserts that a recipe is refused in one line, and that nothing is made of it.
+fn refused(what: &str, recipe: &PlanetRecipe) {
+    let error = recipe.validate().expect_err(what);
+    assert!(PlanetState::new(recipe).is_err(), "{what}");
+    let text = error.to_string();
+    assert!(!text.is_empty() && !text.contains('\n') && text.len() < 200, "{what}: {text}");
+}
+
+fn recipe(change: impl FnOnce(&mut PlanetRecipe)) -> PlanetRecipe {
+    let mut recipe = small(1, 1000);
+    change(&mut recipe);
+    recipe
+}
+
+#[test]
+fn numbers_of_samples() {
+    for samples in [0, 1, 2, 3, 99, 2_000_001, 1_000_000_000, u32::MAX] {
+        refused("samples", &recipe(|r| r.samples = samples));
+    }
+    let error = recipe(|r| r.samples = 0).validate().unwrap_err().to_string();
+    assert!(error.contains("samples = 0") && error.contains("100..=2000000"), "{error}");
+}
+
+#[test]
+fn radii_and_shares_of_land() {
+    for radius in BAD.into_iter().chain([0.0, -1.0, 49.9, 100_001.0]) {
+        refused("radius", &recipe(|r| r.radius = radius));
+    }
+    for land in BAD.into_iter().chain([-0.001, 0.901, 1.0, 30.0]) {
+        refused("land", &recipe(|r| r.land = land));
+    }
+}
+
+#[test]
+fn numbers_of_plates() {
+    for plates in [0, 1, 101, 1001, 100_000, u32::MAX] {
+        refused("plates", &recipe(|r| r.plate_count = plates));
+    }
+    let error = recipe(|r| r.plate_count = 101).validate().unwrap_err();
+    assert_eq!(error, PlanetError::TooManyPlates { plates: 101, needed: 1010, samples: 1000 });
+    assert!(recipe(|r| r.plate_count = 100).validate().is_ok());
+}
+
+#[test]
+fn plates_given_one_by_one() {
+    let plate = PlateRecipe { centroid: (10.0, 20.0), pole: Some((30.0, 40.0)), speed: 50.0 };
+    let with = |plate: PlateRecipe| {
+        let other = PlateRecipe { centroid: (-10.0, -160.0), pole: None, speed: 0.0 };
+        recipe(|r| r.plates = vec![other, plate])
+    };
+    assert!(with(plate.clone()).validate().is_ok());
+    refused("one plate alone", &recipe(|r| r.plates = vec![plate.clone()]));
+    refused("too many plates", &recipe(|r| r.plates = vec![plate.clone(); 200]));
+    for bad in BAD {
+        refused("latitude", &with(PlateRecipe { centroid: (bad, 0.0), ..plate.clone() }));
+        refused("longitude", &with(PlateRecipe { centroid: (0.0, bad), ..plate.clone() }));
+        refused("pole", &with(PlateRecipe { pole: Some((bad, 0.0)), ..plate.clone() }));
+        refused("pole", &with(PlateRecipe { pole: Some((0.0, bad)), ..plate.clone() }));
+        refused("speed", &with(PlateRecipe { speed: bad, ..plate.clone() }));
+    }
+    refused("latitude", &with(PlateRecipe { centroid: (90.1, 0.0), ..plate.clone() }));
+    refused("speed", &with(PlateRecipe { speed: -300.1, ..plate }));
+}
+
+#[test]
+fn continents_given_one_by_one() {
+    let with = |center, radius| recipe(|r| r.continents = vec![DiscRecipe { center, radius }]);
+    assert!(with((0.0, 0.0), 3000.0).validate().is_ok());
+    for bad in BAD {
+        refused("latitude", &with((bad, 0.0), 3000.0));
+        refused("longitude", &with((0.0, bad), 3000.0));
+        refused("radius", &with((0.0, 0.0), bad));
+    }
+    for radius in [0.0, 0.9, -5.0, 20_001.0] {
+        refused("radius", &with((0.0, 0.0), radius));
+    }
+}
+
+#[test]
+fn parameters_out_of_their_limits() {
+    for info in TectonicParams::TABLE {
+        let span = info.max - info.min;
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, info.min - 1e-6 * span, info.max + 1e-6 * span] {
+            let params = unchecked(info.name, bad);
+            let refused_recipe = recipe(|r| r.params = params);
+            refused(info.name, &refused_recipe);
+            let error = refused_recipe.validate().unwrap_err().to_string();
+            assert!(error.contains(info.name), "{error}");
+        }
+    }
+}
+
+/// Parameters with one value that `set` would refuse, written straight into the field as a program may.
+fn unchecked(name: &str, value: f64) -> TectonicParams {
+    use bevy::reflect::GetPath;
+    let mut params = TectonicParams::default();
+    *params.path_mut::<f64>(name).expect("the table names fields") = value;
+    params
+}
+
+#[test]
+fn every_parameter_works_at_its_limits() {
+    for info in TectonicParams::TABLE {
+        for value in [info.min, info.max] {
+            let recipe = recipe(|r| {
+                r.samples = 600;
+                r.plate_count = 12;
+                r.params.set(info.name, value).expect("limits are allowed");
+            });
+            let (mut app, planet) = planet_app(&recipe);
+            steps(&mut app, planet, 30);
+            let crust = get::<Crust>(&app, planet);
+            let numbers = crust.elevation.iter().chain(&crust.thickness).chain(&crust.ocean_age);
+            assert!(numbers.into_iter().all(|x| x.is_finite()), "{} = {value}", info.name);
+            assert!(crust.thickness.iter().all(|&e| e > 0.0), "{} = {value}", info.name);
+            let ledger = get::<Ledger>(&app, planet);
+            assert!(ledger.unexplained_volume_max < 1e-5, "{} = {value}: {ledger:?}", info.name);
+        }
+    }
+}
+
+#[test]
+fn a_refused_recipe_spawns_nothing() {
+    let mut app = app();
+    app.world_mut().commands().spawn_planet(recipe(|r| r.samples = 0));
+    app.world_mut().flush();
+    assert_eq!(app.world_mut().query::<&Planet>().iter(app.world()).count(), 0);
+    app.world_mut().commands().spawn_planet(recipe(|r| r.samples = 200));
+    app.world_mut().flush();
+    assert_eq!(app.world_mut().query::<&Planet>().iter(app.world()).count(), 0, "40 plates need 400 samples");
+    app.world_mut().commands().spawn_planet(recipe(|_| {}));
+    app.world_mut().flush();
+    assert_eq!(app.world_mut().query::<&Planet>().iter(app.world()).count(), 1);
+    app.update();
+}
+
+#[test]
+fn a_planet_that_is_gone_is_no_longer_simulated() {
+    let (mut app, planet) = planet_app(&small(1, 500));
+    steps(&mut app, planet, 2);
+    app.world_mut().despawn(planet);
+    steps(&mut app, planet, 2);
+    assert!(bevy_pangaea::io::capture(app.world(), planet).is_none());
+    assert_eq!(app.world_mut().query::<&PlateId>().iter(app.world()).count(), 0, "its plates go with it");
+    app.update();
+}

@@ -1,0 +1,194 @@
+//! Convergence: who goes under, what rises, what pulls.
+
+use bevy::prelude::*;
+use bevy_pangaea::crust::Cause;
+use bevy_pangaea::math::{angle_between, lat_lon};
+use bevy_pangaea::plate::PlateId;
+use bevy_pangaea::plate::boundary::Rim;
+use bevy_pangaea::plate::contact::{Contacts, PolarityMemory, Role};
+use bevy_pangaea::prelude::*;
+use pangaea_tests::shape::{Floor, hemispheres, shaped, small};
+use pangaea_tests::world::{get, plates, planet_app, spawn, steps, surface};
+
+/// Two oceans of given ages that close at the meridian 0.
+fn closing_oceans(west: f32, east: f32) -> (App, Entity) {
+    let recipe = hemispheres(8000, 40.0, -40.0);
+    spawn(shaped(&recipe, move |plate, _, _| Floor::Ocean(if plate == 0 { west } else { east })))
+}
+
+/// An Andean margin: the ocean of plate 0 moves towards the continent along the rim of plate 1.
+fn andean_margin(samples: u32) -> (App, Entity) {
+    let recipe = hemispheres(samples, 80.0, 0.0);
+    spawn(shaped(&recipe, |plate, lat, lon| {
+        if plate == 1 && lat.abs() < 45.0 && lon < 60.0 { Floor::Land(0.4) } else { Floor::Ocean(60.0) }
+    }))
+}
+
+/// Number of samples of each plate that override and that go under.
+fn roles(app: &App, planet: Entity) -> [[usize; 2]; 2] {
+    let (rim, contacts) = (get::<Rim>(app, planet), get::<Contacts>(app, planet));
+    let (crust, frames) = (get::<Crust>(app, planet), get::<Frames>(app, planet));
+    let mut count = [[0; 2]; 2];
+    for (&i, contact) in rim.samples.iter().zip(&contacts.0) {
+        let plate = frames.plate(crust.frame[i as usize]).0 as usize;
+        match contact.role {
+            Role::Overriding => count[plate][0] += 1,
+            Role::Subducting => count[plate][1] += 1,
+            _ => {}
+        }
+    }
+    count
+}
+
+#[test]
+fn older_ocean_goes_under_younger() {
+    for (west, east, under) in [(120.0, 40.0, 0), (40.0, 120.0, 1)] {
+        let (mut app, planet) = closing_oceans(west, east);
+        steps(&mut app, planet, 2);
+        let count = roles(&app, planet);
+        let over = 1 - under;
+        assert!(count[over][0] > 20, "{count:?}");
+        assert_eq!((count[over][1], count[under][0]), (0, 0), "one polarity along the whole front: {count:?}");
+    }
+}
+
+#[test]
+fn ocean_goes_under_a_continent_however_young() {
+    let recipe = hemispheres(8000, 40.0, 0.0);
+    let state = shaped(&recipe, |plate, _, lon| {
+        if plate == 1 && lon < 90.0 { Floor::Land(0.4) } else { Floor::Ocean(if plate == 0 { 1.0 } else { 150.0 }) }
+    });
+    let (mut app, planet) = spawn(state);
+    steps(&mut app, planet, 2);
+    let (rim, contacts) = (get::<Rim>(&app, planet), get::<Contacts>(&app, planet));
+    let crust = get::<Crust>(&app, planet);
+    let mut seen = 0;
+    for (&i, contact) in rim.samples.iter().zip(&contacts.0) {
+        let continental = crust.is_continental(i as usize);
+        if continental != contact.other_continental && matches!(contact.role, Role::Overriding | Role::Subducting) {
+            assert_eq!(contact.role == Role::Overriding, continental);
+            seen += 1;
+        }
+    }
+    assert!(seen > 20);
+}
+
+#[test]
+fn polarity_does_not_flicker() {
+    let (mut app, planet) = planet_app(&small(2, 8000));
+    steps(&mut app, planet, 1);
+    let mut flips = std::collections::BTreeMap::new();
+    let mut last = get::<PolarityMemory>(&app, planet).clone();
+    let mut segments = 0;
+    for _ in 0..20 {
+        steps(&mut app, planet, 1);
+        let now = get::<PolarityMemory>(&app, planet).clone();
+        for segment in &last.0 {
+            let same = now.0.iter().find(|s| (s.pair, s.bin) == (segment.pair, segment.bin));
+            if same.is_some_and(|same| same.first_under != segment.first_under) {
+                *flips.entry((segment.pair, segment.bin)).or_insert(0) += 1;
+            }
+        }
+        segments = now.0.len();
+        last = now;
+    }
+    assert!(segments > 50);
+    assert!(flips.values().all(|&times| times < 2), "a front turned over and back within 40 My: {flips:?}");
+    assert!(flips.len() * 10 < segments, "{} of {segments} segments turned over", flips.len());
+}
+
+#[test]
+fn mountains_rise_beside_the_trench() {
+    let (mut app, planet) = andean_margin(20_000);
+    steps(&mut app, planet, 9);
+    let surface = surface(&mut app, planet);
+    let mesh = get::<Lattice>(&app, planet);
+    let params = get::<TectonicParams>(&app, planet);
+    let mut highest = (0.0_f32, 0.0);
+    let mut deepest = (0.0_f32, 0.0);
+    for i in 0..surface.len() {
+        let (lat, lon) = lat_lon(mesh.points()[i]);
+        if lat.abs() > 30.0 || lon.abs() > 80.0 {
+            continue;
+        }
+        let km = lon * 111.2 * lat.to_radians().cos();
+        let z = surface.elevation(i);
+        if z > highest.0 {
+            highest = (z, km);
+        }
+        if z < deepest.0 {
+            deepest = (z, km);
+        }
+        if surface.crust.orogeny[i] != Orogeny::None {
+            assert_eq!(surface.crust.orogeny[i], Orogeny::Andean);
+            assert!(km < params.subduction_distance + 200.0, "an Andean belt {km} km from the front");
+            let fold = surface.crust.fold[i];
+            assert!(fold.length() > 0.01 && fold.dot(mesh.points()[i].as_vec3()).abs() < 1e-3);
+        }
+    }
+    assert!(highest.0 > 0.6 && highest.1 > 100.0 && highest.1 < 700.0, "highest {highest:?}");
+    assert!(deepest.0 < -8.5 && deepest.1 < 100.0 && deepest.1 > -450.0, "deepest {deepest:?}");
+    let unbent = get::<Crust>(&app, planet).elevation.iter().fold(0.0_f32, |a, &b| a.min(b));
+    assert!(unbent > -6.5, "the trench is no state: {unbent}");
+}
+
+#[test]
+fn uplift_grows_with_the_speed_and_is_none_at_rest() {
+    let rise = |speed: f64| {
+        let mut recipe = hemispheres(5000, speed, 0.0);
+        recipe.params.processes = ProcessSwitches { drift: true, subduction: true, ..ProcessSwitches::all(false) };
+        let state = shaped(&recipe, |plate, _, lon| {
+            if plate == 1 && lon < 90.0 { Floor::Land(0.4) } else { Floor::Ocean(60.0) }
+        });
+        let (mut app, planet) = spawn(state);
+        steps(&mut app, planet, 4);
+        get::<Ledger>(&app, planet).of(Cause::SubductionUplift).volume
+    };
+    let [still, slow, fast] = [0.0, 40.0, 80.0].map(rise);
+    assert_eq!(still, 0.0);
+    assert!(slow > 0.0);
+    // g is linear in the speed; the saturation at z_c takes a little of it.
+    assert!((fast / slow - 2.0).abs() < 0.15, "{}", fast / slow);
+}
+
+#[test]
+fn slab_pull_turns_the_plate_towards_its_front() {
+    let mut recipe = hemispheres(5000, 0.0, 0.0);
+    recipe.plates[0].pole = Some((30.0, 0.0));
+    recipe.plates[0].speed = 60.0;
+    recipe.params.slab_pull = 0.02;
+    let state = shaped(&recipe, |plate, lat, lon| {
+        if plate == 1 && lat.abs() < 60.0 && lon < 60.0 { Floor::Land(0.4) } else { Floor::Ocean(60.0) }
+    });
+    let (mut app, planet) = spawn(state);
+    let start = plates(&app, planet).rows()[0].motion;
+    let mut height = start.axis.z;
+    for _ in 0..8 {
+        steps(&mut app, planet, 1);
+        let motion = plates(&app, planet).get(PlateId(0)).unwrap().motion;
+        assert!(motion.axis.z > height, "the axis turns to the pole about which the plate heads for its front");
+        assert!((motion.axis.length() - 1.0).abs() < 1e-12);
+        assert_eq!(motion.speed, start.speed, "the speed stays");
+        height = motion.axis.z;
+    }
+    assert!(angle_between(start.axis, plates(&app, planet).rows()[0].motion.axis) > 0.05);
+}
+
+#[test]
+fn arcs_that_rise_above_the_sea_become_land_and_are_booked() {
+    let mut recipe = hemispheres(8000, 100.0, 0.0);
+    recipe.params.uplift = 5.0;
+    let state = shaped(&recipe, |plate, _, _| Floor::Ocean(if plate == 0 { 120.0 } else { 20.0 }));
+    let (mut app, planet) = spawn(state);
+    assert_eq!(get::<Ledger>(&app, planet).initial.area, 0.0);
+    steps(&mut app, planet, 30);
+    let grown = get::<Ledger>(&app, planet).of(Cause::ArcGrowth);
+    assert!(grown.area > 1e5 && grown.volume > 0.0, "{grown:?}");
+    let surface = surface(&mut app, planet);
+    let land: Vec<usize> = (0..surface.len()).filter(|&i| surface.crust.is_continental(i)).collect();
+    assert!(!land.is_empty());
+    for i in land {
+        assert_eq!(surface.plate[i], PlateId(1), "arcs stand on the overriding plate");
+        assert_eq!(surface.crust.orogeny[i], Orogeny::Andean);
+    }
+}

@@ -1,0 +1,120 @@
+//! Resampling: invisible, and nothing to do where nothing has moved.
+
+use bevy::prelude::*;
+use bevy_pangaea::crust::Cover;
+use bevy_pangaea::prelude::*;
+use bevy_pangaea::resample::project_now;
+use pangaea_tests::probe::probe;
+use pangaea_tests::shape::small;
+use pangaea_tests::world::{command, get, heard, listen, params, planet_app, steps};
+use std::sync::{Arc, Mutex};
+
+/// Takes one step with a resample and asserts that it changed no bit of the crust.
+fn resample_without_a_trace(app: &mut App, planet: Entity) {
+    listen::<CrustResampled>(app);
+    let earlier = heard::<CrustResampled>(app).len();
+    command(app, planet, TectonicCommand::Resample);
+    let changes = Arc::new(Mutex::new(Vec::new()));
+    let seen = Arc::clone(&changes);
+    probe(app, move |change| {
+        if change.stage == Stage::Resample {
+            seen.lock().unwrap().push(change.changed());
+        }
+    });
+    steps(app, planet, 1);
+    assert_eq!(heard::<CrustResampled>(app).len(), earlier + 1);
+    let changed = changes.lock().unwrap().pop().unwrap();
+    let state = ["clock", "ledger"];
+    assert!(changed.iter().all(|name| state.contains(name)), "a resample at rest changed {changed:?}");
+}
+
+#[test]
+fn a_resample_of_a_new_planet_changes_no_bit() {
+    let mut recipe = small(5, 6000);
+    recipe.params.processes = ProcessSwitches::all(false);
+    let (mut app, planet) = planet_app(&recipe);
+    resample_without_a_trace(&mut app, planet);
+}
+
+#[test]
+fn a_second_resample_changes_no_bit() {
+    let (mut app, planet) = planet_app(&small(6, 6000));
+    steps(&mut app, planet, 25);
+    params(&mut app, planet).processes = ProcessSwitches::all(false);
+    command(&mut app, planet, TectonicCommand::Resample);
+    steps(&mut app, planet, 1);
+    resample_without_a_trace(&mut app, planet);
+}
+
+/// The surface just before a resample, while frames still overlap and gape.
+#[derive(Resource, Default)]
+struct Before(Option<Surface>);
+
+#[test]
+fn pictures_just_before_and_after_a_resample_agree() {
+    let (mut app, planet) = planet_app(&small(3, 20_000));
+    app.init_resource::<Before>();
+    listen::<CrustResampled>(&mut app);
+    let look = |world: &mut World| {
+        let planet = world.resource::<CurrentPlanet>().0;
+        project_now(world, planet);
+        let surface = world.get::<Surface>(planet).cloned();
+        world.resource_mut::<Before>().0 = surface;
+    };
+    app.add_systems(TectonicStep, look.in_set(TectonicSystems::After(Stage::Relief)));
+    let mut compared = 0;
+    for _ in 0..45 {
+        let earlier = heard::<CrustResampled>(&app).len();
+        steps(&mut app, planet, 1);
+        if heard::<CrustResampled>(&app).len() == earlier {
+            continue;
+        }
+        let before = app.world_mut().resource_mut::<Before>().0.take().unwrap();
+        compare(&before, get::<Surface>(&app, planet));
+        compared += 1;
+    }
+    assert!(compared >= 2, "{compared} resamples");
+}
+
+fn compare(before: &Surface, after: &Surface) {
+    let n = before.len();
+    let share = |differs: &dyn Fn(usize) -> bool| (0..n).filter(|&i| differs(i)).count() as f64 / n as f64;
+    let moved = share(&|i| (before.elevation(i) - after.elevation(i)).abs() > 0.05);
+    assert!(moved < 0.03, "{:.2} % of the samples move by more than 50 m", 100.0 * moved);
+    let kind = share(&|i| before.crust.kind[i] != after.crust.kind[i]);
+    assert!(kind < 0.005, "{:.2} % change their kind", 100.0 * kind);
+    let plate = share(&|i| before.plate[i] != after.plate[i]);
+    assert!(plate < 0.01, "{:.2} % change their plate", 100.0 * plate);
+    let aged = share(&|i| (before.crust.ocean_age[i] - after.crust.ocean_age[i]).abs() > 2.1);
+    assert!(aged < 0.01, "{:.2} % age by more than a step", 100.0 * aged);
+}
+
+#[test]
+fn after_a_resample_one_frame_at_rest_covers_every_sample() {
+    let (mut app, planet) = planet_app(&small(4, 6000));
+    steps(&mut app, planet, 7);
+    command(&mut app, planet, TectonicCommand::Resample);
+    steps(&mut app, planet, 1);
+    let frames = get::<Frames>(&app, planet);
+    assert!(frames.iter().all(|frame| frame.is_at_rest() && !frame.terrane));
+    let mut owners: Vec<_> = frames.iter().map(|frame| frame.plate).collect();
+    owners.dedup();
+    assert_eq!(owners.len(), frames.len(), "one frame for a plate");
+    project_now(app.world_mut(), planet);
+    let surface = get::<Surface>(&app, planet);
+    assert!(surface.cover.iter().all(|&cover| cover == Cover::One));
+    assert_eq!(&surface.crust, get::<Crust>(&app, planet), "the state is the surface, bit for bit");
+}
+
+#[test]
+fn looking_at_a_planet_does_not_change_it() {
+    let (mut app, planet) = planet_app(&small(8, 5000));
+    let (mut other, unseen) = planet_app(&small(8, 5000));
+    app.world_mut().entity_mut(planet).insert(bevy_pangaea::resample::SurfaceDemand::EveryStep);
+    for _ in 0..15 {
+        steps(&mut app, planet, 1);
+        project_now(app.world_mut(), planet);
+    }
+    steps(&mut other, unseen, 15);
+    assert_eq!(pangaea_tests::world::digest(&app, planet), pangaea_tests::world::digest(&other, unseen));
+}

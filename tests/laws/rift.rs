@@ -1,0 +1,170 @@
+//! Rifting on demand: fragments part and stay apart.
+//!
+//! Plates are the faces of a cube and at rest, so that all motion is that of the rift. Coverage is found by brute force.
+
+use bevy::math::DVec3;
+use bevy::prelude::*;
+use bevy_pangaea::math::{angle_between, direction};
+use bevy_pangaea::plate::PlateId;
+use bevy_pangaea::prelude::*;
+use pangaea_tests::measure::Coverage;
+use pangaea_tests::shape::{Floor, cube, shaped};
+use pangaea_tests::world::{get, heard, listen, obey, plates, spawn, steps};
+
+const RADIUS: f64 = 6370.0;
+
+/// A continent in the middle of plate 0.
+fn planet(warp: f64) -> (App, Entity) {
+    let mut recipe = cube(20_000);
+    recipe.params.processes.resample = false;
+    let state = shaped(&recipe, |plate, lat, lon| {
+        if plate == 0 && lat.abs() < 30.0 && lon.abs() < 30.0 { Floor::Land(0.5) } else { Floor::Ocean(80.0) }
+    });
+    let (mut app, planet) = spawn(state);
+    app.world_mut().get_mut::<TectonicParams>(planet).unwrap().border_warp = warp;
+    (app, planet)
+}
+
+fn rift(app: &mut App, planet: Entity, line: &[(f64, f64)], fragments: u32) -> Vec<PlateId> {
+    listen::<PlateRifted>(app);
+    let command = TectonicCommand::RiftPlate { plate: PlateId(0), line: line.to_vec(), fragments };
+    assert!(obey(app, planet, command));
+    heard::<PlateRifted>(app).remove(0).fragments
+}
+
+/// Which of the fragments cover points of plate 0's face, on a grid of half a degree.
+fn covers(app: &App, planet: Entity, fragments: &[PlateId]) -> Vec<(f64, f64, Vec<PlateId>)> {
+    let coverage = Coverage::of(app, planet);
+    let mut out = Vec::new();
+    for y in -70..=70 {
+        for x in -70..=70 {
+            let (lat, lon) = (f64::from(y) * 0.5, f64::from(x) * 0.5);
+            let found = coverage.at(direction(lat, lon));
+            let own = found.into_iter().map(|hit| hit.0).filter(|id| fragments.contains(id)).collect();
+            out.push((lat, lon, own));
+        }
+    }
+    out
+}
+
+fn assert_apart(app: &mut App, planet: Entity, fragments: &[PlateId]) {
+    for step in 1..=10 {
+        steps(app, planet, 1);
+        let overlaps = covers(app, planet, fragments).iter().filter(|(_, _, own)| own.len() > 1).count();
+        assert_eq!(overlaps, 0, "points under two fragments {} My after the rift", 2 * step);
+    }
+}
+
+#[test]
+fn fragments_of_a_users_line_do_not_overlap_for_20_my() {
+    for (warp, line) in [
+        (0.0, vec![(-25.0, 0.0), (25.0, 0.0)]),
+        (0.3, vec![(-25.0, 3.0), (0.0, -4.0), (25.0, 5.0)]),
+        (0.3, vec![(-10.0, -20.0), (12.0, 20.0)]),
+    ] {
+        let (mut app, planet) = planet(warp);
+        let fragments = rift(&mut app, planet, &line, 2);
+        assert_eq!(fragments[0], PlateId(0), "the first fragment keeps the number");
+        assert_apart(&mut app, planet, &fragments);
+        // The line is where the gap is.
+        let coverage = Coverage::of(&app, planet);
+        let middle = direction(line[line.len() / 2].0, line[line.len() / 2].1);
+        let p = if line.len() == 2 { (direction(line[0].0, line[0].1) + direction(line[1].0, line[1].1)).normalize() } else { middle };
+        assert!(coverage.at(p).is_empty(), "no gap on the line");
+    }
+}
+
+#[test]
+fn the_gap_grows_with_the_distance_from_its_pole() {
+    let (mut app, planet) = planet(0.0);
+    let fragments = rift(&mut app, planet, &[(-25.0, 0.0), (25.0, 0.0)], 2);
+    let table = plates(&app, planet);
+    let relative = table.angular_velocity(fragments[0]) - table.angular_velocity(fragments[1]);
+    let pole = relative.normalize();
+    assert!(pole.dot(DVec3::Y).abs() < 1e-9, "the pole lies on the line's extension");
+    assert!(angle_between(pole, direction(0.0, 0.0)).min(angle_between(-pole, direction(0.0, 0.0))) > 45f64.to_radians());
+    let spacing = get::<Lattice>(&app, planet).spacing() * RADIUS;
+    steps(&mut app, planet, 10);
+    let coverage = Coverage::of(&app, planet);
+    let width = |lat: f64| {
+        let open = (-300..=300).filter(|&k| coverage.at(direction(lat, f64::from(k) * 0.05)).is_empty()).count();
+        open as f64 * 0.05_f64.to_radians() * lat.to_radians().cos() * RADIUS
+    };
+    let mut last = f64::INFINITY;
+    for step in 0..=6 {
+        let lat = -30.0 + 10.0 * f64::from(step);
+        let from_pole = angle_between(pole, direction(lat, 0.0));
+        let expected = relative.length() * 20.0 * from_pole.sin() * RADIUS;
+        let found = width(lat);
+        assert!((found - expected).abs() < 1.1 * spacing, "{found:.0} km at latitude {lat}, not {expected:.0}");
+        last = last.min(expected);
+    }
+    let (near, far) = (width(if pole.z > 0.0 { 30.0 } else { -30.0 }), width(if pole.z > 0.0 { -30.0 } else { 30.0 }));
+    assert!((far > near + spacing) || angle_between(pole, DVec3::X) > 2.0 && near > far + spacing, "{near} {far}");
+}
+
+#[test]
+fn three_and_four_fragments_move_away_from_their_junction() {
+    for count in [2, 3, 4] {
+        let (mut app, planet) = planet(0.3);
+        let area = plates(&app, planet).rows()[0].stats.area;
+        let fragments = rift(&mut app, planet, &[], count);
+        assert_eq!(fragments.len(), count as usize);
+        let table = plates(&app, planet);
+        assert_eq!(table.rows().len(), 5 + count as usize);
+        let areas: Vec<f64> = fragments.iter().map(|&id| table.get(id).unwrap().stats.area).collect();
+        assert!((areas.iter().sum::<f64>() / area - 1.0).abs() < 1e-9, "fragments are the plate");
+        assert!(areas.iter().all(|a| *a > 0.14 * area), "{areas:?}");
+        assert_apart(&mut app, planet, &fragments);
+        let gap = covers(&app, planet, &fragments);
+        let coverage = Coverage::of(&app, planet);
+        let open = gap.iter().filter(|(lat, lon, own)| own.is_empty() && coverage.at(direction(*lat, *lon)).is_empty());
+        assert!(open.count() > 200, "nothing has opened");
+    }
+}
+
+#[test]
+fn a_rift_thins_the_continent_beside_it_and_books_it() {
+    let (mut app, planet) = planet(0.0);
+    let before = get::<Crust>(&app, planet).clone();
+    rift(&mut app, planet, &[(-25.0, 0.0), (25.0, 0.0)], 2);
+    let after = get::<Crust>(&app, planet);
+    let params = get::<TectonicParams>(&app, planet);
+    let mesh = get::<Lattice>(&app, planet);
+    let mut volume = 0.0;
+    for i in 0..before.len() {
+        let p = mesh.points()[i];
+        let km = p.dot(DVec3::Y).abs().asin() * RADIUS;
+        let share = f64::from(after.thickness[i] / before.thickness[i]);
+        if before.is_continental(i) && p.x > 0.0 && km < params.rift_width {
+            assert!(share < 1.0 && share >= 1.0 - params.rift_thinning - 1e-6);
+        } else {
+            assert_eq!(share, 1.0, "{km:.0} km from the rift");
+        }
+        if before.is_continental(i) {
+            volume += f64::from(after.thickness[i] - before.thickness[i]) * mesh.areas()[i] * RADIUS * RADIUS;
+        }
+    }
+    let booked = get::<Ledger>(&app, planet).of(bevy_pangaea::crust::Cause::Rifting).volume;
+    assert!(volume < 0.0 && (booked / volume - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn planets_rift_by_themselves_about_as_often_as_they_should() {
+    // The probability is 1 - exp(-lambda): over many steps the number of rifts is the sum of the probabilities.
+    let mut recipe = pangaea_tests::shape::small(11, 4000);
+    recipe.params.rift_rate = 0.02;
+    let (mut app, planet) = pangaea_tests::world::planet_app(&recipe);
+    listen::<PlateRifted>(&mut app);
+    let mut expected = 0.0;
+    for _ in 0..150 {
+        let params = get::<TectonicParams>(&app, planet);
+        for row in plates(&app, planet).rows().iter().filter(|row| row.stats.samples >= 200) {
+            expected += bevy_pangaea::process::rifting::probability(params, &row.stats, RADIUS);
+        }
+        steps(&mut app, planet, 1);
+    }
+    let rifts = heard::<PlateRifted>(&app).len() as f64;
+    assert!(rifts > 0.0 && rifts <= expected + 3.0 * expected.sqrt(), "{rifts} rifts, expected {expected}");
+    assert!(rifts >= 0.3 * expected - 2.0, "{rifts} rifts, expected {expected}: too many plates find no shape");
+}
