@@ -1,4 +1,4 @@
-//! Planets worth looking at: what the issue asks of every seed, and a planet that has grown old.
+//! Planets worth looking at: what every grown planet must look like, and one that has grown old.
 
 use bevy::prelude::*;
 use bevy_pangaea::prelude::*;

@@ -184,7 +184,8 @@ impl Plugin for TectonicSchedulePlugin {
                 schedule.configure_sets(Leave(previous).before(set));
             }
             schedule.configure_sets(Leave(position).after(set));
-            schedule.add_systems(leave.in_set(Leave(position)).run_if(at(position)));
+            // A stage that holds leaves too, for the clock; it just does not move on.
+            schedule.add_systems(leave.in_set(Leave(position)).run_if(reached(position)));
             previous = Some(position);
         }
         app.add_schedule(schedule).add_systems(Update, run_planets);
@@ -202,6 +203,12 @@ fn set_at(position: usize) -> TectonicSystems {
 fn at(position: usize) -> impl Fn(Res<CurrentPlanet>, Query<&StepCursor>) -> bool + Clone {
     move |current: Res<CurrentPlanet>, cursors: Query<&StepCursor>| {
         cursors.get(current.0).is_ok_and(|cursor| cursor.position == position && !cursor.held)
+    }
+}
+
+fn reached(position: usize) -> impl Fn(Res<CurrentPlanet>, Query<&StepCursor>) -> bool + Clone {
+    move |current: Res<CurrentPlanet>, cursors: Query<&StepCursor>| {
+        cursors.get(current.0).is_ok_and(|cursor| cursor.position == position)
     }
 }
 

@@ -112,12 +112,7 @@ pub fn spawn_cameras(
         Camera3d::default(),
         Tonemapping::None,
         if software { Msaa::Off } else { Msaa::Sample4 },
-        Projection::from(PerspectiveProjection {
-            fov: FIELD_OF_VIEW,
-            near: 0.01,
-            far: 100.0,
-            ..default()
-        }),
+        Projection::from(PerspectiveProjection { fov: FIELD_OF_VIEW, near: 0.01, far: 100.0, ..default() }),
         orbit.transform(),
         orbit,
     ));

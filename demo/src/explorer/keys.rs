@@ -22,7 +22,9 @@ pub fn read(
     }
     for key in keys.read().filter(|key| key.state.is_pressed()) {
         match &key.logical_key {
-            Key::Character(text) => letter(text, key.repeat, &mut look, &mut tool, &mut help, &form, &mut actions),
+            Key::Character(text) => {
+                letter(text, key.repeat, &mut look, &mut tool, &mut help, &form, &mut actions)
+            }
             _ if key.repeat => {}
             Key::Space => {
                 actions.write(Action::TogglePlay);

@@ -125,12 +125,7 @@ fn on_collision(
     log((&mut messages, &session, &clocks), event.planet, Tone::Event, what);
 }
 
-fn on_rift(
-    event: On<PlateRifted>,
-    mut messages: ResMut<Messages>,
-    session: Res<Session>,
-    clocks: Clocks,
-) {
+fn on_rift(event: On<PlateRifted>, mut messages: ResMut<Messages>, session: Res<Session>, clocks: Clocks) {
     let names: Vec<_> = event.fragments.iter().map(|id| id.0.to_string()).collect();
     let what = format!("plate {} broke into {}", event.parent.0, names.join(", "));
     log((&mut messages, &session, &clocks), event.planet, Tone::Event, what);

@@ -118,11 +118,7 @@ fn default_plugins(adapter: RenderCreation) -> impl PluginGroup {
         name: Some("pangaea".into()),
         resolution: WindowResolution::new(1280, 720),
         present_mode: PresentMode::AutoVsync,
-        resize_constraints: WindowResizeConstraints {
-            min_width: 800.0,
-            min_height: 480.0,
-            ..default()
-        },
+        resize_constraints: WindowResizeConstraints { min_width: 800.0, min_height: 480.0, ..default() },
         ..default()
     };
     DefaultPlugins
@@ -201,7 +197,9 @@ fn add_update_systems(app: &mut App) {
 fn has_display() -> Result<(), String> {
     let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     if cfg!(target_os = "linux") && !set("DISPLAY") {
-        return Err("no display: DISPLAY is not set; the commands generate, render, bench and info need none".into());
+        return Err(
+            "no display: DISPLAY is not set; the commands generate, render, bench and info need none".into(),
+        );
     }
     Ok(())
 }

@@ -48,11 +48,7 @@ impl Session {
         self.job.is_some()
     }
 
-    fn start(
-        &mut self,
-        what: String,
-        work: impl FnOnce() -> Result<Outcome, String> + Send + 'static,
-    ) {
+    fn start(&mut self, what: String, work: impl FnOnce() -> Result<Outcome, String> + Send + 'static) {
         self.job = Some(Job { what, work: Background::start(work) });
     }
 }
@@ -165,3 +161,7 @@ pub fn finish_save(mut session: ResMut<Session>, mut messages: ResMut<Messages>)
 fn text(error: impl ToString) -> String {
     error.to_string()
 }
+
+#[cfg(test)]
+#[path = "session_tests.rs"]
+mod tests;

@@ -263,11 +263,7 @@ pub fn dress_globe(
 }
 
 /// Drops the selection and the rift line of a plate that is gone.
-pub fn forget_lost_plates(
-    reader: PlanetReader,
-    mut selection: ResMut<Selection>,
-    mut tool: ResMut<Tool>,
-) {
+pub fn forget_lost_plates(reader: PlanetReader, mut selection: ResMut<Selection>, mut tool: ResMut<Tool>) {
     let exists = |id: PlateId| reader.view().is_some_and(|view| view.plates.get(id).is_some());
     if selection.0.is_some_and(|id| !exists(id)) {
         selection.0 = None;

@@ -3,8 +3,8 @@
 use bevy_egui::egui::collapsing_header::CollapsingState;
 use bevy_egui::egui::style::HandleShape;
 use bevy_egui::egui::{
-    Align, Button, Color32, Context, CornerRadius, FontFamily, FontId, Frame, Label, Layout,
-    Margin, Response, RichText, Sense, Shape, Stroke, TextStyle, Theme, Ui, Visuals, vec2,
+    Align, Button, Color32, Context, CornerRadius, FontFamily, FontId, Frame, Label, Layout, Margin,
+    Response, RichText, Sense, Shape, Stroke, TextStyle, Theme, Ui, Visuals, vec2,
 };
 
 /// What can be acted upon, and what is active: molten rock.

@@ -41,8 +41,6 @@ fn state() -> PlanetState {
     ledger.book(Cause::ArcGrowth, 1.25e5, 3.5e6);
     let moved = Frame { rotation: math::rotation(DVec3::Y, 0.3), ..Frame::at_rest(PlateId(1)) };
     let motion = PlateMotion { axis: DVec3::X, speed: 0.01 };
-    let mut fronts = FrontField::new(150);
-    (fronts.stale, fronts.source[7], fronts.distance[7]) = (false, 9, 0.25);
     let paint = TectonicCommand::PaintCrust {
         target: PaintTarget::Disc { center: (10.5, -20.25), radius: 900.0 },
         brush: Brush::Raise(0.1),
@@ -175,7 +173,7 @@ fn resealed_mutations_do_no_harm() {
 
 #[test]
 fn states_that_make_no_planet_are_refused() {
-    let cases: [(&str, fn(&mut PlanetState)); 15] = [
+    let cases: [(&str, fn(&mut PlanetState)); 16] = [
         ("number", |s| s.crust.elevation[0] = f32::NAN),
         ("number", |s| s.crust.fold[0].x = f32::INFINITY),
         ("length", |s| s.crust.kind.truncate(149)),

@@ -1,8 +1,9 @@
-//! The meshes of a globe that never change: triangles, their edges, the shell of air.
+//! The meshes of a globe that never change: triangles in patches, their edges, the shell of air.
 //!
 //! Vertices carry a direction and the number of their sample. Heights and colours come from the buffer
 //! of samples, so neither directions nor indices are uploaded again.
 
+use super::horizon::Cap;
 use super::to_bevy;
 use crate::sphere::SphereMesh;
 use bevy::asset::RenderAssetUsages;
@@ -16,9 +17,35 @@ pub(super) const SAMPLE: MeshVertexAttribute =
 /// Subdivisions of the shell of air: flat enough that its facets are not seen.
 const SHELL: u32 = 24;
 
+/// Most patches that a globe is cut into, and fewest triangles of a patch.
+const PATCHES: usize = 96;
+const PATCH_TRIANGLES: usize = 2048;
+
+/// A run of triangles that lie close together, for they are ordered along a curve.
+pub(super) struct Patch {
+    /// The triangles.
+    pub(super) mesh: Mesh,
+    /// Where they lie.
+    pub(super) cap: Cap,
+}
+
 /// All triangles of the lattice.
-pub(super) fn ground(mesh: &SphereMesh) -> Mesh {
-    with_samples(mesh, PrimitiveTopology::TriangleList, mesh.triangles().as_flattened().to_vec())
+pub(super) fn ground(mesh: &SphereMesh) -> Vec<Patch> {
+    let triangles = mesh.triangles();
+    let size = triangles.len().div_ceil(PATCHES).max(PATCH_TRIANGLES);
+    triangles.chunks(size).map(|run| patch(mesh, run)).collect()
+}
+
+fn patch(mesh: &SphereMesh, triangles: &[[u32; 3]]) -> Patch {
+    let corners = triangles.as_flattened();
+    let mut samples = corners.to_vec();
+    samples.sort_unstable();
+    samples.dedup();
+    // Every corner is among the samples.
+    let local = |i: &u32| samples.binary_search(i).unwrap_or_default() as u32;
+    let indices = corners.iter().map(local).collect();
+    let cap = Cap::around(samples.iter().map(|&i| mesh.point(i)));
+    Patch { mesh: with_samples(mesh, PrimitiveTopology::TriangleList, samples, indices), cap }
 }
 
 /// All edges of the lattice, each once.
@@ -28,12 +55,11 @@ pub(super) fn edges(mesh: &SphereMesh) -> Mesh {
         let longer = mesh.ring(i).iter().filter(|&&j| j > i);
         indices.extend(longer.flat_map(|&j| [i, j]));
     }
-    with_samples(mesh, PrimitiveTopology::LineList, indices)
+    with_samples(mesh, PrimitiveTopology::LineList, (0..mesh.len() as u32).collect(), indices)
 }
 
-fn with_samples(mesh: &SphereMesh, topology: PrimitiveTopology, indices: Vec<u32>) -> Mesh {
-    let directions: Vec<[f32; 3]> = mesh.points().iter().map(|&p| to_bevy(p).to_array()).collect();
-    let samples: Vec<u32> = (0..mesh.len() as u32).collect();
+fn with_samples(mesh: &SphereMesh, topology: PrimitiveTopology, samples: Vec<u32>, indices: Vec<u32>) -> Mesh {
+    let directions: Vec<[f32; 3]> = samples.iter().map(|&i| to_bevy(mesh.point(i)).to_array()).collect();
     Mesh::new(topology, RenderAssetUsages::RENDER_WORLD)
         .with_inserted_attribute(Mesh::ATTRIBUTE_POSITION, directions)
         .with_inserted_attribute(SAMPLE, samples)
@@ -56,8 +82,16 @@ mod tests {
         // A closed triangulation of n points has 3n - 6 edges.
         let mesh = edges(&lattice);
         assert_eq!(mesh.indices().map(Indices::len), Some(2 * (3 * 500 - 6)));
-        let mesh = ground(&lattice);
-        assert_eq!(mesh.indices().map(Indices::len), Some(3 * (2 * 500 - 4)));
-        assert_eq!(mesh.count_vertices(), 500);
+    }
+
+    #[test]
+    fn patches_hold_every_triangle_once() {
+        let lattice = SphereMesh::fibonacci(20_000).unwrap();
+        let patches = ground(&lattice);
+        let triangles = patches.iter().filter_map(|patch| patch.mesh.indices()).map(Indices::len);
+        assert_eq!(triangles.sum::<usize>(), 3 * (2 * 20_000 - 4));
+        // Patches are compact, so that most of them lie before or behind the horizon as a whole.
+        assert!(patches.len() > 10 && patches.iter().all(|patch| patch.cap.angle < 0.9));
+        assert_eq!(ground(&SphereMesh::fibonacci(100).unwrap()).len(), 1);
     }
 }

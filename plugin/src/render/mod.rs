@@ -2,8 +2,9 @@
 //!
 //! ```text
 //! painter    watches Surface and Globe, paints off the main thread, hands the result over
-//! columns    what is uploaded per sample: elevation, gradient, colour
-//! mesh       triangles, triangle edges and the shell of air, built once per lattice
+//! columns    what is uploaded per sample: relief, gradient, colour, coast
+//! mesh       triangles in patches, triangle edges and the shell of air, built once per lattice
+//! horizon    which patches of ground no camera can see
 //! lines      plate boundaries and arrows
 //! material   the passes of pangaea_shaders::globe as materials
 //! picking    what a ray hits
@@ -24,6 +25,8 @@
 pub mod adapter;
 
 mod columns;
+
+mod horizon;
 
 mod lines;
 

@@ -8,8 +8,10 @@ use super::material::{
     AirMaterial, AirUniform, GroundMaterial, GroundUniform, LineMaterial, LineUniform,
 };
 use super::columns::{self, Shape};
+use super::horizon::hide_far_side;
 use super::{Globe, GlobePicker, lines, mesh};
 use crate::crust::{Crust, Surface};
+use crate::math;
 use crate::overlay::{Overlay, OverlayInput, colorize};
 use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
@@ -33,7 +35,7 @@ impl Plugin for PainterPlugin {
             .configure_sets(PostUpdate, GlobeSystems.before(AssetEventSystems))
             .add_systems(
                 PostUpdate,
-                (attach, hang_pictures, build_parts, show_pictures, shade, begin_pictures)
+                (attach, hang_pictures, build_parts, show_pictures, shade, hide_far_side, begin_pictures)
                     .chain()
                     .in_set(GlobeSystems),
             );
@@ -78,11 +80,13 @@ impl Subject {
 
 /// The painter's memory of a planet.
 #[derive(Component, Default)]
-struct Easel {
+pub(super) struct Easel {
     task: Option<Task<Picture>>,
     /// A finished picture that is not shown yet.
     finished: Option<Picture>,
     subject: Option<Subject>,
+    /// Least and largest distance of the ground from the centre, in planet radii.
+    pub(super) radii: (f64, f64),
     /// The lattice that the meshes were built for.
     lattice: Option<Arc<SphereMesh>>,
     /// A surface to copy into, so that nothing is allocated.
@@ -107,15 +111,17 @@ struct Picture {
     columns: Vec<u8>,
     lines: Mesh,
     no_lines: bool,
-    ground: Option<Mesh>,
+    ground: Option<Vec<mesh::Patch>>,
+    radii: (f64, f64),
     picker: Option<GlobePicker>,
     surface: Surface,
 }
 
 /// The entities and assets of a globe.
 #[derive(Component)]
-struct Parts {
-    ground: Entity,
+pub(super) struct Parts {
+    /// A patch each.
+    pub(super) ground: Vec<Entity>,
     lines: Entity,
     air: Entity,
     edges: Option<Entity>,
@@ -124,7 +130,13 @@ struct Parts {
 
 impl Parts {
     fn entities(&self) -> impl Iterator<Item = Entity> {
-        [Some(self.ground), Some(self.lines), Some(self.air), self.edges].into_iter().flatten()
+        let others = [Some(self.lines), Some(self.air), self.edges];
+        self.ground.iter().copied().chain(others.into_iter().flatten())
+    }
+
+    /// One entity for each material.
+    fn painted(&self) -> impl Iterator<Item = Entity> {
+        self.entities().skip(self.ground.len().saturating_sub(1))
     }
 }
 
@@ -238,13 +250,17 @@ fn paint(job: Job) -> Picture {
     let input =
         OverlayInput { planet: &planet, mesh: &mesh, surface: &surface, plates: &plates, params: &params };
     let radius = |i| globe.drawn_radius(surface.elevation(i), subject.relief);
-    let radii = (0..mesh.len()).map(radius).collect();
+    let radii: Vec<f32> = (0..mesh.len()).map(radius).collect();
+    let range = radii.iter().fold((1.0, 1.0), |(low, high): (f64, f64), &r| (low.min(r.into()), high.max(r.into())));
+    // Triangles are flat: between their corners the ground is lower.
+    let range = (range.0 * math::cos(mesh.spacing()), range.1);
     let lines = lines::collect(&input, &globe);
     Picture {
         columns,
         no_lines: lines.len() == 0,
         lines: lines.into_mesh(),
         ground: fresh.then(|| mesh::ground(&mesh)),
+        radii: range,
         picker: Some(GlobePicker::new(mesh.clone(), radii)),
         subject,
         surface,
@@ -263,6 +279,7 @@ fn hang_pictures(mut commands: Commands, mut easels: Query<(Entity, &mut Easel)>
         if let Some(picker) = picture.picker.take() {
             commands.entity(planet).insert(picker);
         }
+        easel.radii = picture.radii;
         easel.finished = Some(picture);
     }
 }
@@ -270,7 +287,7 @@ fn hang_pictures(mut commands: Commands, mut easels: Query<(Entity, &mut Easel)>
 /// Makes the entities of a globe when the first picture on its lattice is there.
 fn build_parts(
     mut commands: Commands,
-    globes: Query<(Entity, &Planet, &Lattice, &Globe, &Easel, Option<&Parts>)>,
+    mut globes: Query<(Entity, &Planet, &Lattice, &Globe, &mut Easel, Option<&Parts>)>,
     mut shell: ResMut<Shell>,
     mut meshes: ResMut<Assets<Mesh>>,
     mut buffers: ResMut<Assets<ShaderBuffer>>,
@@ -280,10 +297,9 @@ fn build_parts(
         ResMut<Assets<LineMaterial>>,
     ),
 ) {
-    for (planet, &Planet { radius, .. }, lattice, globe, easel, old) in &globes {
-        let Some(picture) = easel.finished.as_ref().filter(|picture| picture.ground.is_some()) else {
-            continue;
-        };
+    for (planet, &Planet { radius, .. }, lattice, globe, mut easel, old) in &mut globes {
+        let Some(picture) = &mut easel.finished else { continue };
+        let Some(patches) = picture.ground.take() else { continue };
         for part in old.into_iter().flat_map(Parts::entities) {
             commands.entity(part).try_despawn();
         }
@@ -297,7 +313,11 @@ fn build_parts(
             samples: samples.clone(),
             wire: false,
         };
-        let ground = commands.spawn((part("ground"), MeshMaterial3d(grounds.add(ground)))).id();
+        let material = MeshMaterial3d(grounds.add(ground));
+        let patch = |mesh::Patch { mesh, cap }| {
+            commands.spawn((part("ground"), Mesh3d(meshes.add(mesh)), material.clone(), cap)).id()
+        };
+        let ground = patches.into_iter().map(patch).collect();
         let line = LineMaterial { uniform: LineUniform::new(globe, radius) };
         let lines = commands.spawn((part("lines"), MeshMaterial3d(line_materials.add(line)))).id();
         let sphere = shell.0.get_or_insert_with(|| meshes.add(mesh::shell())).clone();
@@ -319,9 +339,6 @@ fn show_pictures(
         let Some(picture) = easel.finished.take() else { continue };
         if let Some(mut samples) = buffers.get_mut(&parts.samples) {
             samples.data = Some(picture.columns);
-        }
-        if let Some(ground) = picture.ground {
-            commands.entity(parts.ground).insert(Mesh3d(meshes.add(ground)));
         }
         let seen = if picture.no_lines { Visibility::Hidden } else { Visibility::Inherited };
         commands.entity(parts.lines).insert((Mesh3d(meshes.add(picture.lines)), seen));
@@ -356,7 +373,7 @@ fn shade(
             let part = (Name::new("edges"), ChildOf(planet), NoFrustumCulling, NotShadowCaster);
             parts.edges = Some(commands.spawn((part, edges)).id());
         }
-        for part in parts.entities() {
+        for part in parts.painted() {
             let Ok((ground, air, line)) = handles.get(part) else { continue };
             if let Some(mut material) = ground.and_then(|m| grounds.get_mut(m)) {
                 material.uniform = GroundUniform::new(globe, radius, lattice.spacing());

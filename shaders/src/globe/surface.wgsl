@@ -109,18 +109,21 @@ fn fragment(in: Varying) -> @location(0) vec4<f32> {
 #ifdef WIREFRAME
     return vec4(globe.wire.xyz, 1.0);
 #else
-    var elevation = in.shape.x;
     let coast = ragged(in.shape.z, in.shape.w, in.site, globe.spacing);
-    // Width of a pixel across the coast.
+    // Width of a pixel across the coast, which is drawn as soft as that.
     let pixel = max(fwidth(coast), 1e-5);
-    var water = 0.0;
-    if (globe.flags & SEA) != 0u {
-        water = 1.0 - smoothstep(-0.7 * pixel, 0.7 * pixel, coast);
-        elevation = select(min(in.shape.y, SHOAL), max(in.shape.x, BEACH), coast > 0.0);
-    }
+    let sea = (globe.flags & SEA) != 0u;
+    let water = select(0.0, 1.0 - smoothstep(-0.7 * pixel, 0.7 * pixel, coast), sea);
+    let depth = max(-in.shape.y, -SHOAL);
     var albedo = in.color.xyz;
     if (globe.flags & TINT) != 0u {
-        albedo = tint(elevation);
+        albedo = vec3(0.0);
+        if water < 1.0 {
+            albedo = (1.0 - water) * tint(select(in.shape.x, max(in.shape.x, BEACH), sea));
+        }
+        if water > 0.0 {
+            albedo += water * tint(-depth);
+        }
     }
     albedo = mix(albedo, vec3(1.0), 0.22 * in.color.w);
     let sun = in.sun;
@@ -133,7 +136,7 @@ fn fragment(in: Varying) -> @location(0) vec4<f32> {
     var color = albedo * ground_light(normal, up, sun, globe.sun.w);
     if water > 0.0 && (globe.flags & TINT) != 0u {
         let eye = normalize(view.world_position - in.world);
-        color += water * sea_gloss(up, sun, eye, max(-elevation, 0.0));
+        color += water * sea_gloss(up, sun, eye, depth);
     }
     return vec4(shoulder(color), 1.0);
 #endif

@@ -23,15 +23,13 @@ pub fn edit(
 ) -> Option<f64> {
     let id = Id::new(("draft", key));
     let now = ui.input(|input| input.time);
-    let stored = ui.data(|data| data.get_temp::<Draft>(id)).filter(|draft| {
-        draft.sent_at.is_none_or(|sent| draft.value != current && now < sent + PATIENCE)
-    });
+    let stored = ui
+        .data(|data| data.get_temp::<Draft>(id))
+        .filter(|draft| draft.sent_at.is_none_or(|sent| draft.value != current && now < sent + PATIENCE));
     let mut value = stored.map_or(current, |draft| draft.value);
     let response = widget(ui, &mut value);
     let busy = response.dragged() || response.has_focus();
-    let settled = response.drag_stopped()
-        || response.lost_focus()
-        || (response.changed() && !busy);
+    let settled = response.drag_stopped() || response.lost_focus() || (response.changed() && !busy);
     let draft = if settled && value != current {
         Some(Draft { value, sent_at: Some(now) })
     } else if busy || response.changed() {

@@ -4,10 +4,7 @@ use crate::explorer::style::{ACCENT, BRIGHT, FAINT, FIELD, TEXT, floating_frame}
 use bevy_egui::egui::{Button, Context, Frame, Grid, Id, Margin, Modal, RichText, Ui, vec2};
 
 const KEYS: [(&str, &[(&str, &str)]); 4] = [
-    (
-        "Time",
-        &[("Space", "play or pause"), ("S", "single step"), ("N", "grow the planet of the form")],
-    ),
+    ("Time", &[("Space", "play or pause"), ("S", "single step"), ("N", "grow the planet of the form")]),
     (
         "Globe",
         &[
@@ -29,15 +26,7 @@ const KEYS: [(&str, &[(&str, &str)]); 4] = [
             ("Esc", "end a tool, deselect"),
         ],
     ),
-    (
-        "Files",
-        &[
-            ("F2", "picture of the window"),
-            ("F5", "save"),
-            ("F9", "load"),
-            ("F1, H", "this page"),
-        ],
-    ),
+    ("Files", &[("F2", "picture of the window"), ("F5", "save"), ("F9", "load"), ("F1, H", "this page")]),
 ];
 
 /// Draws the page over everything while `open`.

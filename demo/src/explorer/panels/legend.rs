@@ -5,8 +5,8 @@ use crate::explorer::style::{BRIGHT, FAINT, LINE, TEXT, floating_frame};
 use crate::explorer::text;
 use bevy::prelude::{Entity, Resource};
 use bevy_egui::egui::{
-    Align2, Area, Color32, Context, CornerRadius, FontId, Id, Mesh, Order, Painter, Rect, RichText,
-    Sense, Shape, Stroke, StrokeKind, Ui, pos2, vec2,
+    Align2, Area, Color32, Context, CornerRadius, FontId, Id, Mesh, Order, Painter, Rect, RichText, Sense,
+    Shape, Stroke, StrokeKind, Ui, pos2, vec2,
 };
 use bevy_pangaea::overlay::{BoundaryKind, Legend, LegendEntries, Overlay};
 
@@ -41,7 +41,9 @@ pub fn show(ctx: &Context, free: Rect, view: &View, look: &Look, cache: &mut Leg
                 title(ui, legend);
                 match &legend.entries {
                     LegendEntries::Gradient { stops } => gradient(ui, stops),
-                    LegendEntries::Classes(classes) => chips(ui, classes.iter().map(|(n, c)| (n.as_str(), *c))),
+                    LegendEntries::Classes(classes) => {
+                        chips(ui, classes.iter().map(|(n, c)| (n.as_str(), *c)))
+                    }
                 }
                 if look.boundaries && look.overlay != Overlay::Plates {
                     chips(ui, BoundaryKind::ALL.iter().map(|kind| (kind.label(), kind.color())));

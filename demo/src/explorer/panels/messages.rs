@@ -2,7 +2,9 @@
 
 use crate::explorer::messages::{Entry, Messages, Tone};
 use crate::explorer::style::{BRIGHT, ERROR, FAINT, TEXT, floating_frame, hint};
-use bevy_egui::egui::{Align2, Area, Color32, Context, Id, Label, Order, Rect, RichText, ScrollArea, Stroke, Ui, vec2};
+use bevy_egui::egui::{
+    Align2, Area, Color32, Context, Id, Label, Order, Rect, RichText, ScrollArea, Stroke, Ui, vec2,
+};
 
 /// Draws the log.
 pub fn show(ui: &mut Ui, messages: &mut Messages) {

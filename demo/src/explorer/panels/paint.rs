@@ -88,7 +88,8 @@ pub fn show(ui: &mut Ui, radius: f64, tool: &mut Tool, form: &mut PaintForm, out
     });
     let painting = *tool == Tool::Paint;
     ui.horizontal(|ui| {
-        let take = toggle_button(ui, painting, if painting { "Put the brush down" } else { "Take the brush" });
+        let take =
+            toggle_button(ui, painting, if painting { "Put the brush down" } else { "Take the brush" });
         if take.on_hover_text("Then click on the globe (B)").clicked() {
             *tool = if painting { Tool::Select } else { Tool::Paint };
         }

@@ -68,14 +68,17 @@ fn motion(ui: &mut Ui, view: &View, plate: &PlateRow, out: &mut Outbox) {
     let send = |pole, speed, out: &mut Outbox| {
         out.command(TectonicCommand::SetPlateMotion { plate: plate.id, pole, speed });
     };
-    let number = |ui: &mut Ui, label: &str, what: &'static str, now: f64, limit: f64, unit: &str, doc: &str| {
-        field(ui, label, |ui| {
-            edit(ui, key(what), now, |ui, value| {
-                let drag = DragValue::new(value).range(-limit..=limit).speed(limit * 0.005);
-                ui.add(drag.max_decimals(1).suffix(unit)).on_hover_text(doc)
+    let number =
+        |ui: &mut Ui, label: &str, what: &'static str, now: f64, limit: f64, unit: &str, doc: &str| {
+            field(ui, label, |ui| {
+                edit(ui, key(what), now, |ui, value| {
+                    let drag = DragValue::new(value).range(-limit..=limit).speed(limit * 0.005);
+                    ui.add(drag.max_decimals(1).suffix(unit)).on_hover_text(doc)
+                })
+                // Leaving the field unchanged rounds to what it shows; that is no wish.
+                .filter(|value| (value - now).abs() > 0.0501)
             })
-        })
-    };
+        };
     let doc = "Speed at 90 degrees from the pole; negative turns the other way. Drag, or click and type";
     if let Some(value) = number(ui, "Speed", "speed", speed, limit, " km/My", doc) {
         send((lat, lon), value, out);
@@ -113,11 +116,8 @@ fn rift(ui: &mut Ui, plate: &PlateRow, tool: &mut Tool, form: &mut PlateForm, ou
         }
         let draw = toggle_button(ui, drawing, "Draw a rift line");
         if draw.on_hover_text("Click points across the plate on the globe").clicked() {
-            *tool = if drawing {
-                Tool::Select
-            } else {
-                Tool::RiftLine { plate: plate.id, points: Vec::new() }
-            };
+            *tool =
+                if drawing { Tool::Select } else { Tool::RiftLine { plate: plate.id, points: Vec::new() } };
         }
     });
     let mut done = false;

@@ -26,7 +26,11 @@ pub fn show(ui: &mut Ui, view: Option<&View>, session: &Session, tool: &Tool, fr
             Tool::Select => {}
             Tool::Paint => part(ui, "Click paints · Esc ends", ACCENT),
             Tool::RiftLine { points, .. } => {
-                part(ui, &format!("Click adds a point to the rift line ({}) · Esc ends", points.len()), ACCENT);
+                part(
+                    ui,
+                    &format!("Click adds a point to the rift line ({}) · Esc ends", points.len()),
+                    ACCENT,
+                );
             }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

@@ -35,7 +35,11 @@ pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
         }
     });
     row(ui, "Time", format!("{:.1} My", view.clock.time));
-    row(ui, "Steps", format!("{} × {} My", text::count(view.clock.step as usize), text::number(view.params.time_step)));
+    row(
+        ui,
+        "Steps",
+        format!("{} × {} My", text::count(view.clock.step as usize), text::number(view.params.time_step)),
+    );
     row(ui, "Since resampling", format!("{} steps", view.clock.since_resample));
 }
 

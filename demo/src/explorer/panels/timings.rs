@@ -53,7 +53,8 @@ pub fn show(ui: &mut Ui, view: &View, frames: &FrameTimes, out: &mut Outbox) {
     row(ui, "Resampling", mean_of(timings.resample));
     row(ui, "Rifting", mean_of(timings.rift));
     hint(ui, "Steps without resampling and rifting.");
-    if ui.button("Resample now").on_hover_text("Even samples and new ocean crust at the next step").clicked() {
+    if ui.button("Resample now").on_hover_text("Even samples and new ocean crust at the next step").clicked()
+    {
         out.command(TectonicCommand::Resample);
     }
 }
