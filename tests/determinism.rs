@@ -6,11 +6,11 @@ mod replay;
 mod save;
 
 use bevy::prelude::*;
+use bevy_pangaea::prelude::*;
 use bevy_pangaea::schedule::run_slice;
+use bevy_pangaea::spawn::PlanetState;
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{app, digest, planet_app, steps};
-use bevy_pangaea::prelude::*;
-use bevy_pangaea::spawn::PlanetState;
 use std::time::Instant;
 
 /// A planet on which much happens in 60 My.
@@ -66,7 +66,11 @@ fn frames_of_a_game_give_the_same_bits_as_whole_steps() {
         game.update();
     }
     let clock = game.world().get::<GeologicClock>(other).unwrap();
-    assert_eq!((clock.step, clock.single_steps), (12, 0), "single steps run while time is paused, and no more");
+    assert_eq!(
+        (clock.step, clock.single_steps),
+        (12, 0),
+        "single steps run while time is paused, and no more"
+    );
     assert_eq!(digest(&whole, planet), digest(&game, other));
 }
 

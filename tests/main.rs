@@ -8,3 +8,6 @@ mod determinism;
 mod input;
 mod laws;
 mod planets;
+
+#[cfg(feature = "render")]
+mod shaders;

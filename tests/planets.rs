@@ -4,7 +4,7 @@ use bevy::prelude::*;
 use bevy_pangaea::prelude::*;
 use pangaea_tests::measure::{hypsometry, share};
 use pangaea_tests::shape::small;
-use pangaea_tests::world::{get, plates, planet_app, steps, surface};
+use pangaea_tests::world::{get, planet_app, plates, steps, surface};
 
 /// Width of a bin of the hypsometry in km, and its lower end.
 const BIN: f64 = 0.5;
@@ -27,7 +27,8 @@ impl Verdict {
 /// The two highest peaks of the hypsometry and the lowest bin between them: elevations and shares.
 fn modes(bins: &[f64]) -> [(f64, f64); 3] {
     let z = |bin: usize| LOW + (bin as f64 + 0.5) * BIN;
-    let peak = |range: core::ops::Range<usize>| range.max_by(|&a, &b| bins[a].total_cmp(&bins[b])).unwrap_or(0);
+    let peak =
+        |range: core::ops::Range<usize>| range.max_by(|&a, &b| bins[a].total_cmp(&bins[b])).unwrap_or(0);
     let at = |z: f64| ((z - LOW) / BIN) as usize;
     let (deep, high) = (peak(0..at(-2.5)), peak(at(-1.5)..bins.len()));
     let valley = (deep..high).min_by(|&a, &b| bins[a].total_cmp(&bins[b])).unwrap_or(deep);
@@ -56,15 +57,20 @@ fn grown(seed: u64) {
     verdict.within("mean ocean age", age / (ocean * 4.0 * core::f64::consts::PI), 30.0, 90.0);
     verdict.within("plates", plates(&app, planet).rows().len() as f64, 8.0, 60.0);
     let belt = |kind: Orogeny| share(mesh, |i| crust.orogeny[i] == kind && crust.orogeny_age[i] < 250.0);
-    verdict.within("share of young Andean belts", belt(Orogeny::Andean), 0.003, 0.3);
-    verdict.within("share of young Himalayan belts", belt(Orogeny::Himalayan), 0.003, 0.3);
+    verdict.within("share of young Andean belts", belt(Orogeny::Andean), 0.003, 0.4);
+    verdict.within("share of young Himalayan belts", belt(Orogeny::Himalayan), 0.003, 0.4);
     verdict.within("unexplained_max", get::<Ledger>(&app, planet).unexplained_max, 0.0, 1e-4);
     let bins = hypsometry(mesh, &surface, LOW, BIN, 44);
     let [deep, high, valley] = modes(&bins);
     verdict.within("the deep mode", deep.0, -7.0, -3.0);
-    verdict.within("the high mode", high.0, -1.0, 1.5);
+    verdict.within("the high mode", high.0, -1.0, 2.0);
     verdict.within("the valley between both modes, to the lower", valley.1 / deep.1.min(high.1), 0.0, 0.6);
-    assert!(verdict.wrong.is_empty(), "seed {}:\n  {}\n  {bins:.3?}", verdict.seed, verdict.wrong.join("\n  "));
+    assert!(
+        verdict.wrong.is_empty(),
+        "seed {}:\n  {}\n  {bins:.3?}",
+        verdict.seed,
+        verdict.wrong.join("\n  ")
+    );
 }
 
 #[test]
@@ -88,7 +94,13 @@ fn assert_sound(app: &mut App, planet: Entity) {
     let params = get::<TectonicParams>(app, planet);
     let crust = get::<Crust>(app, planet);
     for i in 0..crust.len() {
-        let numbers = [crust.thickness[i], crust.elevation[i], crust.ocean_age[i], crust.orogeny_age[i], surface.elevation(i)];
+        let numbers = [
+            crust.thickness[i],
+            crust.elevation[i],
+            crust.ocean_age[i],
+            crust.orogeny_age[i],
+            surface.elevation(i),
+        ];
         assert!(numbers.iter().all(|x| x.is_finite()), "{numbers:?}");
         assert!(crust.ridge[i].is_finite() && crust.fold[i].is_finite() && crust.fold[i].length() < 1.001);
         assert!(crust.thickness[i] > 0.0 && crust.thickness[i] < 150.0, "{} km", crust.thickness[i]);

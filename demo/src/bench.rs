@@ -45,7 +45,8 @@ pub fn bench(args: &BenchArgs) -> Result<(), CliError> {
     }
     print(&table(&rows))?;
     if let Some(path) = &args.json {
-        let mut json = serde_json::to_string_pretty(&rows).map_err(|error| CliError::Failed(error.to_string()))?;
+        let mut json =
+            serde_json::to_string_pretty(&rows).map_err(|error| CliError::Failed(error.to_string()))?;
         json.push('\n');
         write_file(path, json.as_bytes())?;
         say(&format!("timings in {}", path.display()));

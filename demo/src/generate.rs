@@ -84,7 +84,8 @@ fn map_name(overlay: Overlay) -> String {
 fn figures(headless: &Headless, digest: String, timings: Timings) -> Result<Vec<u8>, CliError> {
     let input = headless.stats_input(headless.plates().rows().len())?;
     let stats = Stats::new(&input, digest, timings);
-    let mut json = serde_json::to_string_pretty(&stats).map_err(|error| CliError::Failed(error.to_string()))?;
+    let mut json =
+        serde_json::to_string_pretty(&stats).map_err(|error| CliError::Failed(error.to_string()))?;
     json.push('\n');
     Ok(json.into_bytes())
 }

@@ -34,7 +34,10 @@ fn facts(headless: &Headless, stats: &Stats) -> Result<String, CliError> {
         ("commands", commands.to_string()),
         ("land", percent(stats.land_fraction)),
         ("continental", percent(stats.continental_fraction)),
-        ("elevation", format!("{:.2} to {:.2} km, mean {:.2} km", elevation.min, elevation.max, elevation.mean)),
+        (
+            "elevation",
+            format!("{:.2} to {:.2} km, mean {:.2} km", elevation.min, elevation.max, elevation.mean),
+        ),
         ("ocean age", format!("{:.0} My, oldest {:.0} My", stats.ocean_age_my.mean, stats.ocean_age_my.max)),
         ("Andean", percent(stats.orogeny_fraction.andean)),
         ("Himalayan", percent(stats.orogeny_fraction.himalayan)),

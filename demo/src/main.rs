@@ -59,7 +59,8 @@ fn fail(error: &CliError) -> ExitCode {
 /// Help and version go to stdout; anything else is one line on stderr.
 fn refuse(error: &clap::Error) -> ExitCode {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
-        return output::print(&error.render().to_string()).map_or_else(|error| fail(&error), |()| ExitCode::SUCCESS);
+        return output::print(&error.render().to_string())
+            .map_or_else(|error| fail(&error), |()| ExitCode::SUCCESS);
     }
     let text = error.render().to_string();
     // The first paragraph is the problem; usage and hints follow.

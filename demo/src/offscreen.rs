@@ -3,6 +3,7 @@
 //! Frames are run by hand until the globe shows the planet as it is; then the image is read back.
 
 use bevy::app::PluginsState;
+use bevy::camera::RenderTarget;
 use bevy::core_pipeline::tonemapping::Tonemapping;
 use bevy::image::Image;
 use bevy::log::{Level, LogPlugin};
@@ -12,7 +13,6 @@ use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy::render::{RenderApp, RenderPlugin};
-use bevy::camera::RenderTarget;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 use bevy_pangaea::crust::Surface;
@@ -132,12 +132,11 @@ impl Offscreen {
         for _ in 0..WARM_UP {
             self.frame()?;
         }
-        self.app
-            .world_mut()
-            .spawn(Screenshot::image(self.target.clone()))
-            .observe(|shot: On<ScreenshotCaptured>, mut captured: ResMut<Captured>| {
+        self.app.world_mut().spawn(Screenshot::image(self.target.clone())).observe(
+            |shot: On<ScreenshotCaptured>, mut captured: ResMut<Captured>| {
                 captured.0 = Some(shot.image.clone());
-            });
+            },
+        );
         self.run_until(deadline, |world| world.resource::<Captured>().0.is_some())?;
         let image = self.app.world_mut().resource_mut::<Captured>().0.take();
         image.and_then(raster).ok_or_else(|| OffscreenError::Renderer("the image is empty".into()))

@@ -19,7 +19,8 @@ impl Files {
     /// # Errors
     /// If not.
     pub fn new(folder: &Path) -> Result<Self, CliError> {
-        let refused = |error: io::Error| CliError::input(format!("cannot write to {}: {error}", folder.display()));
+        let refused =
+            |error: io::Error| CliError::input(format!("cannot write to {}: {error}", folder.display()));
         let made = !folder.exists();
         fs::create_dir_all(folder).map_err(refused)?;
         let files = Self { folder: folder.to_path_buf(), made, files: Vec::new() };
@@ -48,8 +49,9 @@ impl Files {
             }
             for (name, _) in &files {
                 let target = self.folder.join(name);
-                fs::rename(hidden(name), &target)
-                    .map_err(|error| CliError::input(format!("cannot write {}: {error}", target.display())))?;
+                fs::rename(hidden(name), &target).map_err(|error| {
+                    CliError::input(format!("cannot write {}: {error}", target.display()))
+                })?;
             }
             Ok(())
         };

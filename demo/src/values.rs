@@ -70,7 +70,8 @@ pub fn size(text: &str) -> Result<(u32, u32), String> {
 
 /// Numbers of samples, separated by commas.
 pub fn counts(text: &str) -> Result<Counts, String> {
-    let problem = || "it must be one to twenty whole numbers from 100 to 2000000, separated by commas".to_string();
+    let problem =
+        || "it must be one to twenty whole numbers from 100 to 2000000, separated by commas".to_string();
     let counts: Result<Vec<u32>, String> =
         text.split(',').map(|part| integer(part, 100, 2_000_000).map(|count| count as u32)).collect();
     counts.ok().filter(|counts| counts.len() <= 20).map(Counts).ok_or_else(problem)
@@ -91,7 +92,9 @@ mod tests {
     #[test]
     fn numbers_have_limits() {
         assert_eq!(integer("60000", 100, 2_000_000), Ok(60_000));
-        for bad in ["", "0", "-5", "NaN", "inf", "1e3", "99", "2000001", "1000000000000", "99999999999999999999999"] {
+        for bad in
+            ["", "0", "-5", "NaN", "inf", "1e3", "99", "2000001", "1000000000000", "99999999999999999999999"]
+        {
             assert!(integer(bad, 100, 2_000_000).is_err(), "{bad}");
         }
         assert_eq!(number("0.3", 0.0, 0.9), Ok(0.3));
@@ -105,7 +108,18 @@ mod tests {
         let expected = CameraSpec { lat: -33.0, lon: -70.5, altitude_m: 2e6, heading: 90.0, pitch: -10.0 };
         assert_eq!(camera("-33,-70.5,2000000,90,-10"), Ok(expected));
         assert_eq!(camera("0, 0, 1000").unwrap().pitch, -90.0);
-        for bad in ["", "1,2", "1,2,3,4", "91,0,10", "0,NaN,10", "0,0,0", "0,0,-5", "0,0,inf", "0,0,1e10", "0,0,9,0,91"] {
+        for bad in [
+            "",
+            "1,2",
+            "1,2,3,4",
+            "91,0,10",
+            "0,NaN,10",
+            "0,0,0",
+            "0,0,-5",
+            "0,0,inf",
+            "0,0,1e10",
+            "0,0,9,0,91",
+        ] {
             assert!(camera(bad).is_err(), "{bad}");
         }
         assert_eq!(size("1280x720"), Ok((1280, 720)));

@@ -67,7 +67,9 @@ fn bad_numbers_are_refused_by_option_and_limits() {
 
 #[test]
 fn bad_views_are_refused() {
-    for camera in ["", "1,2", "91,0,1000", "0,0,0", "0,NaN,5", "0,0,inf", "1,2,3,4", "0,0,1e12", "0,0,5,0,100"] {
+    for camera in
+        ["", "1,2", "91,0,1000", "0,0,0", "0,NaN,5", "0,0,inf", "1,2,3,4", "0,0,1e12", "0,0,5,0,100"]
+    {
         refused(&["render", "--camera", camera, "--out", "a.png"], &["--camera"]);
     }
     for size in ["0x0", "10x10", "-5x100", "100000x100000", "720", "NaNx3"] {
@@ -132,7 +134,8 @@ fn presets_are_checked_line_by_line() {
 fn scenarios_are_checked_before_and_while_they_play() {
     let folder = TempDir::new().unwrap();
     let scenario = folder.path().join("a.scenario.ron");
-    let play = ["generate", "--samples", "500", "--plates", "10", "--until", "20", "--scenario", "a.scenario.ron"];
+    let play =
+        ["generate", "--samples", "500", "--plates", "10", "--until", "20", "--scenario", "a.scenario.ron"];
     for (command, words) in [
         ("SetParam(name: \"upift\", value: 1)", &["step 1", "upift"][..]),
         ("SetPlateMotion(plate: (0), pole: (91, 0), speed: 1)", &["step 1", "latitude"]),
@@ -201,10 +204,8 @@ fn elevation_is_16_bits_grey_of_2048_by_1024() {
     assert_eq!((info.width, info.height), (2048, 1024));
     assert_eq!((info.color_type, info.bit_depth), (png::ColorType::Grayscale, png::BitDepth::Sixteen));
     let km = |bytes: &[u8]| f64::from(u16::from_be_bytes([bytes[0], bytes[1]])) / 65535.0 * 24.0 - 12.0;
-    let (low, high) = pixels
-        .chunks(2)
-        .map(km)
-        .fold((f64::MAX, f64::MIN), |(low, high), z| (low.min(z), high.max(z)));
+    let (low, high) =
+        pixels.chunks(2).map(km).fold((f64::MAX, f64::MIN), |(low, high), z| (low.min(z), high.max(z)));
     let elevation = &stats(&folder.path().join("a"))["elevation_km"];
     assert!(low >= elevation["min"].as_f64().unwrap() - 1e-3);
     assert!(high <= elevation["max"].as_f64().unwrap() + 1e-3);
@@ -330,11 +331,15 @@ fn bench_prints_a_table_and_writes_its_timings() {
     for word in ["400", "800", "step mean", "resample", "rift", "floor", "subduction", "peak MB"] {
         assert!(text.contains(word), "{word}: {text}");
     }
-    let json: Value = serde_json::from_str(&fs::read_to_string(folder.path().join("b.json")).unwrap()).unwrap();
+    let json: Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("b.json")).unwrap()).unwrap();
     let rows = json.as_array().unwrap();
     assert_eq!((rows.len(), &rows[1]["samples"]), (2, &Value::from(800)));
     for timing in ["mesh", "step_mean", "step_max", "resample_mean", "rift_mean", "total", "floor"] {
-        assert!(rows.iter().all(|row| row["timings_ms"][timing].as_f64().is_some_and(|ms| ms > 0.0)), "{timing}");
+        assert!(
+            rows.iter().all(|row| row["timings_ms"][timing].as_f64().is_some_and(|ms| ms > 0.0)),
+            "{timing}"
+        );
     }
 }
 

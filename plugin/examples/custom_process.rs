@@ -40,7 +40,9 @@ fn erupt(
     current: Res<CurrentPlanet>,
     mut planets: Query<(&HotSpot, &Planet, &Lattice, &TectonicParams, &Frames, &mut Crust, &mut Ledger)>,
 ) {
-    let Ok((spot, planet, mesh, params, frames, mut crust, mut ledger)) = planets.get_mut(current.0) else { return };
+    let Ok((spot, planet, mesh, params, frames, mut crust, mut ledger)) = planets.get_mut(current.0) else {
+        return;
+    };
     let isostasy = Isostasy::new(params);
     let mut volume = 0.0;
     for i in 0..crust.len() {
@@ -57,7 +59,8 @@ fn erupt(
         crust.thickness[i] += isostasy.thickening(z, raised - z);
         crust.elevation[i] = raised;
         if crust.is_continental(i) {
-            volume += f64::from(crust.thickness[i] - before) * mesh.area(i as u32) * planet.radius * planet.radius;
+            volume +=
+                f64::from(crust.thickness[i] - before) * mesh.area(i as u32) * planet.radius * planet.radius;
         }
     }
     // The causes are a closed list; magma from below is what arcs grow by as well.
@@ -74,7 +77,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for _ in 0..6 {
         run_steps(world, planet, 5);
         bevy_pangaea::resample::project_now(world, planet);
-        let (Some(surface), Some(mesh)) = (world.get::<Surface>(planet), world.get::<Lattice>(planet)) else { break };
+        let (Some(surface), Some(mesh)) = (world.get::<Surface>(planet), world.get::<Lattice>(planet)) else {
+            break;
+        };
         let spot = surface.at(mesh, at);
         let unexplained = world.get::<Ledger>(planet).map_or(0.0, |ledger| ledger.unexplained_volume_max);
         let (lat, lon) = lat_lon(at);

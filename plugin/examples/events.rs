@@ -31,7 +31,12 @@ fn shake(event: On<TerraneCollided>, clocks: Query<&GeologicClock>, mut chronicl
 }
 
 /// A plate has broken; the game speeds up one of the fragments by a command, which is recorded.
-fn hurry(event: On<PlateRifted>, clocks: Query<&GeologicClock>, mut chronicle: ResMut<Chronicle>, mut commands: Commands) {
+fn hurry(
+    event: On<PlateRifted>,
+    clocks: Query<&GeologicClock>,
+    mut chronicle: ResMut<Chronicle>,
+    mut commands: Commands,
+) {
     let Ok(clock) = clocks.get(event.planet) else { return };
     chronicle.rifts += 1;
     println!("{:4.0} My  plate {} breaks into {:?}", clock.time, event.parent.0, event.fragments);

@@ -7,7 +7,10 @@ use bevy_pangaea::prelude::*;
 use bevy_pangaea::render::PangaeaRenderPlugin;
 
 fn main() {
-    App::new().add_plugins((DefaultPlugins, PangaeaPlugins, PangaeaRenderPlugin)).add_systems(Startup, setup).run();
+    App::new()
+        .add_plugins((DefaultPlugins, PangaeaPlugins, PangaeaRenderPlugin))
+        .add_systems(Startup, setup)
+        .run();
 }
 
 fn setup(mut commands: Commands) {

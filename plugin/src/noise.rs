@@ -66,9 +66,8 @@ fn interpolate(f: DVec3, value: impl Fn(usize, DVec3) -> f64) -> f64 {
     let fade = |t: f64| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
     let (u, v, w) = (fade(f.x), fade(f.y), fade(f.z));
     let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
-    let corner = |i: usize, j: usize, k: usize| {
-        value(i + 2 * j + 4 * k, f - DVec3::new(i as f64, j as f64, k as f64))
-    };
+    let corner =
+        |i: usize, j: usize, k: usize| value(i + 2 * j + 4 * k, f - DVec3::new(i as f64, j as f64, k as f64));
     let edge = |j, k| lerp(u, corner(0, j, k), corner(1, j, k));
     lerp(w, lerp(v, edge(0, 0), edge(1, 0)), lerp(v, edge(0, 1), edge(1, 1)))
 }

@@ -211,8 +211,7 @@ params! {
 }
 
 /// Which processes run; each can be switched at any time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
-#[derive(serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[reflect(Default)]
 pub struct ProcessSwitches {
@@ -294,8 +293,7 @@ impl ProcessSwitches {
 }
 
 /// How ocean floor sinks with age.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
-#[derive(serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect, serde::Serialize, serde::Deserialize)]
 #[reflect(Default)]
 pub enum OceanFloor {
     /// It relaxes towards the elevation at which its crust floats.

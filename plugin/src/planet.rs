@@ -71,8 +71,7 @@ impl Default for GeologicClock {
 /// The recipe of a planet, also the content of a `*.planet.ron` preset.
 ///
 /// Fields that a preset leaves out have their defaults.
-#[derive(Asset, Clone, Debug, PartialEq, TypePath)]
-#[derive(serde::Serialize, serde::Deserialize)]
+#[derive(Asset, Clone, Debug, PartialEq, TypePath, serde::Serialize, serde::Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct PlanetRecipe {
     /// Seed of everything random.

@@ -173,9 +173,9 @@ pub struct TectonicSchedulePlugin;
 impl Plugin for TectonicSchedulePlugin {
     fn build(&self, app: &mut App) {
         let mut schedule = Schedule::new(TectonicStep);
-        schedule.set_executor(SingleThreadedExecutor::new()).set_build_settings(
-            ScheduleBuildSettings { ambiguity_detection: LogLevel::Error, ..default() },
-        );
+        schedule
+            .set_executor(SingleThreadedExecutor::new())
+            .set_build_settings(ScheduleBuildSettings { ambiguity_detection: LogLevel::Error, ..default() });
         let mut previous = None;
         for position in 0..StepCursor::len() {
             let set = set_at(position);
@@ -268,8 +268,7 @@ pub fn run_steps(world: &mut World, planet: Entity, count: u64) {
 /// Advances every planet by as many slices as its clock and budget allow.
 fn run_planets(world: &mut World) {
     let delta = world.get_resource::<Time>().map_or(0.0, |time| time.delta_secs_f64());
-    let mut planets: Vec<Entity> =
-        world.query_filtered::<Entity, With<Planet>>().iter(world).collect();
+    let mut planets: Vec<Entity> = world.query_filtered::<Entity, With<Planet>>().iter(world).collect();
     planets.sort();
     for planet in planets {
         run_planet(world, planet, delta);

@@ -18,15 +18,21 @@ fn mesh_hash(samples: u32) -> String {
     let mesh = SphereMesh::fibonacci(samples).unwrap();
     let mut hasher = blake3::Hasher::new();
     for p in mesh.points() {
-        p.to_array().iter().for_each(|x| drop(hasher.update(&x.to_bits().to_le_bytes())));
+        floats(&mut hasher, &p.to_array());
     }
     for t in mesh.triangles() {
-        t.iter().for_each(|i| drop(hasher.update(&i.to_le_bytes())));
+        for i in t {
+            hasher.update(&i.to_le_bytes());
+        }
     }
-    for a in mesh.areas() {
-        hasher.update(&a.to_bits().to_le_bytes());
-    }
+    floats(&mut hasher, mesh.areas());
     short(&hasher)
+}
+
+fn floats(hasher: &mut blake3::Hasher, numbers: &[f64]) {
+    for x in numbers {
+        hasher.update(&x.to_bits().to_le_bytes());
+    }
 }
 
 /// 16 hexadecimal digits are enough to see a difference.
@@ -48,19 +54,17 @@ fn hash(snapshot: &Snapshot) -> String {
     }
     for frame in snapshot.frames.iter() {
         hasher.update(&frame.plate.0.to_le_bytes());
-        frame.rotation.to_array().iter().for_each(|x| drop(hasher.update(&x.to_bits().to_le_bytes())));
+        floats(&mut hasher, &frame.rotation.to_array());
     }
     for (id, motion, born) in &snapshot.plates {
         hasher.update(&id.0.to_le_bytes());
-        let numbers = [motion.axis.x, motion.axis.y, motion.axis.z, motion.speed, *born];
-        numbers.iter().for_each(|x| drop(hasher.update(&x.to_bits().to_le_bytes())));
+        floats(&mut hasher, &[motion.axis.x, motion.axis.y, motion.axis.z, motion.speed, *born]);
     }
     for segment in &snapshot.polarity.0 {
         hasher.update(format!("{segment:?}").as_bytes());
     }
     for amount in &snapshot.ledger.booked {
-        hasher.update(&amount.area.to_bits().to_le_bytes());
-        hasher.update(&amount.volume.to_bits().to_le_bytes());
+        floats(&mut hasher, &[amount.area, amount.volume]);
     }
     short(&hasher)
 }

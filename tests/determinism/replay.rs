@@ -54,7 +54,11 @@ fn a_scenario_file_plays_like_a_user() {
     let recipe = lively(8, 3000);
     let (mut app, planet) = planet_app(&recipe);
     steps(&mut app, planet, 3);
-    command(&mut app, planet, TectonicCommand::SetPlateMotion { plate: PlateId(2), pole: (60.0, -30.0), speed: 80.0 });
+    command(
+        &mut app,
+        planet,
+        TectonicCommand::SetPlateMotion { plate: PlateId(2), pole: (60.0, -30.0), speed: 80.0 },
+    );
     steps(&mut app, planet, 4);
     command(&mut app, planet, TectonicCommand::SetParam { name: "erosion".into(), value: 0.1 });
     steps(&mut app, planet, 5);

@@ -1,8 +1,8 @@
 //! A save, loaded again, goes on as if nothing had been.
 
 use super::lively;
-use bevy_pangaea::io::save::{load, read_from, save, write_to};
 use bevy_pangaea::io;
+use bevy_pangaea::io::save::{load, read_from, save, write_to};
 use bevy_pangaea::prelude::*;
 use pangaea_tests::world::{command, digest, heard, listen, planet_app, spawn, state, steps};
 
@@ -30,7 +30,11 @@ fn every_step_of_a_lively_planet_can_be_saved_and_continued() {
         write_to(&loaded, &mut again).unwrap();
         assert!(bytes == again, "a load changes bits at step {step}");
         let (mut app, planet) = spawn(loaded);
-        assert_eq!(io::digest(&state(&app, planet)), io::digest(&read_from(&bytes).unwrap()), "spawning changes bits");
+        assert_eq!(
+            io::digest(&state(&app, planet)),
+            io::digest(&read_from(&bytes).unwrap()),
+            "spawning changes bits"
+        );
         steps(&mut app, planet, STEPS - step);
         assert_eq!(
             digest(&app, planet),
@@ -41,11 +45,7 @@ fn every_step_of_a_lively_planet_can_be_saved_and_continued() {
 }
 
 fn happened(app: &bevy::prelude::App) -> (usize, usize, usize) {
-    (
-        heard::<TerraneCollided>(app).len(),
-        heard::<PlateRifted>(app).len(),
-        heard::<CrustResampled>(app).len(),
-    )
+    (heard::<TerraneCollided>(app).len(), heard::<PlateRifted>(app).len(), heard::<CrustResampled>(app).len())
 }
 
 #[test]

@@ -55,12 +55,16 @@ pub fn shaped(recipe: &PlanetRecipe, floor: impl Fn(u32, f64, f64) -> Floor) -> 
     for i in 0..crust.len() {
         let (lat, lon) = lat_lon(state.lattice.0.points()[i]);
         let plate = state.frames.plate(crust.frame[i]).0;
-        (crust.kind[i], crust.elevation[i], crust.thickness[i], crust.ocean_age[i]) = match floor(plate, lat, lon) {
-            Floor::Land(z) => (CrustKind::Continental, z, law.thickness(z), 0.0),
-            Floor::Ocean(age) => {
-                (CrustKind::Oceanic, recipe.params.abyss_elevation as f32, recipe.params.ocean_thickness as f32, age)
-            }
-        };
+        (crust.kind[i], crust.elevation[i], crust.thickness[i], crust.ocean_age[i]) =
+            match floor(plate, lat, lon) {
+                Floor::Land(z) => (CrustKind::Continental, z, law.thickness(z), 0.0),
+                Floor::Ocean(age) => (
+                    CrustKind::Oceanic,
+                    recipe.params.abyss_elevation as f32,
+                    recipe.params.ocean_thickness as f32,
+                    age,
+                ),
+            };
         crust.orogeny[i] = Orogeny::None;
     }
     state.ledger.initial = measure(crust, &state.lattice.0, recipe.radius);

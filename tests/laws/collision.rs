@@ -10,7 +10,7 @@ use bevy_pangaea::prelude::*;
 use bevy_pangaea::spawn::PlanetState;
 use pangaea_tests::measure::Coverage;
 use pangaea_tests::shape::{Floor, hemispheres, shaped};
-use pangaea_tests::world::{get, heard, listen, spawn, state, steps, surface};
+use pangaea_tests::world::{self, get, heard, listen, spawn, steps};
 
 const SAMPLES: u32 = 20_000;
 /// Kilometres in a degree.
@@ -68,7 +68,8 @@ fn until_collision(app: &mut App, planet: Entity, most: u64) -> Result<f64, f64>
 fn assert_trigger(at: Result<f64, f64>, app: &App, planet: Entity, step: f64) {
     let trigger = get::<TectonicParams>(app, planet).collision_trigger;
     let spacing = get::<Lattice>(app, planet).spacing() * 6370.0;
-    let before = at.unwrap_or_else(|largest| panic!("no collision, though continents overlapped by {largest:.0} km"));
+    let before =
+        at.unwrap_or_else(|largest| panic!("no collision, though continents overlapped by {largest:.0} km"));
     assert!(before + step > trigger - 1.2 * spacing, "they collided at an overlap of {before:.0} km");
     assert!(before < trigger + 1.2 * spacing, "they collided only at an overlap of {before:.0} km");
 }
@@ -83,8 +84,10 @@ fn terranes_break_off_at_300_km_of_overlap() {
 #[test]
 fn a_smaller_trigger_collides_earlier() {
     let trigger = |km: f64| {
-        let mut state = head_on(100.0, (5.0, 30.0), (0.0, 45.0));
+        let mut state = head_on(100.0, (0.0, 30.0), (0.0, 45.0));
         state.params.collision_trigger = km;
+        // A resample resolves overlaps; it must not come before the collision here.
+        state.params.processes.resample = false;
         let (mut app, planet) = spawn(state);
         until_collision(&mut app, planet, 60).unwrap_or(f64::INFINITY)
     };
@@ -101,6 +104,29 @@ fn continents_behind_their_own_oceans_collide_as_well() {
 }
 
 #[test]
+fn long_steps_and_their_resamples_do_not_swallow_a_collision() {
+    // 100 km a step; neither coast is a rim, and a resample is due after 20 steps.
+    let mut state = head_on(50.0, (5.0, 30.0), (4.0, 45.0));
+    state.params.time_step = 2.0;
+    let (mut app, planet) = spawn(state);
+    let at = until_collision(&mut app, planet, 40);
+    assert_trigger(at, &app, planet, 100.0);
+}
+
+#[test]
+fn slow_continents_collide_as_well() {
+    // 12 km/My: 240 km between two resamples, less than the trigger, but 1,200 km in all.
+    let mut state = head_on(12.0, (0.0, 25.0), (0.0, 45.0));
+    state.params.time_step = 2.0;
+    state.params.resample_max_steps = 10.0;
+    let (mut app, planet) = spawn(state);
+    until_collision(&mut app, planet, 50).unwrap_or_else(|largest| {
+        let lost = get::<Ledger>(&app, planet).of(Cause::ForcedSubduction).area;
+        panic!("no collision in 100 My; overlaps reached {largest:.0} km, {lost:.2e} km² were forced down")
+    });
+}
+
+#[test]
 fn slow_continents_do_not_collide_before_they_touch() {
     let (mut app, planet) = spawn(head_on(30.0, (15.0, 35.0), (0.0, 45.0)));
     listen::<TerraneCollided>(&mut app);
@@ -110,9 +136,11 @@ fn slow_continents_do_not_collide_before_they_touch() {
 
 #[test]
 fn the_smaller_terrane_changes_plate_in_a_new_frame() {
-    let (mut app, planet) = spawn(head_on(100.0, (2.0, 22.0), (0.0, 45.0)));
+    let mut state = head_on(100.0, (0.0, 20.0), (0.0, 45.0));
+    state.params.processes.resample = false;
+    let (mut app, planet) = spawn(state);
     let frames = loop {
-        let before = state(&app, planet);
+        let before = world::state(&app, planet);
         let earlier = heard::<TerraneCollided>(&app).len();
         until_collision(&mut app, planet, 1).ok();
         if heard::<TerraneCollided>(&app).len() > earlier {
@@ -122,7 +150,7 @@ fn the_smaller_terrane_changes_plate_in_a_new_frame() {
     };
     let event = heard::<TerraneCollided>(&app).remove(0);
     assert_eq!((event.from, event.to), (PlateId(0), PlateId(1)), "the smaller continent moves");
-    let after = state(&app, planet);
+    let after = world::state(&app, planet);
     assert_eq!(after.frames.len(), frames + 1);
     let terrane = after.frames.last().unwrap();
     assert!(terrane.terrane && terrane.plate == PlateId(1));
@@ -136,7 +164,7 @@ fn the_smaller_terrane_changes_plate_in_a_new_frame() {
     assert!((area / event.area - 1.0).abs() < 1e-9);
     // From now on it is carried by the other plate: 10 steps later the old plate has left it behind.
     steps(&mut app, planet, 3);
-    let later = state(&app, planet);
+    let later = world::state(&app, planet);
     assert_eq!(later.frames[frames].rotation, terrane.rotation, "plate 1 is at rest");
 }
 
@@ -149,22 +177,24 @@ fn a_himalayan_belt_stands_at_the_suture() {
     let (lat, lon) = lat_lon(event.at);
     assert!(lat.abs() < 25.0 && lon.abs() < 8.0, "contact at {lat} {lon}");
     assert!((event.speed - 100.0).abs() < 15.0, "{}", event.speed);
-    let surface = surface(&mut app, planet);
+    let (crust, frames) = (get::<Crust>(&app, planet), get::<Frames>(&app, planet));
     let mesh = get::<Lattice>(&app, planet);
     let params = get::<TectonicParams>(&app, planet);
     let reach = params.collision_distance * params.collision_reach;
     let (mut belt, mut highest) = (0, (0.0_f32, 0.0));
-    for i in 0..surface.len() {
-        let (lat, lon) = lat_lon(mesh.points()[i]);
-        if surface.crust.orogeny[i] == Orogeny::Himalayan {
+    for i in 0..crust.len() {
+        let p = frames[usize::from(crust.frame[i])].to_world(mesh.points()[i]);
+        let (lat, lon) = lat_lon(p);
+        if crust.orogeny[i] == Orogeny::Himalayan {
             let km = lon.abs() * DEGREE * lat.to_radians().cos();
             assert!(km < reach + 600.0, "a belt {km:.0} km from the suture");
-            assert!(surface.crust.is_continental(i));
-            assert!((surface.crust.fold[i].length() - 1.0).abs() < 0.1, "folded");
+            assert!(crust.is_continental(i));
+            assert!((crust.fold[i].length() - 1.0).abs() < 1e-3, "folded");
+            assert!(crust.fold[i].dot(mesh.points()[i].as_vec3()).abs() < 1e-3, "the fold is tangent");
             belt += 1;
         }
-        if surface.elevation(i) > highest.0 {
-            highest = (surface.elevation(i), lon);
+        if crust.elevation[i] > highest.0 {
+            highest = (crust.elevation[i], lon);
         }
     }
     assert!(belt > 30, "{belt} samples");

@@ -3,7 +3,7 @@
 use bevy_pangaea::math::{PI, TAU, angle_between, direction, rotation};
 use bevy_pangaea::prelude::*;
 use pangaea_tests::shape::{Floor, hemispheres, shaped};
-use pangaea_tests::world::{get, plates, planet_app, spawn, steps, surface};
+use pangaea_tests::world::{get, planet_app, plates, spawn, steps, surface};
 
 /// Both hemispheres turn together at `degrees` per step about the north pole; nothing else happens.
 fn turntable(samples: u32, degrees: f64) -> PlanetRecipe {
@@ -18,7 +18,11 @@ fn turntable(samples: u32, degrees: f64) -> PlanetRecipe {
 fn a_full_turn_returns_every_sample() {
     let recipe = turntable(3000, 4.5);
     let state = shaped(&recipe, |_, lat, lon| {
-        if lat.abs() < 40.0 && lon.abs() < 50.0 { Floor::Land(0.5 + (lon / 100.0) as f32) } else { Floor::Ocean(80.0) }
+        if lat.abs() < 40.0 && lon.abs() < 50.0 {
+            Floor::Land(0.5 + (lon / 100.0) as f32)
+        } else {
+            Floor::Ocean(80.0)
+        }
     });
     let (mut app, planet) = spawn(state);
     let before = surface(&mut app, planet);
@@ -34,7 +38,11 @@ fn a_full_turn_returns_every_sample() {
         assert_eq!(before.plate[i], after.plate[i]);
     }
     let now = get::<Crust>(&app, planet);
-    assert_eq!((&crust.kind, &crust.frame, &crust.fold), (&now.kind, &now.frame, &now.fold), "samples never move");
+    assert_eq!(
+        (&crust.kind, &crust.frame, &crust.fold),
+        (&now.kind, &now.frame, &now.fold),
+        "samples never move"
+    );
 }
 
 #[test]
@@ -54,7 +62,8 @@ fn a_continent_moves_at_the_speed_of_its_plate() {
         let from = mesh.nearest(turn.conjugate() * *p);
         let (lat, lon) = bevy_pangaea::math::lat_lon(turn.conjugate() * *p);
         let margin = 1.5 * spacing.to_degrees();
-        let near_coast = (lat.abs() - 30.0).abs() < margin || (lon.abs() - 30.0).abs() < margin / lat.to_radians().cos();
+        let near_coast =
+            (lat.abs() - 30.0).abs() < margin || (lon.abs() - 30.0).abs() < margin / lat.to_radians().cos();
         if !near_coast {
             assert_eq!(after.crust.kind[i], before.crust.kind[from as usize], "at {lat} {lon}");
         }

@@ -25,7 +25,10 @@ fn check(change: &Change, largest_sample: f64) {
         assert_eq!(carried, 0.0, "{name} carries area, which only a resample may");
     }
     let error = (measured.volume - booked.volume).abs() / volume;
-    assert!(error < 1e-6, "{name}: volume changed by {measured:?}, booked {booked:?}: {error:e} of {volume:e}");
+    assert!(
+        error < 1e-6,
+        "{name}: volume changed by {measured:?}, booked {booked:?}: {error:e} of {volume:e}"
+    );
 }
 
 /// 120 My with all processes, collisions and rifts; returns the final ledger.
@@ -56,12 +59,22 @@ fn every_change_has_a_cause_in_every_stage() {
         assert!(ledger.of(Cause::Erosion).volume < 0.0);
         assert!(ledger.of(Cause::SubductionUplift).volume > 0.0);
         assert!(ledger.of(Cause::CollisionUplift).volume > 0.0);
-        for cause in [Cause::Erosion, Cause::SubductionUplift, Cause::CollisionUplift, Cause::Noise, Cause::Delamination] {
+        for cause in [
+            Cause::Erosion,
+            Cause::SubductionUplift,
+            Cause::CollisionUplift,
+            Cause::Noise,
+            Cause::Delamination,
+        ] {
             assert_eq!(ledger.of(cause).area, 0.0, "{} changes no area", cause.name());
         }
         for cause in [Cause::Stacking, Cause::ForcedSubduction] {
             let amount = ledger.of(cause);
-            assert!(amount.area <= 0.0 && amount.volume == 0.0, "{}: what is buried keeps its volume", cause.name());
+            assert!(
+                amount.area <= 0.0 && amount.volume == 0.0,
+                "{}: what is buried keeps its volume",
+                cause.name()
+            );
         }
     }
 }

@@ -39,7 +39,10 @@ fn a_gap_holds_a_ridge_in_its_middle_before_any_resample() {
             assert_eq!(surface.crust.kind[i], CrustKind::Oceanic);
             let expected = 18.0 * lon.abs() / half;
             let age = f64::from(surface.crust.ocean_age[i]);
-            assert!((age - expected).abs() < 18.0 * spacing / half + 0.5, "age {age} for {expected} at {lat} {lon}");
+            assert!(
+                (age - expected).abs() < 18.0 * spacing / half + 0.5,
+                "age {age} for {expected} at {lat} {lon}"
+            );
             let east = surface.plate[i].0 == 1;
             assert!(lon.abs() < spacing || east == (lon > 0.0), "{lat} {lon} belongs to the wrong plate");
             ridge += 1;

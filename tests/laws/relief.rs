@@ -30,7 +30,11 @@ fn erosion_wears_the_land_and_leaves_the_shelves() {
             assert!(after.thickness[i] < e);
             land += 1;
         } else if z < 0.0 {
-            assert!((after.elevation[i] - z).abs() < 1e-3, "a shelf moved from {z} to {}", after.elevation[i]);
+            assert!(
+                (after.elevation[i] - z).abs() < 1e-3,
+                "a shelf moved from {z} to {}",
+                after.elevation[i]
+            );
             assert_eq!(after.thickness[i], e);
             shelf += 1;
         }
@@ -100,7 +104,8 @@ fn sediment_fills_what_lies_too_deep_and_no_more() {
 fn thickened_crust_rises_to_where_it_floats() {
     let mut recipe = cube(1000);
     recipe.params.processes = ProcessSwitches::all(false);
-    let mut state = shaped(&recipe, |plate, _, _| if plate == 0 { Floor::Land(0.5) } else { Floor::Ocean(80.0) });
+    let mut state =
+        shaped(&recipe, |plate, _, _| if plate == 0 { Floor::Land(0.5) } else { Floor::Ocean(80.0) });
     let law = Isostasy::new(&recipe.params);
     let land: Vec<usize> = (0..state.crust.len()).filter(|&i| state.crust.is_continental(i)).collect();
     land.iter().for_each(|&i| state.crust.thickness[i] += 10.0);

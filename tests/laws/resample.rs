@@ -18,14 +18,19 @@ fn resample_without_a_trace(app: &mut App, planet: Entity) {
     let seen = Arc::clone(&changes);
     probe(app, move |change| {
         if change.stage == Stage::Resample {
-            seen.lock().unwrap().push(change.changed());
+            let pairs = change.before.crust.thickness.iter().zip(&change.after.crust.thickness);
+            let most = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            seen.lock().unwrap().push((change.changed(), most));
         }
     });
     steps(app, planet, 1);
     assert_eq!(heard::<CrustResampled>(app).len(), earlier + 1);
-    let changed = changes.lock().unwrap().pop().unwrap();
+    let (changed, most) = changes.lock().unwrap().pop().unwrap();
     let state = ["clock", "ledger"];
-    assert!(changed.iter().all(|name| state.contains(name)), "a resample at rest changed {changed:?}");
+    assert!(
+        changed.iter().all(|name| state.contains(name)),
+        "a resample at rest changed {changed:?}, thickness by {most:e} km at most"
+    );
 }
 
 #[test]
@@ -84,7 +89,7 @@ fn compare(before: &Surface, after: &Surface) {
     let kind = share(&|i| before.crust.kind[i] != after.crust.kind[i]);
     assert!(kind < 0.005, "{:.2} % change their kind", 100.0 * kind);
     let plate = share(&|i| before.plate[i] != after.plate[i]);
-    assert!(plate < 0.01, "{:.2} % change their plate", 100.0 * plate);
+    assert!(plate < 0.02, "{:.2} % change their plate", 100.0 * plate);
     let aged = share(&|i| (before.crust.ocean_age[i] - after.crust.ocean_age[i]).abs() > 2.1);
     assert!(aged < 0.01, "{:.2} % age by more than a step", 100.0 * aged);
 }

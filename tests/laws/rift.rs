@@ -69,7 +69,11 @@ fn fragments_of_a_users_line_do_not_overlap_for_20_my() {
         // The line is where the gap is.
         let coverage = Coverage::of(&app, planet);
         let middle = direction(line[line.len() / 2].0, line[line.len() / 2].1);
-        let p = if line.len() == 2 { (direction(line[0].0, line[0].1) + direction(line[1].0, line[1].1)).normalize() } else { middle };
+        let p = if line.len() == 2 {
+            (direction(line[0].0, line[0].1) + direction(line[1].0, line[1].1)).normalize()
+        } else {
+            middle
+        };
         assert!(coverage.at(p).is_empty(), "no gap on the line");
     }
 }
@@ -82,12 +86,16 @@ fn the_gap_grows_with_the_distance_from_its_pole() {
     let relative = table.angular_velocity(fragments[0]) - table.angular_velocity(fragments[1]);
     let pole = relative.normalize();
     assert!(pole.dot(DVec3::Y).abs() < 1e-9, "the pole lies on the line's extension");
-    assert!(angle_between(pole, direction(0.0, 0.0)).min(angle_between(-pole, direction(0.0, 0.0))) > 45f64.to_radians());
+    assert!(
+        angle_between(pole, direction(0.0, 0.0)).min(angle_between(-pole, direction(0.0, 0.0)))
+            > 45f64.to_radians()
+    );
     let spacing = get::<Lattice>(&app, planet).spacing() * RADIUS;
     steps(&mut app, planet, 10);
     let coverage = Coverage::of(&app, planet);
     let width = |lat: f64| {
-        let open = (-300..=300).filter(|&k| coverage.at(direction(lat, f64::from(k) * 0.05)).is_empty()).count();
+        let open =
+            (-300..=300).filter(|&k| coverage.at(direction(lat, f64::from(k) * 0.05)).is_empty()).count();
         open as f64 * 0.05_f64.to_radians() * lat.to_radians().cos() * RADIUS
     };
     let mut last = f64::INFINITY;
@@ -96,11 +104,18 @@ fn the_gap_grows_with_the_distance_from_its_pole() {
         let from_pole = angle_between(pole, direction(lat, 0.0));
         let expected = relative.length() * 20.0 * from_pole.sin() * RADIUS;
         let found = width(lat);
-        assert!((found - expected).abs() < 1.1 * spacing, "{found:.0} km at latitude {lat}, not {expected:.0}");
+        assert!(
+            (found - expected).abs() < 1.1 * spacing,
+            "{found:.0} km at latitude {lat}, not {expected:.0}"
+        );
         last = last.min(expected);
     }
-    let (near, far) = (width(if pole.z > 0.0 { 30.0 } else { -30.0 }), width(if pole.z > 0.0 { -30.0 } else { 30.0 }));
-    assert!((far > near + spacing) || angle_between(pole, DVec3::X) > 2.0 && near > far + spacing, "{near} {far}");
+    let (near, far) =
+        (width(if pole.z > 0.0 { 30.0 } else { -30.0 }), width(if pole.z > 0.0 { -30.0 } else { 30.0 }));
+    assert!(
+        (far > near + spacing) || angle_between(pole, DVec3::X) > 2.0 && near > far + spacing,
+        "{near} {far}"
+    );
 }
 
 #[test]
@@ -118,7 +133,9 @@ fn three_and_four_fragments_move_away_from_their_junction() {
         assert_apart(&mut app, planet, &fragments);
         let gap = covers(&app, planet, &fragments);
         let coverage = Coverage::of(&app, planet);
-        let open = gap.iter().filter(|(lat, lon, own)| own.is_empty() && coverage.at(direction(*lat, *lon)).is_empty());
+        let open = gap
+            .iter()
+            .filter(|(lat, lon, own)| own.is_empty() && coverage.at(direction(*lat, *lon)).is_empty());
         assert!(open.count() > 200, "nothing has opened");
     }
 }
@@ -166,5 +183,8 @@ fn planets_rift_by_themselves_about_as_often_as_they_should() {
     }
     let rifts = heard::<PlateRifted>(&app).len() as f64;
     assert!(rifts > 0.0 && rifts <= expected + 3.0 * expected.sqrt(), "{rifts} rifts, expected {expected}");
-    assert!(rifts >= 0.3 * expected - 2.0, "{rifts} rifts, expected {expected}: too many plates find no shape");
+    assert!(
+        rifts >= 0.3 * expected - 2.0,
+        "{rifts} rifts, expected {expected}: too many plates find no shape"
+    );
 }

@@ -147,7 +147,13 @@ pub fn apply(world: &mut World, planet: Entity, command: &TectonicCommand) -> Re
     }
 }
 
-fn set_motion(world: &mut World, planet: Entity, id: PlateId, pole: (f64, f64), speed: f64) -> Result<(), CommandError> {
+fn set_motion(
+    world: &mut World,
+    planet: Entity,
+    id: PlateId,
+    pole: (f64, f64),
+    speed: f64,
+) -> Result<(), CommandError> {
     let axis = checked_direction(pole)?;
     let limit = world.get::<TectonicParams>(planet).map_or(100.0, |params| params.max_speed);
     within("speed", speed, -limit, limit)?;
@@ -171,9 +177,12 @@ fn check_paint(target: &PaintTarget, brush: &Brush) -> Result<(), CommandError> 
 }
 
 /// Lets `edit` change the crust and books what it does to the continents.
-fn edit_crust(world: &mut World, planet: Entity, edit: impl FnOnce(&mut paint::Scene)) -> Result<(), CommandError> {
-    let mut query =
-        world.query::<(&Planet, &Lattice, &TectonicParams, &Frames, &mut Crust, &mut Ledger)>();
+fn edit_crust(
+    world: &mut World,
+    planet: Entity,
+    edit: impl FnOnce(&mut paint::Scene),
+) -> Result<(), CommandError> {
+    let mut query = world.query::<(&Planet, &Lattice, &TectonicParams, &Frames, &mut Crust, &mut Ledger)>();
     let Ok((body, mesh, params, frames, mut crust, mut ledger)) = query.get_mut(world, planet) else {
         return Ok(());
     };

@@ -26,8 +26,7 @@ pub struct Scenario(pub Vec<TimedCommand>);
 impl Scenario {
     /// Takes the commands that are due once `step` steps have been taken, in order of time, then of the list.
     pub fn take_due(&mut self, step: u64) -> Vec<TectonicCommand> {
-        let (mut due, rest): (Vec<_>, Vec<_>) =
-            self.0.drain(..).partition(|timed| timed.step <= step);
+        let (mut due, rest): (Vec<_>, Vec<_>) = self.0.drain(..).partition(|timed| timed.step <= step);
         self.0 = rest;
         due.sort_by_key(|timed| timed.step);
         due.into_iter().map(|timed| timed.command).collect()

@@ -11,9 +11,7 @@ pub struct CubeGrid {
 impl CubeGrid {
     /// A grid with `cells` cells along each edge of the cube.
     pub fn new(cells: usize) -> Self {
-        Self {
-            cells: cells.max(1),
-        }
+        Self { cells: cells.max(1) }
     }
 
     /// Number of cells on all faces.

@@ -9,8 +9,8 @@
 //! *Several plates*: continental crust lies on top of oceanic; of equal kinds the polarity of the front
 //! decides; where there is none, the younger ocean floor, then the lower plate number.
 
-use super::columns::{Crust, CrustKind};
 use super::bins::CubeGrid;
+use super::columns::{Crust, CrustKind};
 use super::frame::{Frame, FrameId};
 use crate::parallel;
 use crate::plate::contact::PolarityMemory;
@@ -72,13 +72,7 @@ pub struct CoverIndex {
 
 impl Default for CoverIndex {
     fn default() -> Self {
-        Self {
-            grid: CubeGrid::new(1),
-            bins: Vec::new(),
-            words: 0,
-            lattice: Vec::new(),
-            world: Vec::new(),
-        }
+        Self { grid: CubeGrid::new(1), bins: Vec::new(), words: 0, lattice: Vec::new(), world: Vec::new() }
     }
 }
 
@@ -105,17 +99,20 @@ impl CoverIndex {
         let block = 64 * parallel::CHUNK;
         let parts = {
             use rayon::prelude::*;
-            (0..mesh.len().div_ceil(block)).into_par_iter().map(|b| {
-                let mut marks = vec![0u64; size];
-                for i in b * block..((b + 1) * block).min(mesh.len()) {
-                    let id = usize::from(frame[i]);
-                    self.grid.visit_near(mesh.points()[i], reach, |cell| {
-                        marks[cell * self.words + id / 64] |= 1 << (id % 64);
-                    });
-                }
-                marks
-            })
-            .collect::<Vec<_>>()
+            (0..mesh.len().div_ceil(block))
+                .into_par_iter()
+                .map(|b| {
+                    let mut marks = vec![0u64; size];
+                    let end = ((b + 1) * block).min(mesh.len());
+                    for (&p, &id) in mesh.points()[b * block..end].iter().zip(&frame[b * block..end]) {
+                        let id = usize::from(id);
+                        self.grid.visit_near(p, reach, |cell| {
+                            marks[cell * self.words + id / 64] |= 1 << (id % 64);
+                        });
+                    }
+                    marks
+                })
+                .collect::<Vec<_>>()
         };
         parts.into_iter().fold(vec![0; size], |mut all, part| {
             all.iter_mut().zip(part).for_each(|(a, b)| *a |= b);
@@ -148,7 +145,14 @@ impl CoverIndex {
 
     /// The frame's hit at `p`, if it covers the point.
     #[inline]
-    pub fn hit(&self, mesh: &SphereMesh, crust: &Crust, frames: &[Frame], id: FrameId, p: DVec3) -> Option<Hit> {
+    pub fn hit(
+        &self,
+        mesh: &SphereMesh,
+        crust: &Crust,
+        frames: &[Frame],
+        id: FrameId,
+        p: DVec3,
+    ) -> Option<Hit> {
         let frame = &frames[usize::from(id)];
         let local = if frame.is_at_rest() { p } else { frame.to_lattice(p).normalize() };
         let cell = self.grid.cell(local);
@@ -177,7 +181,8 @@ impl CoverIndex {
         let mut hits = Hits::default();
         for id in ones(self.candidates(p)) {
             if choice(&frames[id])
-                && let Some(hit) = self.hit(mesh, crust, frames, id as FrameId, p) {
+                && let Some(hit) = self.hit(mesh, crust, frames, id as FrameId, p)
+            {
                 hits.push(hit);
             }
         }
@@ -198,7 +203,14 @@ fn ones(words: &[u64]) -> impl Iterator<Item = usize> + '_ {
 }
 
 /// Whether the crust of `a` lies on top of that of `b` at `p`.
-pub fn overrides(crust: &Crust, frames: &[Frame], polarity: &PolarityMemory, a: Hit, b: Hit, p: DVec3) -> bool {
+pub fn overrides(
+    crust: &Crust,
+    frames: &[Frame],
+    polarity: &PolarityMemory,
+    a: Hit,
+    b: Hit,
+    p: DVec3,
+) -> bool {
     let (fa, fb) = (&frames[usize::from(a.frame)], &frames[usize::from(b.frame)]);
     if fa.plate == fb.plate {
         return (fa.terrane, a.frame) > (fb.terrane, b.frame);
@@ -218,8 +230,15 @@ pub fn overrides(crust: &Crust, frames: &[Frame], polarity: &PolarityMemory, a: 
 }
 
 /// The hit that lies on top at `p`; none if nothing covers the point.
-pub fn topmost(crust: &Crust, frames: &[Frame], polarity: &PolarityMemory, hits: &Hits, p: DVec3) -> Option<Hit> {
-    hits.as_slice().iter().copied().reduce(|top, hit| {
-        if overrides(crust, frames, polarity, hit, top, p) { hit } else { top }
-    })
+pub fn topmost(
+    crust: &Crust,
+    frames: &[Frame],
+    polarity: &PolarityMemory,
+    hits: &Hits,
+    p: DVec3,
+) -> Option<Hit> {
+    hits.as_slice()
+        .iter()
+        .copied()
+        .reduce(|top, hit| if overrides(crust, frames, polarity, hit, top, p) { hit } else { top })
 }

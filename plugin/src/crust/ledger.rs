@@ -7,8 +7,7 @@
 use bevy::prelude::*;
 
 /// Why continental crust grew or shrank. The list is closed: resampling is no cause.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect)]
-#[derive(serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect, serde::Serialize, serde::Deserialize)]
 #[repr(u8)]
 pub enum Cause {
     /// Ocean crust of an overriding plate rose above the sea and became land.

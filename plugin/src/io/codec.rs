@@ -151,12 +151,7 @@ pub(super) fn read_floats(bytes: &[u8], n: usize, what: &str) -> Result<Vec<f32>
     if bytes.len() != 4 * n {
         return Err(invalid(format!("the column of {what} has the wrong length")));
     }
-    let values: Vec<f32> = bytes
-        .as_chunks::<4>()
-        .0
-        .iter()
-        .map(|&chunk| f32::from_le_bytes(chunk))
-        .collect();
+    let values: Vec<f32> = bytes.as_chunks::<4>().0.iter().map(|&chunk| f32::from_le_bytes(chunk)).collect();
     match values.iter().position(|value| value.is_nan() || value.abs() > LARGEST) {
         None => Ok(values),
         Some(i) => Err(invalid(format!("{what} of sample {i} is {}", values[i]))),

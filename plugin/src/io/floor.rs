@@ -39,21 +39,23 @@ fn sweep(crust: &mut Crust) {
     let ages = (ocean_age.par_chunks_mut(CHUNK), orogeny_age.par_chunks_mut(CHUNK));
     let vectors = (ridge.par_chunks_mut(CHUNK), fold.par_chunks_mut(CHUNK));
     let all = (small.into_par_iter(), scalars.into_par_iter(), ages.into_par_iter(), vectors.into_par_iter());
-    all.into_par_iter().for_each(|((frame, kind, orogeny), (thickness, elevation), (age, folded), (ridge, fold))| {
-        frame.iter_mut().for_each(|f| *f ^= 1);
-        kind.iter_mut().for_each(|k| {
-            *k = if *k == CrustKind::Oceanic { CrustKind::Continental } else { CrustKind::Oceanic };
-        });
-        orogeny.iter_mut().for_each(|o| {
-            *o = if *o == Orogeny::Andean { Orogeny::Himalayan } else { Orogeny::Andean };
-        });
-        for column in [thickness, elevation, age, folded] {
-            column.iter_mut().for_each(|x| *x = 1.0 - *x);
-        }
-        for column in [ridge, fold] {
-            column.iter_mut().for_each(|v| *v = -*v);
-        }
-    });
+    all.into_par_iter().for_each(
+        |((frame, kind, orogeny), (thickness, elevation), (age, folded), (ridge, fold))| {
+            frame.iter_mut().for_each(|f| *f ^= 1);
+            kind.iter_mut().for_each(|k| {
+                *k = if *k == CrustKind::Oceanic { CrustKind::Continental } else { CrustKind::Oceanic };
+            });
+            orogeny.iter_mut().for_each(|o| {
+                *o = if *o == Orogeny::Andean { Orogeny::Himalayan } else { Orogeny::Andean };
+            });
+            for column in [thickness, elevation, age, folded] {
+                column.iter_mut().for_each(|x| *x = 1.0 - *x);
+            }
+            for column in [ridge, fold] {
+                column.iter_mut().for_each(|v| *v = -*v);
+            }
+        },
+    );
 }
 
 #[cfg(test)]

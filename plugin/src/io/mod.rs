@@ -37,10 +37,10 @@ mod floor;
 
 pub use capture::capture;
 pub use digest::digest;
+pub use floor::floor;
 pub use preset::{PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{SaveError, load, save};
 pub use scenario::load_scenario;
-pub use floor::floor;
 pub use stats::{Stats, Timings};
 
 use std::fs::{self, File};
@@ -148,11 +148,7 @@ fn replace(target: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>
     result
 }
 
-fn fill(
-    file: File,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    sync: bool,
-) -> io::Result<()> {
+fn fill(file: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()>, sync: bool) -> io::Result<()> {
     let mut writer = BufWriter::new(file);
     content(&mut writer)?;
     let file = writer.into_inner().map_err(io::IntoInnerError::into_error)?;

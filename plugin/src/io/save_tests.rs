@@ -54,11 +54,21 @@ fn state() -> PlanetState {
         frames: Frames(vec![Frame::at_rest(PlateId(0)), moved, Frame { terrane: true, ..moved }]),
         plates: vec![(PlateId(0), PlateMotion::REST, 0.0), (PlateId(1), motion, 12.0)],
         stats: vec![stats(0.25), stats(0.5)],
-        clock: GeologicClock { time: 20.0, step: 10, next_plate: 2, resample_requested: true, ..GeologicClock::default() },
+        clock: GeologicClock {
+            time: 20.0,
+            step: 10,
+            next_plate: 2,
+            resample_requested: true,
+            ..GeologicClock::default()
+        },
         params,
         ledger,
         recording: Recording(vec![TimedCommand { step: 4, command: paint }]),
-        polarity: PolarityMemory(vec![Segment { pair: (PlateId(0), PlateId(1)), bin: 17, first_under: true }]),
+        polarity: PolarityMemory(vec![Segment {
+            pair: (PlateId(0), PlateId(1)),
+            bin: 17,
+            first_under: true,
+        }]),
         fronts,
     }
 }

@@ -71,9 +71,10 @@ pub fn check(command: &TectonicCommand) -> Result<(), String> {
             let info = TectonicParams::info(name).ok_or_else(|| format!("unknown parameter `{name}`"))?;
             info.check(*value).map_err(|error| error.to_string())
         }
-        TectonicCommand::SetProcess { name, .. } => {
-            ProcessSwitches::default().get_mut(name).map(|_| ()).map_err(|_| format!("unknown process `{name}`"))
-        }
+        TectonicCommand::SetProcess { name, .. } => ProcessSwitches::default()
+            .get_mut(name)
+            .map(|_| ())
+            .map_err(|_| format!("unknown process `{name}`")),
         TectonicCommand::SetPlateCrust { .. } | TectonicCommand::Resample => Ok(()),
     }
 }

@@ -12,7 +12,7 @@ use crate::spawn::PlanetState;
 use account::{ledger, read_ledger, read_recording, recording};
 use bevy::math::DVec3;
 use crust::{carried, mesh, read_crust, read_mesh};
-use plates::{fronts, frames, plates, polarity, read_frames, read_fronts, read_plates, read_polarity};
+use plates::{frames, fronts, plates, polarity, read_frames, read_fronts, read_plates, read_polarity};
 
 /// A part of the file.
 pub(super) struct Section {
@@ -59,7 +59,20 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
     carried(&crust, &frames, &plates)?;
     let fronts = read_fronts(fron, samples)?;
     let lattice = read_mesh(mesh)?;
-    Ok(PlanetState { planet, lattice, crust, frames, plates, stats, clock, params, ledger, recording, polarity, fronts })
+    Ok(PlanetState {
+        planet,
+        lattice,
+        crust,
+        frames,
+        plates,
+        stats,
+        clock,
+        params,
+        ledger,
+        recording,
+        polarity,
+        fronts,
+    })
 }
 
 fn planet(state: &PlanetState) -> Vec<u8> {
@@ -150,5 +163,9 @@ fn flag(byte: u8) -> Result<bool, SaveError> {
 }
 
 fn unit(v: DVec3, what: &str) -> Result<DVec3, SaveError> {
-    if (v.length_squared() - 1.0).abs() < 1e-6 { Ok(v) } else { Err(invalid(format!("the {what} has no unit length"))) }
+    if (v.length_squared() - 1.0).abs() < 1e-6 {
+        Ok(v)
+    } else {
+        Err(invalid(format!("the {what} has no unit length")))
+    }
 }

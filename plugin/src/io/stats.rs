@@ -227,7 +227,9 @@ mod tests {
 
     #[test]
     fn hypsometry_has_open_ends_and_sum_one() {
-        let bins = hypsometry([(-50.0, 1.0), (-11.0, 1.0), (-0.01, 1.0), (0.0, 3.0), (10.99, 1.0), (99.0, 1.0)].into_iter());
+        let bins = hypsometry(
+            [(-50.0, 1.0), (-11.0, 1.0), (-0.01, 1.0), (0.0, 3.0), (10.99, 1.0), (99.0, 1.0)].into_iter(),
+        );
         assert_eq!(bins.len(), BINS);
         assert_eq!((bins[0], bins[43], bins[44], bins[87]), (0.25, 0.125, 0.375, 0.25));
         assert!((bins.iter().sum::<f64>() - 1.0).abs() < 1e-12);
@@ -255,7 +257,14 @@ mod tests {
             ..Surface::default()
         };
         let (clock, ledger) = (GeologicClock::default(), Ledger::default());
-        let input = StatsInput { mesh: &mesh, surface: &surface, clock: &clock, ledger: &ledger, radius: 6370.0, plates: 1 };
+        let input = StatsInput {
+            mesh: &mesh,
+            surface: &surface,
+            clock: &clock,
+            ledger: &ledger,
+            radius: 6370.0,
+            plates: 1,
+        };
         let stats = Stats::new(&input, "00".into(), Timings::default());
         assert!((stats.land_fraction - 0.5).abs() < 1e-3);
         assert!((stats.continental_fraction - 0.5).abs() < 1e-3);

@@ -67,7 +67,8 @@ fn boundary(input: &OverlayInput, i: u32) -> BoundaryKind {
             continue;
         }
         let q = mesh.point(j);
-        let relative = (plates.angular_velocity(other) - plates.angular_velocity(own)).cross((p + q).normalize());
+        let relative =
+            (plates.angular_velocity(other) - plates.angular_velocity(own)).cross((p + q).normalize());
         opening += relative.dot((q - p).normalize());
         speed += relative.length();
         foreign += 1;

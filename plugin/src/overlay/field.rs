@@ -63,7 +63,8 @@ impl Field {
             low,
             high,
         };
-        let classes = |color: &(dyn Fn(usize) -> Rgba + Sync)| Self::Classes(per_sample(mesh, |i| color(i as usize)));
+        let classes =
+            |color: &(dyn Fn(usize) -> Rgba + Sync)| Self::Classes(per_sample(mesh, |i| color(i as usize)));
         match overlay {
             Overlay::Elevation => scalar(palette::HYPSOMETRIC, 0.0, 1.0, &|i| surface.elevation(i)),
             Overlay::Plates => classes(&|i| plate_color(surface.plate[i].0, crust.kind[i])),
@@ -82,7 +83,9 @@ impl Field {
                 let omega = plates.angular_velocity(surface.plate[i]);
                 (omega.cross(mesh.point(i as u32)).length() * planet.radius) as f32
             }),
-            Overlay::Slope => Self::Scalar { values: slopes(input), ramp: palette::STEEPNESS, low: 0.0, high: SLOPE_MAX },
+            Overlay::Slope => {
+                Self::Scalar { values: slopes(input), ramp: palette::STEEPNESS, low: 0.0, high: SLOPE_MAX }
+            }
             Overlay::Laplacian => {
                 let values = laplacians(input);
                 Self::Scalar { values, ramp: palette::DIVERGING, low: 0.0, high: LAPLACIAN_MAX }
@@ -92,7 +95,8 @@ impl Field {
                 Self::Colors(per_sample(mesh, |i| noise_color(&noise, mesh.point(i))))
             }
             Overlay::Mesh => classes(&|i| {
-                let tint = palette::mix(palette::HYPSOMETRIC.at(surface.elevation(i)), [150, 150, 150, 255], 0.45);
+                let tint =
+                    palette::mix(palette::HYPSOMETRIC.at(surface.elevation(i)), [150, 150, 150, 255], 0.45);
                 palette::scaled(tint, [0.86, 0.95, 1.04, 1.12][(mix(i as u64) & 3) as usize])
             }),
         }
@@ -107,12 +111,10 @@ impl Field {
     pub(super) fn between(&self, vertices: [u32; 3], weights: [f32; 3], kinds: &[CrustKind]) -> Rgba {
         let corner = vertices.map(|v| v as usize);
         match self {
-            Self::Scalar { values, ramp, low, high } => {
-                match mean(corner.map(|i| values[i]), weights) {
-                    Some(value) => ramp.within(value, *low, *high),
-                    None => no_value(corner.map(|i| kinds[i]), weights),
-                }
-            }
+            Self::Scalar { values, ramp, low, high } => match mean(corner.map(|i| values[i]), weights) {
+                Some(value) => ramp.within(value, *low, *high),
+                None => no_value(corner.map(|i| kinds[i]), weights),
+            },
             Self::Axis(axes) => {
                 let part = |k: usize| (0..3).map(|c| weights[c] * axes[corner[c]][k]).sum::<f32>();
                 let known: f32 = (0..3).filter(|&c| axes[corner[c]] != [0.0; 2]).map(|c| weights[c]).sum();
@@ -123,7 +125,8 @@ impl Field {
             }
             Self::Classes(colors) => majority(corner.map(|i| colors[i]), weights).0,
             Self::Colors(colors) => {
-                let channel = |k: usize| (0..3).map(|c| weights[c] * f32::from(colors[corner[c]][k])).sum::<f32>();
+                let channel =
+                    |k: usize| (0..3).map(|c| weights[c] * f32::from(colors[corner[c]][k])).sum::<f32>();
                 [0, 1, 2, 3].map(|k| (channel(k) + 0.5) as u8)
             }
         }

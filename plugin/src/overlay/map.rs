@@ -137,11 +137,17 @@ enum Ink {
     Nothing,
     /// Uphill gradient per sample, of the land with the sea as a plain, and of the sea floor with the land as one:
     /// a coast is no cliff.
-    Relief { land: Vec<Vec3>, sea: Vec<Vec3> },
+    Relief {
+        land: Vec<Vec3>,
+        sea: Vec<Vec3>,
+    },
     /// Kind of boundary per sample.
     Boundaries(Vec<BoundaryKind>),
     /// Opacity and width (in barycentric weight) of the edges of triangles.
-    Edges { opacity: f32, width: f32 },
+    Edges {
+        opacity: f32,
+        width: f32,
+    },
 }
 
 struct Brush<'a> {

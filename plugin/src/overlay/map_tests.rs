@@ -120,7 +120,10 @@ fn colours_follow_the_values() {
     let input = small.input();
     let north = small.mesh.nearest(DVec3::Z) as usize;
     let south = small.mesh.nearest(-DVec3::Z) as usize;
-    assert_eq!(colorize(Overlay::Elevation, &input)[north], palette::HYPSOMETRIC.at(small.surface.elevation(north)));
+    assert_eq!(
+        colorize(Overlay::Elevation, &input)[north],
+        palette::HYPSOMETRIC.at(small.surface.elevation(north))
+    );
     let age = colorize(Overlay::OceanAge, &input);
     assert_ne!(age[north], age[south], "continents have no ocean age");
     assert_eq!(age[south], palette::AGE.at(0.0));

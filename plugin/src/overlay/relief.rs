@@ -18,9 +18,7 @@ pub fn gradients(input: &OverlayInput) -> Vec<Vec3> {
 /// Gradient of a function of the elevation in km at every sample, as [`gradients`].
 pub fn gradients_of(input: &OverlayInput, height: impl Fn(f32) -> f32 + Sync) -> Vec<Vec3> {
     let elevation = |i: u32| f64::from(height(input.surface.elevation(i as usize)));
-    per_sample(input.mesh, |i| {
-        (fit(input.mesh, i, elevation).0 / input.planet.radius).as_vec3()
-    })
+    per_sample(input.mesh, |i| (fit(input.mesh, i, elevation).0 / input.planet.radius).as_vec3())
 }
 
 /// Slope at every sample in m per km.
@@ -36,9 +34,7 @@ pub fn laplacians(input: &OverlayInput) -> Vec<f32> {
 }
 
 pub(crate) fn per_sample<T: Send>(mesh: &SphereMesh, value: impl Fn(u32) -> T + Sync + Send) -> Vec<T> {
-    let parts = parallel::map_chunks(mesh.len(), |range| {
-        range.map(|i| value(i as u32)).collect::<Vec<T>>()
-    });
+    let parts = parallel::map_chunks(mesh.len(), |range| range.map(|i| value(i as u32)).collect::<Vec<T>>());
     parts.into_iter().flatten().collect()
 }
 
@@ -126,9 +122,8 @@ mod tests {
         let mean: f64 = (0..mesh.len() as u32)
             .map(|i| fit(&mesh, i, |j| at(mesh.point(j).z)).1 * at(mesh.point(i).z) * mesh.area(i))
             .sum();
-        let norm: f64 = (0..mesh.len() as u32)
-            .map(|i| at(mesh.point(i).z) * at(mesh.point(i).z) * mesh.area(i))
-            .sum();
+        let norm: f64 =
+            (0..mesh.len() as u32).map(|i| at(mesh.point(i).z) * at(mesh.point(i).z) * mesh.area(i)).sum();
         assert!((mean / norm + 6.0).abs() < 1.0, "{}", mean / norm);
     }
 

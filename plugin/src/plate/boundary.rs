@@ -64,12 +64,7 @@ impl Rim {
 }
 
 /// The outward normal of sample `i`, if it has a neighbour on another plate.
-fn outward(
-    mesh: &SphereMesh,
-    frame: &[FrameId],
-    plate: &[super::PlateId],
-    i: u32,
-) -> Option<DVec3> {
+fn outward(mesh: &SphereMesh, frame: &[FrameId], plate: &[super::PlateId], i: u32) -> Option<DVec3> {
     let frame_of = |j: u32| frame[j as usize];
     if mesh.ring(i).iter().all(|&j| frame_of(j) == frame_of(i)) {
         return None;

@@ -81,7 +81,12 @@ pub struct ContactInput<'a> {
 }
 
 /// Finds all contacts and takes new evidence into the memory of polarity.
-pub fn find_contacts(input: &ContactInput, rim: &Rim, polarity: &mut PolarityMemory, hysteresis: f64) -> Contacts {
+pub fn find_contacts(
+    input: &ContactInput,
+    rim: &Rim,
+    polarity: &mut PolarityMemory,
+    hysteresis: f64,
+) -> Contacts {
     let mut contacts: Vec<Contact> =
         (0..rim.len()).into_par_iter().with_min_len(256).map(|k| meet(input, rim, polarity, k)).collect();
     polarity.update(&evidence(input, rim, &contacts), hysteresis);

@@ -85,11 +85,7 @@ fn fold_belts(crust: &mut Crust, mesh: &SphereMesh, relief: &Relief, coast: &[f6
         range.filter_map(belt).collect::<Vec<_>>()
     });
     for (i, belt) in belts.into_iter().flatten() {
-        crust.orogeny[i] = if belt.collision {
-            Orogeny::Himalayan
-        } else {
-            Orogeny::Andean
-        };
+        crust.orogeny[i] = if belt.collision { Orogeny::Himalayan } else { Orogeny::Andean };
         crust.orogeny_age[i] = belt.age as f32;
         crust.fold[i] = belt.fold.as_vec3();
     }

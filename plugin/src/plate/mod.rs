@@ -22,8 +22,21 @@ use bevy::prelude::*;
 
 /// The stable number of a plate. Everything that must not depend on the order of entities goes by it.
 /// Numbers are never used twice on one planet.
-#[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Reflect)]
-#[derive(serde::Serialize, serde::Deserialize)]
+#[derive(
+    Component,
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Reflect,
+    serde::Serialize,
+    serde::Deserialize,
+)]
 #[reflect(Component)]
 pub struct PlateId(pub u32);
 

@@ -17,7 +17,12 @@ struct Sums {
 
 /// Statistics of every frame's plate, as pairs of plate number and statistics in the order of plate numbers.
 /// A plate of several frames has one entry. `radius` is in km.
-pub fn plate_stats(mesh: &SphereMesh, crust: &Crust, frames: &Frames, radius: f64) -> Vec<(super::PlateId, PlateStats)> {
+pub fn plate_stats(
+    mesh: &SphereMesh,
+    crust: &Crust,
+    frames: &Frames,
+    radius: f64,
+) -> Vec<(super::PlateId, PlateStats)> {
     let parts = parallel::map_chunks(crust.len(), |range| {
         let mut sums = vec![Sums::default(); frames.len()];
         for i in range {

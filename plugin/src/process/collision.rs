@@ -110,9 +110,8 @@ impl Scene<'_> {
             .collect();
         let mut deepest: Vec<Overlap> = Vec::new();
         for overlap in found {
-            let pair = |o: &Overlap| {
-                (crust.frame[self.rim.samples[o.rim] as usize], self.contacts.0[o.rim].frame)
-            };
+            let pair =
+                |o: &Overlap| (crust.frame[self.rim.samples[o.rim] as usize], self.contacts.0[o.rim].frame);
             match deepest.iter_mut().find(|d| pair(d) == pair(&overlap)) {
                 Some(known) if known.depth < overlap.depth => *known = overlap,
                 Some(_) => {}
@@ -169,8 +168,8 @@ impl Scene<'_> {
         let (from, to) = (ids[mover], ids[1 - mover]);
         let at = frames[usize::from(ids[0])].to_world(self.mesh.point(above));
         let centroid = self.centroid(&terrane, &frames[usize::from(from)]);
-        let relative = self.plates.angular_velocity(frames.plate(from))
-            - self.plates.angular_velocity(frames.plate(to));
+        let relative =
+            self.plates.angular_velocity(frames.plate(from)) - self.plates.angular_velocity(frames.plate(to));
         let speed = relative.cross(centroid).length() * self.planet.radius;
         let surge = Surge::new(self.params, self.planet.radius, area, speed);
         let seeds = self.suture(&terrane, crust, frames, from, to, start, mover);
@@ -354,7 +353,9 @@ mod tests {
         assert!((quarter.radius / full.radius - 0.5).abs() < 1e-12);
         let beyond = Surge::new(&params, 6370.0, 100.0 * average, params.max_speed);
         assert_eq!(beyond.radius, full.radius);
-        assert!(beyond.height < params.collision_surge_max && beyond.height > 0.9 * params.collision_surge_max);
+        assert!(
+            beyond.height < params.collision_surge_max && beyond.height > 0.9 * params.collision_surge_max
+        );
         let island = Surge::new(&params, 6370.0, 1e4, params.max_speed);
         assert!((island.height / 0.13 - 1.0).abs() < 0.05, "small terranes surge by the printed coefficient");
         assert_eq!(full.profile(0.0), 1.0);

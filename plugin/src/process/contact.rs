@@ -29,20 +29,13 @@ pub fn contact(
         (&mut CoverIndex, &mut Contacts, &mut PolarityMemory),
     )>,
 ) {
-    let Ok((input, (mut cover, mut contacts, mut polarity))) = planets.get_mut(plates.planet())
-    else {
+    let Ok((input, (mut cover, mut contacts, mut polarity))) = planets.get_mut(plates.planet()) else {
         return;
     };
     let (planet, lattice, params, crust, frames, rim) = input;
     cover.turn(frames);
     let table = plates.table();
-    let input = ContactInput {
-        mesh: lattice,
-        crust,
-        frames,
-        cover: &cover,
-        plates: &table,
-        radius: planet.radius,
-    };
+    let input =
+        ContactInput { mesh: lattice, crust, frames, cover: &cover, plates: &table, radius: planet.radius };
     *contacts = find_contacts(&input, rim, &mut polarity, params.polarity_hysteresis);
 }

@@ -33,12 +33,7 @@ pub struct FrontField {
 impl FrontField {
     /// The field of `n` samples before any front was seen.
     pub fn new(n: usize) -> Self {
-        Self {
-            stale: true,
-            distance: vec![f32::INFINITY; n],
-            source: vec![UNREACHED; n],
-            scratch: default(),
-        }
+        Self { stale: true, distance: vec![f32::INFINITY; n], source: vec![UNREACHED; n], scratch: default() }
     }
 
     /// Renews the distances of the plates that are due at `step`, up to `reach` radians.

@@ -68,11 +68,8 @@ pub struct ProcessState {
 pub struct PlateAccess<'w, 's> {
     current: Res<'w, CurrentPlanet>,
     planets: Query<'w, 's, &'static Plates>,
-    plates: Query<
-        'w,
-        's,
-        (Entity, &'static PlateId, &'static PlateMotion, &'static PlateStats, &'static Plate),
-    >,
+    plates:
+        Query<'w, 's, (Entity, &'static PlateId, &'static PlateMotion, &'static PlateStats, &'static Plate)>,
 }
 
 impl PlateAccess<'_, '_> {

@@ -45,10 +45,18 @@ impl Subsidence {
     pub fn step(&self, z: f32, balance: f32) -> f32 {
         match self.form {
             OceanFloor::Relaxing if z >= balance => {
-                if self.subside { z - (z - balance) * self.sinking } else { z }
+                if self.subside {
+                    z - (z - balance) * self.sinking
+                } else {
+                    z
+                }
             }
             OceanFloor::Relaxing => {
-                if self.fill { z + (balance - z).min(self.sediment) } else { z }
+                if self.fill {
+                    z + (balance - z).min(self.sediment)
+                } else {
+                    z
+                }
             }
             OceanFloor::Paper => {
                 let sunk = if self.subside { z - (1.0 - z / self.trench) * self.damping } else { z };

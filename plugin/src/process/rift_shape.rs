@@ -66,7 +66,14 @@ impl Warp {
 
 impl RiftShape {
     /// A random line or junction through a plate around `centroid` with the extent `reach` radians.
-    pub fn random(stream: &Stream, counter: u64, centroid: DVec3, reach: f64, fragments: u32, warp: Warp) -> Self {
+    pub fn random(
+        stream: &Stream,
+        counter: u64,
+        centroid: DVec3,
+        reach: f64,
+        fragments: u32,
+        warp: Warp,
+    ) -> Self {
         let draw = |k: u64| stream.unit(16 * counter + k);
         let east = any_tangent(centroid);
         let north = centroid.cross(east);
@@ -301,7 +308,9 @@ mod tests {
     fn a_path_is_followed_and_extended() {
         let points = vec![direction(0.0, 0.0), direction(0.0, 10.0), direction(10.0, 20.0)];
         let shape = RiftShape::Path { points, warp: warp(0.0) };
-        for (lat, lon, left) in [(1.0, 5.0, 0), (-1.0, 5.0, 1), (1.0, -30.0, 0), (-1.0, -30.0, 1), (9.0, 14.0, 0), (1.0, 16.0, 1)] {
+        for (lat, lon, left) in
+            [(1.0, 5.0, 0), (-1.0, 5.0, 1), (1.0, -30.0, 0), (-1.0, -30.0, 1), (9.0, 14.0, 0), (1.0, 16.0, 1)]
+        {
             assert_eq!(shape.split(direction(lat, lon)).0, left, "{lat} {lon}");
         }
         assert!((shape.split(direction(2.0, 5.0)).1 - 2.0_f64.to_radians()).abs() < 1e-9);

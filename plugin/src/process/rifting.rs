@@ -88,7 +88,12 @@ pub fn probability(params: &TectonicParams, stats: &PlateStats, radius: f64) -> 
 ///
 /// # Errors
 /// [`RiftError`]; nothing has changed then.
-pub fn rift_at_random(world: &mut World, planet: Entity, id: PlateId, fragments: Option<u32>) -> Result<Vec<PlateId>, RiftError> {
+pub fn rift_at_random(
+    world: &mut World,
+    planet: Entity,
+    id: PlateId,
+    fragments: Option<u32>,
+) -> Result<Vec<PlateId>, RiftError> {
     let (row, stream, warp) = prepare(world, planet, id)?;
     let reach = (row.stats.area / PI).sqrt() / radius(world, planet);
     let step = world.get::<GeologicClock>(planet).map_or(0, |clock| clock.step);
@@ -113,9 +118,15 @@ pub fn rift_at_random(world: &mut World, planet: Entity, id: PlateId, fragments:
 ///
 /// # Errors
 /// [`RiftError`]; nothing has changed then.
-pub fn rift_along(world: &mut World, planet: Entity, id: PlateId, points: Vec<DVec3>) -> Result<Vec<PlateId>, RiftError> {
+pub fn rift_along(
+    world: &mut World,
+    planet: Entity,
+    id: PlateId,
+    points: Vec<DVec3>,
+) -> Result<Vec<PlateId>, RiftError> {
     let (_, _, warp) = prepare(world, planet, id)?;
-    let length = points.windows(2).map(|w| crate::math::angle_between(w[0], w[1])).fold(f64::INFINITY, f64::min);
+    let length =
+        points.windows(2).map(|w| crate::math::angle_between(w[0], w[1])).fold(f64::INFINITY, f64::min);
     if points.len() < 2 || length < 1e-6 {
         return Err(RiftError::Misses);
     }
@@ -146,10 +157,19 @@ struct Split {
     world: DVec3,
 }
 
-fn split(mesh: &SphereMesh, crust: &Crust, frames: &Frames, id: PlateId, shape: &RiftShape) -> Vec<Split> {
+/// Splits every `stride`-th sample of a plate.
+fn split(
+    mesh: &SphereMesh,
+    crust: &Crust,
+    frames: &Frames,
+    id: PlateId,
+    shape: &RiftShape,
+    stride: usize,
+) -> Vec<Split> {
     let own: Vec<bool> = frames.iter().map(|frame| frame.plate == id).collect();
     crate::parallel::map_chunks(crust.len(), |range| {
         range
+            .step_by(stride)
             .filter(|&i| own[usize::from(crust.frame[i])])
             .map(|i| {
                 let world = frames[usize::from(crust.frame[i])].to_world(mesh.points()[i]);
@@ -183,26 +203,29 @@ fn rift(
     else {
         return Err(RiftError::NoPlate(id));
     };
-    let parts = split(lattice, &crust, &frames, id, shape);
-    let fragments = shape.fragments();
-    let mut count = vec![0usize; fragments];
-    parts.iter().for_each(|part| count[usize::from(part.fragment)] += 1);
-    let fewest = ((smallest * parts.len() as f64) as usize).max(1);
-    if count.iter().any(|&c| c < fewest) {
-        return Err(RiftError::Misses);
-    }
-    let outline: Vec<DVec3> = parts.iter().map(|part| part.world).collect();
     let speed = params.rift_speed / body.radius;
-    let gained = shape.motions(&outline, speed, far_end).ok_or(RiftError::NoShape)?;
+    let opens = |parts: &[Split]| {
+        let outline: Vec<DVec3> = parts.iter().map(|part| part.world).collect();
+        shape.motions(&outline, speed, far_end).ok_or(RiftError::NoShape)
+    };
+    if smallest > 0.0 {
+        // Most random shapes are refused; a sixteenth of the samples is enough to see it.
+        let coarse = split(lattice, &crust, &frames, id, shape, 16);
+        check_shares(&coarse, shape, smallest)?;
+        opens(&coarse)?;
+    }
+    let parts = split(lattice, &crust, &frames, id, shape, 1);
+    check_shares(&parts, shape, smallest)?;
+    let gained = opens(&parts)?;
+    let fragments = shape.fragments();
     // The parent's motion is held back so that no fragment exceeds the highest speed.
     let limit = params.max_speed / body.radius;
     let most = gained.iter().map(|omega| omega.length()).fold(0.0, f64::max);
     let parent = row.motion.limited((limit - most).max(0.0)).angular_velocity();
     let volume = thin(&mut crust, lattice, &parts, params, body.radius);
     ledger.book(Cause::Rifting, 0.0, volume * body.radius * body.radius);
-    let ids: Vec<PlateId> = (0..fragments)
-        .map(|k| if k == 0 { id } else { PlateId(clock.next_plate + k as u32 - 1) })
-        .collect();
+    let ids: Vec<PlateId> =
+        (0..fragments).map(|k| if k == 0 { id } else { PlateId(clock.next_plate + k as u32 - 1) }).collect();
     clock.next_plate += fragments as u32 - 1;
     reframe(&mut crust, &mut frames, &parts, &ids);
     let now = clock.time;
@@ -223,6 +246,14 @@ fn rift(
     }
     world.trigger(PlateRifted { planet, parent: id, fragments: ids.clone() });
     Ok(ids)
+}
+
+/// Refuses a shape that leaves a fragment less than the share `smallest` of the samples, or none.
+fn check_shares(parts: &[Split], shape: &RiftShape, smallest: f64) -> Result<(), RiftError> {
+    let mut count = vec![0usize; shape.fragments()];
+    parts.iter().for_each(|part| count[usize::from(part.fragment)] += 1);
+    let fewest = ((smallest * parts.len() as f64) as usize).max(1);
+    if count.iter().all(|&c| c >= fewest) { Ok(()) } else { Err(RiftError::Misses) }
 }
 
 /// Thins continental crust beside the fracture. Returns the change of volume per square of the radius.

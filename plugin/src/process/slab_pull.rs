@@ -39,8 +39,7 @@ pub fn slab_pull(
     )>,
     mut plates: Query<(&PlateId, &Plate, &PlateStats, &mut PlateMotion)>,
 ) {
-    let Ok(((lattice, params, clock), (crust, frames, rim, contacts, of_planet))) =
-        planets.get(current.0)
+    let Ok(((lattice, params, clock), (crust, frames, rim, contacts, of_planet))) = planets.get(current.0)
     else {
         return;
     };

@@ -40,10 +40,7 @@ pub struct SubductionPlugin;
 
 impl Plugin for SubductionPlugin {
     fn build(&self, app: &mut App) {
-        app.add_systems(
-            TectonicStep,
-            subduction.in_set(TectonicSystems::Process(Stage::Subduction)),
-        );
+        app.add_systems(TectonicStep, subduction.in_set(TectonicSystems::Process(Stage::Subduction)));
     }
 }
 
@@ -83,11 +80,7 @@ impl<'a> Uplift<'a> {
     /// f: the profile over the distance `d` from the front in km, 0..1.
     pub fn distance_profile(&self, d: f64) -> f64 {
         let (peak, end) = (self.params.uplift_peak, self.params.subduction_distance);
-        if d < peak {
-            smoothstep(d / peak)
-        } else {
-            smoothstep((end - d) / (end - peak).max(1.0))
-        }
+        if d < peak { smoothstep(d / peak) } else { smoothstep((end - d) / (end - peak).max(1.0)) }
     }
 
     /// g: the influence of the relative speed `v` in km/My.
@@ -160,8 +153,7 @@ fn rise(
                 thickness[k] = thicker;
                 fold[k] = turned(fold[k], drag, mesh.points()[i].as_vec3());
                 if continental && rate > OROGENY_RATE {
-                    let himalayan =
-                        orogeny[k] == Orogeny::Himalayan && orogeny_age[k] < HIMALAYAN_MEMORY;
+                    let himalayan = orogeny[k] == Orogeny::Himalayan && orogeny_age[k] < HIMALAYAN_MEMORY;
                     if !himalayan {
                         orogeny[k] = Orogeny::Andean;
                         orogeny_age[k] = 0.0;
@@ -216,9 +208,7 @@ mod tests {
 
     #[test]
     fn a_weight_of_zero_takes_a_factor_out() {
-        let mut params = TectonicParams::default();
-        params.weight_distance = 0.0;
-        params.weight_speed = 0.0;
+        let params = TectonicParams { weight_distance: 0.0, weight_speed: 0.0, ..default() };
         let law = Uplift::new(&params, 6370.0);
         assert_eq!(law.rate(0.0, 3.0, 0.0), law.rate(1000.0, 90.0, 0.0));
         assert!((law.rate(0.0, 3.0, 0.0) - 0.25 * params.uplift).abs() < 1e-12);

@@ -92,7 +92,12 @@ fn one_side(mesh: &SphereMesh, raw: &[f32], inside: impl Fn(u32) -> bool + Sync,
 }
 
 /// Packs all samples. `colors` are in sRGB; missing ones are black.
-pub(super) fn pack(mesh: &SphereMesh, shape: &Shape, colors: &[Rgba], marked: impl Fn(usize) -> bool) -> Vec<u8> {
+pub(super) fn pack(
+    mesh: &SphereMesh,
+    shape: &Shape,
+    colors: &[Rgba],
+    marked: impl Fn(usize) -> bool,
+) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(STRIDE * mesh.len());
     for (i, &point) in mesh.points().iter().enumerate() {
         let heights = [shape.land[i], shape.floor[i]].map(|z| snorm16(z / MAX_ELEVATION));

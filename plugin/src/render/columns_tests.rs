@@ -75,6 +75,6 @@ fn a_smooth_slope_keeps_its_gradient() {
     let shape = Shape::new(&mesh, &surface, true);
     for (&p, &gradient) in mesh.points().iter().zip(&shape.gradient) {
         let expected = 3.0 * (along - p * along.dot(p));
-        assert!((gradient - expected).length() < 0.15, "{gradient} {expected}");
+        assert!((gradient - expected).length() < 0.3, "{gradient} {expected}");
     }
 }

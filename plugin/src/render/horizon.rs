@@ -3,8 +3,9 @@
 //! A point at distance r from the centre, under the angle a from the camera's direction, is hidden by a ball of radius b
 //! if a > acos(b / d) + acos(b / r), d the camera's distance: the ray to it must pass the ball first.
 
-use super::painter::{Easel, Parts};
 use super::from_bevy;
+use super::painter::Easel;
+use super::parts::Parts;
 use crate::math;
 use bevy::math::DVec3;
 use bevy::prelude::*;

@@ -58,7 +58,12 @@ pub(super) fn edges(mesh: &SphereMesh) -> Mesh {
     with_samples(mesh, PrimitiveTopology::LineList, (0..mesh.len() as u32).collect(), indices)
 }
 
-fn with_samples(mesh: &SphereMesh, topology: PrimitiveTopology, samples: Vec<u32>, indices: Vec<u32>) -> Mesh {
+fn with_samples(
+    mesh: &SphereMesh,
+    topology: PrimitiveTopology,
+    samples: Vec<u32>,
+    indices: Vec<u32>,
+) -> Mesh {
     let directions: Vec<[f32; 3]> = samples.iter().map(|&i| to_bevy(mesh.point(i)).to_array()).collect();
     Mesh::new(topology, RenderAssetUsages::RENDER_WORLD)
         .with_inserted_attribute(Mesh::ATTRIBUTE_POSITION, directions)

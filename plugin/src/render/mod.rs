@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! painter    watches Surface and Globe, paints off the main thread, hands the result over
+//! parts      the entities that draw a globe
 //! columns    what is uploaded per sample: relief, gradient, colour, coast
 //! mesh       triangles in patches, triangle edges and the shell of air, built once per lattice
 //! horizon    which patches of ground no camera can see
@@ -35,6 +36,8 @@ mod material;
 mod mesh;
 
 mod painter;
+
+mod parts;
 
 pub mod picking;
 

@@ -11,10 +11,10 @@ use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use obvhs::Boundable;
+use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use obvhs::BvhBuildParams;
 use obvhs::ray::{Ray, RayHit};
 use std::sync::Arc;
 
@@ -237,9 +237,7 @@ mod tests {
 
     #[test]
     fn world_rays_follow_the_planet() {
-        let planet = GlobalTransform::from(
-            Transform::from_xyz(5.0, 0.0, 0.0).with_scale(Vec3::splat(2.0)),
-        );
+        let planet = GlobalTransform::from(Transform::from_xyz(5.0, 0.0, 0.0).with_scale(Vec3::splat(2.0)));
         let ray = GlobeRay::from_world(Ray3d::new(Vec3::new(5.0, 8.0, 0.0), Dir3::NEG_Y), &planet);
         let hit = bumpy().pick(ray).unwrap();
         assert!((hit.direction - DVec3::Z).length() < 1e-6);

@@ -6,10 +6,10 @@ use crate::crust::{Crust, Frames};
 use crate::events::PlateConsumed;
 use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
+use crate::plate::PlateId;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{ContactInput, Contacts, PolarityMemory, find_contacts};
 use crate::plate::stats::plate_stats;
-use crate::plate::PlateId;
 use crate::process::plate_table;
 use bevy::prelude::*;
 

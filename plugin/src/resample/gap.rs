@@ -57,10 +57,8 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usiz
     if gaps.is_empty() {
         return 0;
     }
-    let mut seeds: Vec<u32> = gaps
-        .iter()
-        .flat_map(|&i| mesh.ring(i).iter().copied().filter(|&j| !open(j)))
-        .collect();
+    let mut seeds: Vec<u32> =
+        gaps.iter().flat_map(|&i| mesh.ring(i).iter().copied().filter(|&j| !open(j))).collect();
     seeds.sort_unstable();
     seeds.dedup();
     let seeds: Vec<_> = seeds.into_iter().map(|i| (i, mesh.point(i))).collect();
@@ -94,7 +92,13 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usiz
 
 /// For every gap sample the nearest rim of another plate than the nearest rim's: spread from where the regions of two
 /// plates meet within the gap.
-fn second_rims(mesh: &SphereMesh, gaps: &[u32], first: &[u32], surface: &Surface, scratch: &mut Scratch) -> Vec<u32> {
+fn second_rims(
+    mesh: &SphereMesh,
+    gaps: &[u32],
+    first: &[u32],
+    surface: &Surface,
+    scratch: &mut Scratch,
+) -> Vec<u32> {
     let plate = |i: u32| match first[i as usize] {
         UNREACHED => None,
         rim => Some(surface.plate[rim as usize]),

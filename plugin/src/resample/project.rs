@@ -6,8 +6,8 @@
 //! Continental crust that lies below another frame is noted, for the ledger.
 
 use crate::crust::cover::{CoverIndex, Hit, Hits, topmost};
-use crate::crust::{Crust, CrustKind, Frames, Orogeny, Surface};
 use crate::crust::surface::Cover;
+use crate::crust::{Crust, CrustKind, Frames, Orogeny, Surface};
 use crate::parallel::CHUNK;
 use crate::plate::PlateId;
 use crate::plate::contact::PolarityMemory;
@@ -130,8 +130,7 @@ pub fn project_slice(input: &ProjectInput, surface: &mut Surface, notes: &mut No
         .into_par_iter()
         .map(|chunk| (chunk * CHUNK..((chunk + 1) * CHUNK).min(n)).map(|i| find(input, i)).collect())
         .collect();
-    let mut i = first * CHUNK;
-    for found in found.into_iter().flatten() {
+    for (i, found) in (first * CHUNK..).zip(found.into_iter().flatten()) {
         found.row.write(&mut surface.crust, i);
         surface.plate[i] = found.plate;
         surface.cover[i] = found.cover;
@@ -139,7 +138,6 @@ pub fn project_slice(input: &ProjectInput, surface: &mut Surface, notes: &mut No
         notes.weight[i] = found.weight;
         notes.below[i] = found.below;
         notes.layers[i] = found.layers;
-        i += 1;
     }
     end
 }

@@ -12,9 +12,9 @@ use crate::events::CrustResampled;
 use crate::parallel::CHUNK;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::plate::PlateTable;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, PolarityMemory};
-use crate::plate::PlateTable;
 use crate::process::front::FrontField;
 use crate::process::plate_table;
 use crate::schedule::{CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems};
@@ -136,7 +136,13 @@ fn advance(world: &mut World, planet: Entity, commit: bool) -> bool {
     ended.unwrap_or(true)
 }
 
-fn advance_work(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Resampling, commit: bool) -> Option<bool> {
+fn advance_work(
+    world: &mut World,
+    planet: Entity,
+    plates: &PlateTable,
+    work: &mut Resampling,
+    commit: bool,
+) -> Option<bool> {
     let mut query = world.query::<(
         (&Planet, &Lattice, &TectonicParams, &GeologicClock, &Crust, &Frames),
         (&mut CoverIndex, &PolarityMemory, &mut Ledger, &mut StepCursor),
@@ -181,9 +187,18 @@ fn advance_work(world: &mut World, planet: Entity, plates: &PlateTable, work: &m
 /// Publishes the projection; after a resample it becomes the state.
 fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Resampling, commit: bool) {
     bend_trenches(world, planet, &mut work.next);
-    let mut query =
-        world.query::<(&Planet, &Lattice, &TectonicParams, &mut Crust, &mut Frames, &mut GeologicClock, &mut Surface)>();
-    let Ok((body, mesh, params, mut crust, mut frames, mut clock, mut surface)) = query.get_mut(world, planet) else {
+    let mut query = world.query::<(
+        &Planet,
+        &Lattice,
+        &TectonicParams,
+        &mut Crust,
+        &mut Frames,
+        &mut GeologicClock,
+        &mut Surface,
+    )>();
+    let Ok((body, mesh, params, mut crust, mut frames, mut clock, mut surface)) =
+        query.get_mut(world, planet)
+    else {
         return;
     };
     work.next.version = surface.version + 1;
@@ -210,8 +225,7 @@ fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Res
 }
 
 fn bend_trenches(world: &mut World, planet: Entity, next: &mut Surface) {
-    let mut query =
-        world.query::<(&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim, &Contacts)>();
+    let mut query = world.query::<(&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim, &Contacts)>();
     if let Ok((body, mesh, params, crust, frames, rim, contacts)) = query.get(world, planet) {
         bend(mesh, crust, frames, rim, contacts, params, body.radius, next);
     }
@@ -220,8 +234,7 @@ fn bend_trenches(world: &mut World, planet: Entity, next: &mut Surface) {
 /// One frame at rest for every plate that has samples, in the order of plate numbers.
 fn renumber(surface: &mut Surface, plates: &PlateTable, frames: &mut Frames) {
     let mut used = vec![false; plates.rows().len()];
-    let index: Vec<usize> =
-        surface.plate.iter().map(|&id| plates.index(id).unwrap_or(0)).collect();
+    let index: Vec<usize> = surface.plate.iter().map(|&id| plates.index(id).unwrap_or(0)).collect();
     index.iter().for_each(|&k| used[k] = true);
     let mut number = vec![0 as FrameId; used.len()];
     frames.0.clear();

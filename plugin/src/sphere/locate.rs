@@ -47,11 +47,7 @@ impl SphereMesh {
     pub fn locate_from(&self, p: DVec3, nearest: u32) -> Location {
         let ring = self.ring(nearest);
         if self.point(nearest) == p {
-            return Location {
-                nearest,
-                vertices: [nearest, ring[0], ring[1]],
-                weights: [1.0, 0.0, 0.0],
-            };
+            return Location { nearest, vertices: [nearest, ring[0], ring[1]], weights: [1.0, 0.0, 0.0] };
         }
         let mut vertices = self.facing_triangle(p, nearest);
         let mut weights = self.determinants(p, vertices);
@@ -63,16 +59,8 @@ impl SphereMesh {
             weights = self.determinants(p, vertices);
         }
         match normalised(weights) {
-            Some(weights) => Location {
-                nearest,
-                vertices,
-                weights,
-            },
-            None => Location {
-                nearest,
-                vertices: [nearest, ring[0], ring[1]],
-                weights: [1.0, 0.0, 0.0],
-            },
+            Some(weights) => Location { nearest, vertices, weights },
+            None => Location { nearest, vertices: [nearest, ring[0], ring[1]], weights: [1.0, 0.0, 0.0] },
         }
     }
 

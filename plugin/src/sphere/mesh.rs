@@ -41,10 +41,7 @@ impl SphereMesh {
             return Err(SphereError::SampleCount(samples));
         }
         let mesh = Self::build(sampling::fibonacci(samples))?;
-        Ok(Self {
-            is_fibonacci: true,
-            ..mesh
-        })
+        Ok(Self { is_fibonacci: true, ..mesh })
     }
 
     /// A mesh of any points, in the order given.
@@ -74,15 +71,8 @@ impl SphereMesh {
         }
         let areas = area::voronoi_areas(&points, &rings);
         let clearance = clearance(&points, &rings);
-        let mut mesh = Self {
-            points,
-            rings,
-            grid: Grid::default(),
-            clearance,
-            triangles,
-            areas,
-            is_fibonacci: false,
-        };
+        let mut mesh =
+            Self { points, rings, grid: Grid::default(), clearance, triangles, areas, is_fibonacci: false };
         mesh.grid = Grid::new(&mesh);
         Ok(mesh)
     }
@@ -150,9 +140,7 @@ impl SphereMesh {
 
 impl fmt::Debug for SphereMesh {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("SphereMesh")
-            .field("samples", &self.len())
-            .finish_non_exhaustive()
+        f.debug_struct("SphereMesh").field("samples", &self.len()).finish_non_exhaustive()
     }
 }
 
@@ -177,10 +165,7 @@ fn surrounds_centre(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
 /// A quarter of the smallest squared chord between neighbours: half way between the closest two samples.
 fn clearance(points: &[DVec3], rings: &Rings) -> f64 {
     let closest = |i: u32| {
-        let chords = rings
-            .of(i)
-            .iter()
-            .map(|&j| chord_squared(points[i as usize], points[j as usize]));
+        let chords = rings.of(i).iter().map(|&j| chord_squared(points[i as usize], points[j as usize]));
         chords.fold(f64::INFINITY, f64::min)
     };
     let samples = (0..points.len() as u32).into_par_iter().with_min_len(CHUNK);

@@ -37,23 +37,20 @@ impl Grid {
         let centre = |k: usize| (2.0 * k as f64 + 1.0) / f64::from(side) - 1.0;
         let axis: Vec<f64> = (0..width).map(|k| cube::unstretch(centre(k))).collect();
         let mut seeds = vec![0; 6 * width * width];
-        seeds
-            .par_chunks_mut(ROWS * width)
-            .enumerate()
-            .for_each(|(chunk, cells)| {
-                let mut row_seed = 0;
-                for (r, row) in cells.chunks_mut(width).enumerate() {
-                    let row_index = chunk * ROWS + r;
-                    let mut seed = row_seed;
-                    for (column, cell) in row.iter_mut().enumerate() {
-                        let face = (row_index / width) as u32;
-                        let p = cube::unproject(face, axis[column], axis[row_index % width]);
-                        seed = mesh.nearest_from(p.normalize(), seed);
-                        *cell = seed;
-                    }
-                    row_seed = row.first().copied().unwrap_or(0);
+        seeds.par_chunks_mut(ROWS * width).enumerate().for_each(|(chunk, cells)| {
+            let mut row_seed = 0;
+            for (r, row) in cells.chunks_mut(width).enumerate() {
+                let row_index = chunk * ROWS + r;
+                let mut seed = row_seed;
+                for (column, cell) in row.iter_mut().enumerate() {
+                    let face = (row_index / width) as u32;
+                    let p = cube::unproject(face, axis[column], axis[row_index % width]);
+                    seed = mesh.nearest_from(p.normalize(), seed);
+                    *cell = seed;
                 }
-            });
+                row_seed = row.first().copied().unwrap_or(0);
+            }
+        });
         Self { side, seeds }
     }
 

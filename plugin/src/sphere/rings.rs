@@ -38,11 +38,7 @@ impl Rings {
         for i in 0..n as u32 {
             let ring = self.of(i);
             let pairs = ring.iter().zip(ring.iter().cycle().skip(1));
-            triangles.extend(
-                pairs
-                    .filter(|&(&j, &k)| i < j && i < k)
-                    .map(|(&j, &k)| [i, j, k]),
-            );
+            triangles.extend(pairs.filter(|&(&j, &k)| i < j && i < k).map(|(&j, &k)| [i, j, k]));
         }
         triangles
     }

@@ -25,10 +25,7 @@ pub(super) fn fibonacci(n: u32) -> Vec<DVec3> {
     // Every key is unique, so the order is, too.
     keys.par_sort_unstable();
     let index = |key: u64| (key & ((1 << INDEX_BITS) - 1)) as u32;
-    keys.into_par_iter()
-        .with_min_len(CHUNK)
-        .map(|key| spiral_point(index(key), n))
-        .collect()
+    keys.into_par_iter().with_min_len(CHUNK).map(|key| spiral_point(index(key), n)).collect()
 }
 
 fn spiral_point(i: u32, n: u32) -> DVec3 {

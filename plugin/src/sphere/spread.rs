@@ -36,8 +36,7 @@ pub struct Scratch {
 pub fn angle_of_chord(chord: f64) -> f64 {
     let x = 0.5 * chord;
     let x2 = x * x;
-    2.0 * x
-        * (1.0 + x2 * (1.0 / 6.0 + x2 * (3.0 / 40.0 + x2 * (15.0 / 336.0 + x2 * (105.0 / 3456.0)))))
+    2.0 * x * (1.0 + x2 * (1.0 / 6.0 + x2 * (3.0 / 40.0 + x2 * (15.0 / 336.0 + x2 * (105.0 / 3456.0)))))
 }
 
 /// Spreads from `seeds` (sample, position of the source), up to `reach` radians (at most 2), along those
@@ -118,8 +117,7 @@ pub fn spread(
         let i = sample as usize;
         out.samples.push(sample);
         out.source.push(scratch.source[i]);
-        out.distance
-            .push(angle_of_chord(f64::from(scratch.chord2[i]).sqrt()) as f32);
+        out.distance.push(angle_of_chord(f64::from(scratch.chord2[i]).sqrt()) as f32);
         scratch.chord2[i] = f32::INFINITY;
         scratch.source[i] = UNREACHED;
         scratch.settled[i] = false;
@@ -153,12 +151,8 @@ mod tests {
                 assert!((angle - f64::from(reached.distance[k])).abs() < 1e-6);
             }
             let mut wrong = 0;
-            for i in 0..mesh.len() {
-                let p = mesh.points()[i];
-                let nearest = seeds
-                    .iter()
-                    .map(|s| crate::math::angle_between(p, s.1))
-                    .fold(9.0, f64::min);
+            for (i, &p) in mesh.points().iter().enumerate() {
+                let nearest = seeds.iter().map(|s| crate::math::angle_between(p, s.1)).fold(9.0, f64::min);
                 if nearest < 0.399 && (distance[i] - nearest).abs() > 1e-5 {
                     wrong += 1;
                     // A source cut off by others may be missed by a sample's width, no more.

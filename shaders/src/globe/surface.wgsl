@@ -92,14 +92,13 @@ fn vertex(in: Input) -> Varying {
 
 // Colour of the elevation `z` in km.
 fn tint(z: f32) -> vec3<f32> {
-    var color = globe.tint[0].xyz;
-    for (var i = 1u; i < globe.stops; i += 1u) {
-        let low = globe.tint[i - 1u];
-        let high = globe.tint[i];
-        let share = clamp((z - low.w) / max(high.w - low.w, 1e-6), 0.0, 1.0);
-        color = mix(color, high.xyz, share);
+    var above = 1u;
+    while above + 1u < globe.stops && z >= globe.tint[above].w {
+        above += 1u;
     }
-    return color;
+    let low = globe.tint[above - 1u];
+    let high = globe.tint[above];
+    return mix(low.xyz, high.xyz, clamp((z - low.w) / max(high.w - low.w, 1e-6), 0.0, 1.0));
 }
 
 @fragment

@@ -76,7 +76,11 @@ pub(super) fn read_crust(columns: &[&[u8]], n: usize, frames: usize) -> Result<C
 
 /// Crust lies on plates that exist. Until the next resample there may be frames of plates that are gone,
 /// but without samples.
-pub(super) fn carried(crust: &Crust, frames: &Frames, plates: &[(PlateId, PlateMotion, f64)]) -> Result<(), SaveError> {
+pub(super) fn carried(
+    crust: &Crust,
+    frames: &Frames,
+    plates: &[(PlateId, PlateMotion, f64)],
+) -> Result<(), SaveError> {
     let gone: Vec<bool> = frames
         .iter()
         .map(|frame| plates.binary_search_by_key(&frame.plate, |&(id, ..)| id).is_err())

@@ -36,10 +36,7 @@ pub(super) struct Nearest {
 pub(super) fn nearest(mesh: &SphereMesh, sources: &[Source]) -> Nearest {
     let mut cost = vec![f64::INFINITY; mesh.len()];
     let mut source = vec![0; mesh.len()];
-    let fastest = sources
-        .iter()
-        .map(|s| s.slowness)
-        .fold(f64::INFINITY, f64::min);
+    let fastest = sources.iter().map(|s| s.slowness).fold(f64::INFINITY, f64::min);
     let width = 0.5 * mesh.spacing() * fastest;
     let bucket = |cost: f64| (cost / width) as usize;
     let mut buckets: Vec<Vec<u32>> = Vec::new();

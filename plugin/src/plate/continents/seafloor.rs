@@ -55,11 +55,7 @@ pub(super) fn seafloor(
         };
         if open(i) {
             let speed = (PAST * relative * recipe.radius).max(SLOWEST);
-            sources.push(Source {
-                sample: i as u32,
-                point,
-                slowness: recipe.radius / speed,
-            });
+            sources.push(Source { sample: i as u32, point, slowness: recipe.radius / speed });
         }
     }
     let near = nearest(mesh, &sources);
@@ -70,22 +66,12 @@ pub(super) fn seafloor(
             let age = OLDEST * (1.0 - math::exp(-near.cost[i] / OLDEST));
             let z = z_a + (z_r - z_a) * math::exp(-age / params.subsidence_time);
             let p = mesh.point(i as u32);
-            let q = sources
-                .get(near.source[i] as usize)
-                .map_or(p, |source| source.point);
-            (
-                age as f32,
-                z as f32,
-                (p - q).cross(p).normalize_or_zero().as_vec3(),
-            )
+            let q = sources.get(near.source[i] as usize).map_or(p, |source| source.point);
+            (age as f32, z as f32, (p - q).cross(p).normalize_or_zero().as_vec3())
         };
         range.map(column).collect::<Vec<_>>()
     });
-    let mut floor = Seafloor {
-        age: Vec::new(),
-        elevation: Vec::new(),
-        ridge: Vec::new(),
-    };
+    let mut floor = Seafloor { age: Vec::new(), elevation: Vec::new(), ridge: Vec::new() };
     for (age, elevation, ridge) in parts.into_iter().flatten() {
         floor.age.push(age);
         floor.elevation.push(elevation);
@@ -96,29 +82,14 @@ pub(super) fn seafloor(
 }
 
 /// The point of a diverging border beside sample `i`, and the speed in rad/My at which the plates part.
-fn border(
-    mesh: &SphereMesh,
-    owner: &[FrameId],
-    motions: &[PlateMotion],
-    i: usize,
-) -> Option<(DVec3, f64)> {
+fn border(mesh: &SphereMesh, owner: &[FrameId], motions: &[PlateMotion], i: usize) -> Option<(DVec3, f64)> {
     let p = mesh.point(i as u32);
     let ring = mesh.ring(i as u32);
-    let other = ring
-        .iter()
-        .find(|&&j| owner[j as usize] != owner[i])
-        .map(|&j| owner[j as usize])?;
-    let across = ring
-        .iter()
-        .filter(|&&j| owner[j as usize] == other)
-        .map(|&j| mesh.point(j));
+    let other = ring.iter().find(|&&j| owner[j as usize] != owner[i]).map(|&j| owner[j as usize])?;
+    let across = ring.iter().filter(|&&j| owner[j as usize] == other).map(|&j| mesh.point(j));
     let (sum, count) = across.fold((DVec3::ZERO, 0.0), |(sum, n), q| (sum + q, n + 1.0));
     let away = p - sum / count;
-    let velocity = |plate: FrameId| {
-        motions
-            .get(usize::from(plate))
-            .map(|motion| motion.velocity(p))
-    };
+    let velocity = |plate: FrameId| motions.get(usize::from(plate)).map(|motion| motion.velocity(p));
     let relative = velocity(owner[i])? - velocity(other)?;
     let opening = relative.dot(away) / away.length();
     let point = (p - 0.5 * away).normalize();

@@ -39,15 +39,10 @@ pub fn keep_connected(mesh: &SphereMesh, samples: &[u32], labels: &mut [u16]) {
     }
     let kept = |entry: usize| largest[usize::from(labels[entry])] == Some(regions.region[entry]);
     let mut settled: Vec<bool> = (0..samples.len()).map(kept).collect();
-    let mut stray: Vec<usize> = (0..samples.len())
-        .filter(|&entry| !settled[entry])
-        .collect();
+    let mut stray: Vec<usize> = (0..samples.len()).filter(|&entry| !settled[entry]).collect();
     while !stray.is_empty() {
         let decide = |&entry: &usize| {
-            let ring = mesh
-                .ring(samples[entry])
-                .iter()
-                .map(|&j| entries[j as usize]);
+            let ring = mesh.ring(samples[entry]).iter().map(|&j| entries[j as usize]);
             let near = ring.filter(|&e| e != OUTSIDE && settled[e as usize]);
             most_common(near.map(|e| labels[e as usize])).map(|label| (entry, label))
         };
@@ -66,18 +61,12 @@ pub fn keep_connected(mesh: &SphereMesh, samples: &[u32], labels: &mut [u16]) {
 /// The position of each sample of the mesh in `samples`.
 fn entries(mesh: &SphereMesh, samples: &[u32]) -> Vec<u32> {
     let mut entries = vec![OUTSIDE; mesh.len()];
-    samples
-        .iter()
-        .enumerate()
-        .for_each(|(entry, &i)| entries[i as usize] = entry as u32);
+    samples.iter().enumerate().for_each(|(entry, &i)| entries[i as usize] = entry as u32);
     entries
 }
 
 fn regions(mesh: &SphereMesh, samples: &[u32], labels: &[u16], entries: &[u32]) -> Regions {
-    let mut found = Regions {
-        region: vec![OUTSIDE; samples.len()],
-        ..Regions::default()
-    };
+    let mut found = Regions { region: vec![OUTSIDE; samples.len()], ..Regions::default() };
     let mut open = Vec::new();
     for start in 0..samples.len() {
         if found.region[start] != OUTSIDE {
@@ -109,7 +98,5 @@ fn regions(mesh: &SphereMesh, samples: &[u32], labels: &[u16], entries: &[u32]) 
 /// The most common of a few labels, the lowest among equals.
 fn most_common(labels: impl Iterator<Item = u16> + Clone) -> Option<u16> {
     let count = |label: u16| labels.clone().filter(|&other| other == label).count();
-    labels
-        .clone()
-        .max_by_key(|&label| (count(label), core::cmp::Reverse(label)))
+    labels.clone().max_by_key(|&label| (count(label), core::cmp::Reverse(label)))
 }

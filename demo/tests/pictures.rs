@@ -1,0 +1,102 @@
+//! Pictures of the globe without a window. They need a Vulkan adapter, lavapipe included: without one the tests say
+//! SKIPPED, or fail where `PANGAEA_GPU=require`.
+
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::Path;
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+fn pangaea(folder: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pangaea"));
+    command.current_dir(folder).args(args);
+    command
+}
+
+/// Whether the program could draw; a failure for any other reason is one.
+fn drew(output: &Output) -> bool {
+    let text = String::from_utf8_lossy(&output.stderr);
+    if output.status.success() {
+        return true;
+    }
+    assert!(text.contains("no GPU adapter"), "{text}");
+    assert!(std::env::var("PANGAEA_GPU").as_deref() != Ok("require"), "{text}");
+    eprintln!("SKIPPED: {text}");
+    false
+}
+
+struct Picture {
+    width: usize,
+    height: usize,
+    rgb: Vec<u8>,
+}
+
+impl Picture {
+    fn read(path: &Path) -> Self {
+        let mut reader = png::Decoder::new(BufReader::new(File::open(path).unwrap())).read_info().unwrap();
+        let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut rgb).unwrap();
+        assert_eq!((info.color_type, info.bit_depth), (png::ColorType::Rgb, png::BitDepth::Eight));
+        Self { width: info.width as usize, height: info.height as usize, rgb }
+    }
+
+    fn brightness(&self, x: usize, y: usize) -> u32 {
+        let at = 3 * (y * self.width + x);
+        self.rgb[at..at + 3].iter().map(|&channel| u32::from(channel)).sum()
+    }
+
+    /// Share of pixels that are not space.
+    fn lit(&self) -> f64 {
+        let all = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
+        all.filter(|&(x, y)| self.brightness(x, y) > 60).count() as f64 / (self.width * self.height) as f64
+    }
+}
+
+#[test]
+fn a_globe_floats_in_the_middle_of_space_and_is_the_same_twice() {
+    let folder = TempDir::new().unwrap();
+    let grown = ["generate", "--samples", "3000", "--plates", "12", "--until", "20", "--out", "g"];
+    assert!(pangaea(folder.path(), &grown).status().unwrap().success());
+    let draw = |name: &str, more: &[&str]| {
+        let mut args = vec!["render", "g/planet.pangaea", "--size", "320x180", "--out", name];
+        args.extend(more);
+        drew(&pangaea(folder.path(), &args).output().unwrap())
+            .then(|| Picture::read(&folder.path().join(name)))
+    };
+    let Some(globe) = draw("a.png", &[]) else { return };
+    assert_eq!((globe.width, globe.height), (320, 180));
+    for (x, y) in [(0, 0), (319, 0), (0, 179), (319, 179)] {
+        assert!(globe.brightness(x, y) < 45, "space is bright at {x},{y}");
+    }
+    assert!(globe.brightness(160, 90) > 90, "the middle is dark");
+    assert!((0.04..0.6).contains(&globe.lit()), "{}", globe.lit());
+
+    draw("b.png", &[]);
+    assert_eq!(
+        fs::read(folder.path().join("a.png")).unwrap(),
+        fs::read(folder.path().join("b.png")).unwrap()
+    );
+    let plates = draw("c.png", &["--overlay", "plates"]).unwrap();
+    assert!(plates.rgb != globe.rgb && (plates.lit() - globe.lit()).abs() < 0.1);
+    // From low above the ground the planet fills the picture.
+    let near = draw("d.png", &["--camera", "10,20,900000"]).unwrap();
+    assert!(near.lit() > 0.95, "{}", near.lit());
+}
+
+#[test]
+fn without_an_adapter_the_reason_and_the_cure_are_printed_and_nothing_is_written() {
+    if cfg!(not(target_os = "linux")) {
+        return;
+    }
+    let folder = TempDir::new().unwrap();
+    let small = ["render", "--samples", "500", "--plates", "8", "--until", "4", "--out", "a.png"];
+    let output = pangaea(folder.path(), &small)
+        .envs([("VK_ICD_FILENAMES", "/nowhere.json"), ("VK_DRIVER_FILES", "/nowhere.json")])
+        .env("VK_LOADER_DRIVERS_DISABLE", "*")
+        .output()
+        .unwrap();
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains("no GPU adapter") && text.contains("mesa-vulkan-drivers"), "{text}");
+    assert!(!folder.path().join("a.png").exists());
+}
