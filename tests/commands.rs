@@ -83,8 +83,7 @@ fn rifted(app: &mut App, planet: Entity, rift: TectonicCommand) -> usize {
     });
     accept(app, planet, rift);
     assert_eq!(heard::<PlateRifted>(app).len(), 1);
-    let count = *counted.lock().unwrap();
-    count
+    *counted.lock().unwrap()
 }
 
 #[test]

@@ -189,7 +189,8 @@ fn generate_writes_the_same_bytes_on_any_number_of_threads() {
     names.push("stats.json".into());
     let mut found: Vec<String> =
         fs::read_dir(&one).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    (found.sort(), names.sort());
+    found.sort();
+    names.sort();
     assert_eq!(found, names);
 }
 

@@ -85,7 +85,7 @@ fn ocean_goes_under_a_continent_however_young() {
 
 #[test]
 fn polarity_does_not_flicker() {
-    let (mut app, planet) = planet_app(&small(2, 8000));
+    let (mut app, planet) = planet_app(&small(2, 20_000));
     steps(&mut app, planet, 1);
     let mut flips: std::collections::BTreeMap<_, Vec<u64>> = std::collections::BTreeMap::new();
     let mut last = get::<PolarityMemory>(&app, planet).clone();

@@ -34,7 +34,7 @@ impl Cap {
     /// `highest` on this patch.
     pub(super) fn seen_from(&self, camera: DVec3, lowest: f64, highest: f64) -> bool {
         let distance = camera.length();
-        if !(distance > lowest) {
+        if distance.is_nan() || distance <= lowest {
             return true;
         }
         let horizon = math::acos(lowest / distance) + math::acos(lowest / highest.max(lowest));
