@@ -68,6 +68,7 @@ fn state() -> PlanetState {
             pair: (PlateId(0), PlateId(1)),
             bin: 17,
             first_under: true,
+            held: 7,
         }]),
         fronts,
     }

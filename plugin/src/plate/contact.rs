@@ -22,6 +22,10 @@ use rayon::prelude::*;
 /// Slower than this in km/My plates neither converge nor diverge.
 pub const SLIDING: f64 = 2.0;
 
+/// Weight in My with which an ocean that goes under a continent speaks for the polarity of its segment: an island that
+/// arrives there goes the same way.
+const OCEAN_UNDER_CONTINENT: f64 = 200.0;
+
 /// What a rim sample does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
 #[repr(u8)]
@@ -138,15 +142,18 @@ fn evidence(input: &ContactInput, rim: &Rim, contacts: &[Contact]) -> Vec<((Pair
     let mut seen: Vec<((Pair, u16), [f64; 2])> = Vec::new();
     for (k, contact) in contacts.iter().enumerate() {
         let i = rim.samples[k] as usize;
-        if contact.role != Role::Overriding || crust.is_continental(i) != contact.other_continental {
+        if contact.role != Role::Overriding {
             continue;
         }
         let frame = &frames[usize::from(crust.frame[i])];
         let (pair, swapped) = pair(frame.plate, contact.other);
-        let age = if contact.other_continental {
-            [0.0; 2]
-        } else {
-            [f64::from(crust.ocean_age[i]), f64::from(crust.ocean_age[contact.sample as usize])]
+        let age = match (crust.is_continental(i), contact.other_continental) {
+            (true, true) => [0.0; 2],
+            (true, false) => [0.0, OCEAN_UNDER_CONTINENT],
+            (false, true) => [OCEAN_UNDER_CONTINENT, 0.0],
+            (false, false) => {
+                [f64::from(crust.ocean_age[i]), f64::from(crust.ocean_age[contact.sample as usize])]
+            }
         };
         let age = if swapped { [age[1], age[0]] } else { age };
         seen.push(((pair, bin(frame.to_world(mesh.points()[i]))), age));

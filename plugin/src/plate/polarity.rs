@@ -5,7 +5,7 @@
 //! 384 bins of the world, about 1000 km across. A new segment takes over what most segments of the pair
 //! decided; the first decides by age: the older ocean floor goes under, and between continents the plate
 //! with the smaller number overrides. A segment turns over when its mean ages speak against it by more than
-//! [`TectonicParams::polarity_hysteresis`](crate::params::TectonicParams).
+//! [`TectonicParams::polarity_hysteresis`](crate::params::TectonicParams), and not within [`HOLD`] steps of the last turn.
 
 use super::PlateId;
 use crate::crust::bins::CubeGrid;
@@ -14,6 +14,9 @@ use bevy::prelude::*;
 
 /// Edge of the bins: 6 x 8 x 8 of them.
 const BINS: usize = 8;
+
+/// A decision stands for so many steps at least.
+pub const HOLD: u16 = 10;
 
 /// A pair of plates in the order of their numbers.
 pub type Pair = (PlateId, PlateId);
@@ -27,6 +30,8 @@ pub struct Segment {
     pub bin: u16,
     /// Whether the first plate of the pair goes under.
     pub first_under: bool,
+    /// Steps with evidence since the decision, no more than 65,535.
+    pub held: u16,
 }
 
 /// Decisions about all segments, ordered by pair and bin.
@@ -85,15 +90,16 @@ impl PolarityMemory {
             match self.0.binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin)) {
                 Ok(at) => {
                     let segment = &mut self.0[at];
-                    if segment.first_under && excess < -hysteresis {
-                        segment.first_under = false;
-                    } else if !segment.first_under && excess > hysteresis {
-                        segment.first_under = true;
+                    segment.held = segment.held.saturating_add(1);
+                    let against = if segment.first_under { -excess } else { excess };
+                    if against > hysteresis && segment.held >= HOLD {
+                        segment.first_under = !segment.first_under;
+                        segment.held = 0;
                     }
                 }
                 Err(_) => {
                     let first_under = self.majority(pair).unwrap_or(excess > 0.0);
-                    fresh.push(Segment { pair, bin, first_under });
+                    fresh.push(Segment { pair, bin, first_under, held: 0 });
                 }
             }
         }
@@ -128,7 +134,9 @@ mod tests {
             memory.update(&[(key, seen([flicker, 60.0]))], 15.0);
             assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), Some(PlateId(1)), "{flicker}");
         }
-        memory.update(&[(key, seen([44.0, 60.0]))], 15.0);
+        for _ in 0..HOLD {
+            memory.update(&[(key, seen([44.0, 60.0]))], 15.0);
+        }
         assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), Some(PlateId(4)));
     }
 

@@ -1,11 +1,13 @@
 //! Continental collision: a terrane breaks off its slab and is sutured (paper 000 §4.2, §6).
 //!
-//!     r = r_c sqrt(v/v_0 A/A_0), at most r_c            (root over both, as in paper 004)
-//!     dz(p) = D f(d(p)),  f(x) = (1 - (x/r)²)²          D = Delta_c A, saturating at the highest surge
-//!     f' = (n x (p - q)/|p - q|) x n
+//! ```text
+//! r = r_c sqrt(v/v_0 A/A_0), at most r_c            (root over both, as in paper 004)
+//! dz(p) = D f(d(p)),  f(x) = (1 - (x/r)²)²          D = Delta_c A, saturating at the highest surge
+//! f' = (n x (p - q)/|p - q|) x n
+//! ```
 //!
 //! *Trigger*: continents of two plates overlap by 300 km, measured along their relative motion from the rim of
-//! the overriding plate backwards. *Who moves*: the smaller of the two terranes takes a new frame owned by the
+//! either plate backwards; half of that in a step that ends with a resample, which would resolve the overlap. *Who moves*: the smaller of the two terranes takes a new frame owned by the
 //! other's plate, with the rotation that it has; no resample is forced. *Distance*: d is measured from the
 //! overlap, on both sides of the suture; measured from the whole terrane, as printed, a continent that collides
 //! would become one plateau. *Small islands*, below [`TectonicParams::terrane_min_area`], do not break off: they
@@ -18,7 +20,7 @@ use crate::crust::isostasy::Isostasy;
 use crate::crust::{Cause, Crust, Frame, FrameId, Frames, Ledger, Orogeny};
 use crate::events::TerraneCollided;
 use crate::params::TectonicParams;
-use crate::planet::{Lattice, Planet};
+use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, Role};
 use crate::plate::{PlateId, PlateTable};
@@ -57,13 +59,15 @@ struct Scene<'a> {
     contacts: &'a Contacts,
     cover: &'a CoverIndex,
     plates: PlateTable,
+    /// Overlap in radians from which on a terrane breaks off.
+    trigger: f64,
 }
 
 /// Sutures terranes of the current planet.
 pub fn collision(
     plates: PlateAccess,
     mut planets: Query<(
-        (&Planet, &Lattice, &TectonicParams, &Rim, &Contacts, &CoverIndex),
+        (&Planet, &Lattice, &TectonicParams, &GeologicClock, &Rim, &Contacts, &CoverIndex),
         (&mut Crust, &mut Frames, &mut Ledger),
     )>,
     mut commands: Commands,
@@ -71,12 +75,16 @@ pub fn collision(
     let Ok((input, (mut crust, mut frames, mut ledger))) = planets.get_mut(plates.planet()) else {
         return;
     };
-    let (planet, lattice, params, rim, contacts, cover) = input;
+    let (planet, lattice, params, clock, rim, contacts, cover) = input;
     if !params.processes.collision {
         return;
     }
     let mesh: &SphereMesh = lattice;
-    let scene = Scene { planet, mesh, params, rim, contacts, cover, plates: plates.table() };
+    let table = plates.table();
+    // A resample resolves overlaps: what is half way to a collision would never become one.
+    let last_chance = crate::resample::due(params, clock, &table, planet.radius, frames.len());
+    let trigger = params.collision_trigger / planet.radius * if last_chance { 0.5 } else { 1.0 };
+    let scene = Scene { planet, mesh, params, rim, contacts, cover, plates: table, trigger };
     let mut sutured = false;
     for overlap in scene.overlaps(&crust, &frames) {
         if let Some(mut event) = scene.collide(&overlap, &mut crust, &mut frames, &mut ledger) {
@@ -94,14 +102,14 @@ pub fn collision(
 impl Scene<'_> {
     /// The deepest overlap of every pair of frames beyond the trigger, in the order of the rim.
     fn overlaps(&self, crust: &Crust, frames: &Frames) -> Vec<Overlap> {
-        let trigger = self.params.collision_trigger / self.planet.radius;
+        let trigger = self.trigger;
         let found: Vec<Overlap> = (0..self.rim.len())
             .into_par_iter()
             .with_min_len(256)
             .filter_map(|k| {
                 let contact = &self.contacts.0[k];
                 let sample = self.rim.samples[k] as usize;
-                let continents = contact.role == Role::Overriding
+                let continents = matches!(contact.role, Role::Overriding | Role::Subducting)
                     && contact.other_continental
                     && crust.is_continental(sample);
                 let depth = if continents { self.depth(k, trigger, crust, frames) } else { 0.0 };

@@ -1,6 +1,8 @@
 //! Drift: frames rotate rigidly with their plates (paper 000 §3).
 //!
-//!     s(p) = omega w x p
+//! ```text
+//! s(p) = omega w x p
+//! ```
 //!
 //! Reads: motions. Writes: frames, centroids. No sample moves.
 

@@ -1,7 +1,9 @@
 //! Continental erosion (paper 000 §4.5), and how eroded or thickened crust floats.
 //!
-//!     z' = z - z / z_c  eps_c dt        where z > 0: below the sea it would lift the shelves
-//!     z' = z + (z_iso(e) - z) (1 - exp(-dt / tau))
+//! ```text
+//! z' = z - z / z_c  eps_c dt        where z > 0: below the sea it would lift the shelves
+//! z' = z + (z_iso(e) - z) (1 - exp(-dt / tau))
+//! ```
 //!
 //! Reads and writes: elevation, thickness.
 

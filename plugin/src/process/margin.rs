@@ -1,7 +1,9 @@
 //! Passive margins: sediment from the land fills the floor beside it up to a slope (paper 000 §4.5, sediment accretion;
 //! the paper names passive margins as missing, §7.5).
 //!
-//!     z' = min(z + eps_t dt, max over neighbours j of z_j - s |p - p_j|)      where that is higher than z
+//! ```text
+//! z' = min(z + eps_t dt, max over neighbours j of z_j - s |p - p_j|)      where that is higher than z
+//! ```
 //!
 //! s is the slope that falls from the sea to the abyss within the margin's width. Subsidence works against it, so a
 //! margin far from any land disappears again. Slopes change slowly: every [`EVERY`] steps are enough.

@@ -1,6 +1,8 @@
 //! Rifting: a plate breaks into two to four (paper 000 §4.4).
 //!
-//!     P = 1 - exp(-lambda)        lambda = lambda_0 f(x_P) A / A_0      f(x) = s + (1 - s) x²
+//! ```text
+//! P = 1 - exp(-lambda)        lambda = lambda_0 f(x_P) A / A_0      f(x) = s + (1 - s) x²
+//! ```
 //!
 //! The printed `lambda exp(-lambda)` falls again beyond lambda = 1. s is the share that oceanic plates keep.
 //! Fragments keep the parent's motion and gain opposite turns that open the rift; continental crust along it is

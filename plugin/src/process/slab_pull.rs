@@ -1,6 +1,8 @@
 //! Slab pull: a subducting plate is drawn towards its fronts (paper 000 §4.1).
 //!
-//!     w' = w + eps sum_k  (c x q_k) / |c x q_k|  L_k / R  dt,   renormalised
+//! ```text
+//! w' = w + eps sum_k  (c x q_k) / |c x q_k|  L_k / R  dt,   renormalised
+//! ```
 //!
 //! L_k is the length of front that q_k stands for, so that the pull does not depend on the resolution. The
 //! speed stays. Young fragments of a rift are left alone for [`GRACE`] My: pulled together, they would close the rift.

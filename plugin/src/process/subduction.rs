@@ -1,9 +1,11 @@
 //! Subduction: ocean crust sinks, and the overriding plate rises (paper 000 §4.1).
 //!
-//!     u(p) = u_0 f(d) g(v) h(z_i)           z' = z + u dt         f' = f + beta (s_i - s_j) dt
-//!     f(d)  0 at the front, 1 at d_c, 0 from r_s on: two smoothstep pieces
-//!     g(v) = v / v_0
-//!     h(z_i) = ((z_i - z_t) / (z_c - z_t))²  of the crust going under, unbent
+//! ```text
+//! u(p) = u_0 f(d) g(v) h(z_i)           z' = z + u dt         f' = f + beta (s_i - s_j) dt
+//! f(d)  0 at the front, 1 at d_c, 0 from r_s on: two smoothstep pieces
+//! g(v) = v / v_0
+//! h(z_i) = ((z_i - z_t) / (z_c - z_t))²  of the crust going under, unbent
+//! ```
 //!
 //! The printed h lacks its square and bounds; the cubic of paper 004 is negative at the front. A weight w
 //! turns each factor x into 1 + w (x - 1). Every uplift saturates towards z_c. Orogeny becomes Andean where

@@ -23,7 +23,7 @@ mod stage;
 mod derived;
 
 pub use derived::{rebuild, refresh};
-pub use stage::{ResamplePlugin, Resampling, SurfaceDemand, interval, project_now};
+pub use stage::{ResamplePlugin, Resampling, SurfaceDemand, due, interval, project_now};
 
 #[allow(unused_imports, reason = "named in the module's documentation")]
 use crate::crust::Surface;

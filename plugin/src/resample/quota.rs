@@ -88,7 +88,7 @@ fn stack(params: &TectonicParams, crust: &mut Crust, mesh: &SphereMesh, notes: &
         if notes.below[i] > 0.0 && crust.is_continental(i) {
             crust.thickness[i] += notes.below[i];
         }
-        if crust.is_continental(i) && crust.thickness[i] > thickest {
+        if notes.below[i] > 0.0 && crust.is_continental(i) && crust.thickness[i] > thickest {
             shed += f64::from(crust.thickness[i] - thickest) * mesh.areas()[i];
             crust.thickness[i] = thickest;
         }

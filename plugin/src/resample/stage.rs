@@ -97,14 +97,23 @@ fn surface(world: &mut World) {
 
 fn is_due(world: &mut World, planet: Entity) -> bool {
     let table = plate_table(world, planet);
-    let Some(params) = world.get::<TectonicParams>(planet) else { return false };
-    let Some(clock) = world.get::<GeologicClock>(planet) else { return false };
-    let radius = world.get::<Planet>(planet).map_or(0.0, |planet| planet.radius);
-    let speed = table.rows().iter().map(|row| row.motion.speed * radius).fold(0.0, f64::max);
+    let entity = world.entity(planet);
+    let parts = entity.get_components::<(&Planet, &TectonicParams, &GeologicClock, &Frames)>();
+    parts.is_ok_and(|(body, params, clock, frames)| due(params, clock, &table, body.radius, frames.len()))
+}
+
+/// Whether this step ends with a resample.
+pub fn due(
+    params: &TectonicParams,
+    clock: &GeologicClock,
+    plates: &PlateTable,
+    radius: f64,
+    frames: usize,
+) -> bool {
+    let speed = plates.rows().iter().map(|row| row.motion.speed * radius).fold(0.0, f64::max);
     let due = clock.since_resample + 1 >= interval(params, speed);
     // Frame numbers are 16 bits wide; a planet that collects so many terranes must be tidied.
-    let crowded = world.get::<Frames>(planet).is_some_and(|frames| frames.len() > 50_000);
-    clock.resample_requested || crowded || (params.processes.resample && due)
+    clock.resample_requested || frames > 50_000 || (params.processes.resample && due)
 }
 
 /// Projects the whole surface at once.

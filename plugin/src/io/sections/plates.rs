@@ -95,17 +95,18 @@ pub(super) fn polarity(state: &PlanetState) -> Vec<u8> {
         out.u32(segment.pair.1.0);
         out.u16(segment.bin);
         out.u8(u8::from(segment.first_under));
+        out.u16(segment.held);
     }
     out.0
 }
 
 pub(super) fn read_polarity(bytes: &[u8]) -> Result<PolarityMemory, SaveError> {
     let mut read = Decoder(bytes);
-    let count = read.count(11)?;
+    let count = read.count(13)?;
     let mut segments: Vec<Segment> = Vec::with_capacity(count);
     for _ in 0..count {
         let pair = (PlateId(read.u32()?), PlateId(read.u32()?));
-        let segment = Segment { pair, bin: read.u16()?, first_under: flag(read.u8()?)? };
+        let segment = Segment { pair, bin: read.u16()?, first_under: flag(read.u8()?)?, held: read.u16()? };
         let key = |s: &Segment| (s.pair, s.bin);
         if pair.0 >= pair.1 || segments.last().is_some_and(|last| key(last) >= key(&segment)) {
             return Err(invalid("the memory of polarity is out of order".into()));
