@@ -13,7 +13,7 @@ fn session() -> Vec<(u64, TectonicCommand)> {
         (0, TectonicCommand::SetPlateMotion { plate: PlateId(1), pole: (40.0, -70.0), speed: -85.5 }),
         (2, TectonicCommand::PaintCrust { target: disc, brush: Brush::Kind(CrustKind::Continental) }),
         (2, TectonicCommand::PaintCrust { target: disc, brush: Brush::Raise(1.25) }),
-        (5, TectonicCommand::RiftPlate { plate: PlateId(0), line: Vec::new(), fragments: 3 }),
+        (5, TectonicCommand::RiftPlate { plate: PlateId(0), line: Vec::new(), fragments: 2 }),
         (5, TectonicCommand::SetPlateMotion { plate: PlateId(999), pole: (0.0, 0.0), speed: 1.0 }),
         (6, TectonicCommand::SetParam { name: "uplift".into(), value: 1.1 }),
         (8, TectonicCommand::Resample),

@@ -1,6 +1,6 @@
 //! What maps and globes show: a colour for every sample, and the legend that explains it.
 //!
-//! In: the [`Surface`] of a planet. Out: colours per sample ([`colorize`]) for the globe, rasters
+//! In: the [`Surface`] of a planet. Out: colours per sample ([`colorize`](fn@colorize)) for the globe, rasters
 //! ([`map`]) for files. Nothing here needs a renderer.
 //!
 //! ```text

@@ -211,8 +211,9 @@ fn rift(
         shape.motions(&outline, speed, far_end).ok_or(RiftError::NoShape)
     };
     if smallest > 0.0 {
-        // Most random shapes are refused; a sixteenth of the samples is enough to see it.
-        let coarse = split(lattice, &crust, &frames, id, shape, 16);
+        // Most random shapes are refused; some thousand samples are enough to see it.
+        let stride = (row.stats.samples as usize / 2000).clamp(1, 16);
+        let coarse = split(lattice, &crust, &frames, id, shape, stride);
         check_shares(&coarse, shape, smallest)?;
         opens(&coarse)?;
     }
