@@ -1,0 +1,5 @@
+//! Amplification: the planet's ground from 52 km to half a metre, in exact integers (paper 002).
+
+pub mod fixed;
+
+pub mod control;
