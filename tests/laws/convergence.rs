@@ -133,7 +133,7 @@ fn mountains_rise_beside_the_trench() {
         }
         if surface.crust.orogeny[i] != Orogeny::None {
             assert_eq!(surface.crust.orogeny[i], Orogeny::Andean);
-            assert!(km < params.subduction_distance + 200.0, "an Andean belt {km} km from the front");
+            assert!(km < params.uplift_end() + 200.0, "an Andean belt {km} km from the front");
             let fold = surface.crust.fold[i];
             assert!(fold.length() > 0.01 && fold.dot(mesh.points()[i].as_vec3()).abs() < 1e-3);
         }

@@ -26,14 +26,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn erosion_is_exponential_on_land_and_nothing_under_water() {
+    fn erosion_takes_the_same_share_of_land_each_step_and_nothing_under_water() {
         let params = TectonicParams::default();
         let mut z = 5.0_f32;
         for _ in 0..100 {
             z -= eroded(&params, z);
         }
-        let expected = 5.0 * crate::math::exp(-200.0 * params.erosion / params.summit_elevation);
-        assert!((f64::from(z) / expected - 1.0).abs() < 0.01);
+        let share = params.erosion / params.summit_elevation * params.time_step;
+        let expected = 5.0 * crate::math::pow(1.0 - share, 100.0);
+        assert!((f64::from(z) / expected - 1.0).abs() < 1e-5);
         assert_eq!(eroded(&params, -0.2), 0.0);
         assert_eq!(eroded(&params, 0.0), 0.0);
     }

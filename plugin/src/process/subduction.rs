@@ -2,14 +2,14 @@
 //!
 //! ```text
 //! u(p) = u_0 f(d) g(v) h(z_i)           z' = z + u dt         f' = f + beta (s_i - s_j) dt
-//! f(d)  0 at the front, 1 at d_c, 0 from r_s on: two smoothstep pieces
+//! f(d)  0 at the front, 1 at d_c, 0 from rho r_s on (rho: subduction_reach): two smoothstep pieces
 //! g(v) = v / v_0
 //! h(z_i) = ((z_i - z_t) / (z_c - z_t))²  of the crust going under, unbent
 //! ```
 //!
 //! The printed h lacks its square and bounds; the cubic of paper 004 is negative at the front. A weight w
 //! turns each factor x into 1 + w (x - 1). Every uplift saturates towards z_c. Orogeny becomes Andean where
-//! continental crust rises faster than [`OROGENY_RATE`], unless a collision folded it in the last
+//! continental crust rises faster than `orogeny_rate`, unless a collision folded it in the last
 //! [`HIMALAYAN_MEMORY`] My. Thickness follows by isostasy; on continents it is booked as subduction uplift.
 //! *Forced subduction*: where the crust going under is continental, h is large and so is the uplift.
 //!
@@ -30,9 +30,6 @@ use crate::sphere::SphereMesh;
 use crate::sphere::spread::UNREACHED;
 use bevy::prelude::*;
 use rayon::prelude::*;
-
-/// Continental crust that rises faster than this is being folded, in km/My.
-pub const OROGENY_RATE: f32 = 0.004;
 
 /// For so long a collision's belt stays Himalayan above a subduction zone, in My.
 pub const HIMALAYAN_MEMORY: f32 = 60.0;
@@ -60,7 +57,7 @@ pub fn subduction(
         field.stale = true;
         return;
     }
-    let reach = (params.subduction_distance / planet.radius).min(2.0);
+    let reach = (params.uplift_end() / planet.radius).min(2.0);
     field.refresh(lattice, &crust.frame, frames, rim, contacts, reach, clock.step);
     let volume = rise(lattice, &mut crust, &field, rim, contacts, &Uplift::new(params, planet.radius));
     ledger.book(Cause::SubductionUplift, 0.0, volume);
@@ -81,7 +78,7 @@ impl<'a> Uplift<'a> {
 
     /// f: the profile over the distance `d` from the front in km, 0..1.
     pub fn distance_profile(&self, d: f64) -> f64 {
-        let (peak, end) = (self.params.uplift_peak, self.params.subduction_distance);
+        let (peak, end) = (self.params.uplift_peak, self.params.uplift_end());
         if d < peak { smoothstep(d / peak) } else { smoothstep((end - d) / (end - peak).max(1.0)) }
     }
 
@@ -154,7 +151,7 @@ fn rise(
                 elevation[k] = raised;
                 thickness[k] = thicker;
                 fold[k] = turned(fold[k], drag, mesh.points()[i].as_vec3());
-                if continental && rate > OROGENY_RATE {
+                if continental && f64::from(rate) > law.params.orogeny_rate {
                     let himalayan = orogeny[k] == Orogeny::Himalayan && orogeny_age[k] < HIMALAYAN_MEMORY;
                     if !himalayan {
                         orogeny[k] = Orogeny::Andean;
@@ -197,10 +194,11 @@ mod tests {
         let law = Uplift::new(&params, 6370.0);
         assert_eq!(law.distance_profile(0.0), 0.0);
         assert_eq!(law.distance_profile(params.uplift_peak), 1.0);
-        assert_eq!(law.distance_profile(params.subduction_distance), 0.0);
+        assert_eq!(law.distance_profile(params.uplift_end()), 0.0);
         assert_eq!(law.distance_profile(2.0 * params.subduction_distance), 0.0);
         assert!((law.distance_profile(150.0) - 0.5).abs() < 1e-12);
-        assert!((law.distance_profile(1050.0) - 0.5).abs() < 1e-12);
+        let middle = 0.5 * (params.uplift_peak + params.uplift_end());
+        assert!((law.distance_profile(middle) - 0.5).abs() < 1e-12);
         assert_eq!(law.speed_profile(params.max_speed), 1.0);
         assert_eq!(law.relief_profile(params.summit_elevation), 1.0);
         assert_eq!(law.relief_profile(params.trench_elevation), 0.0);
