@@ -71,7 +71,8 @@ pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
     let seedling = Seedling::new(None, &args.recipe)?;
     // Refused now rather than after the planet has grown.
     Files::new(&args.out)?;
-    let files = eight_orbit_views(seedling.grow()?, &args.out)?;
+    let mut studio = Offscreen::new(ORBIT_SIZE).map_err(PictureError::from)?;
+    let files = eight_orbit_views(&mut studio, seedling.grow()?, &args.out)?;
     let list: String = files.iter().map(|path| format!("{}\n", path.display())).collect();
     print(&list)
 }
@@ -80,10 +81,13 @@ pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
 ///
 /// # Errors
 /// [`PictureError`]; files of the views before the failure stay.
-pub fn eight_orbit_views(planet: PlanetState, dir: &Path) -> Result<Vec<PathBuf>, PictureError> {
+fn eight_orbit_views(
+    studio: &mut Offscreen,
+    planet: PlanetState,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, PictureError> {
     fs::create_dir_all(dir).map_err(|source| IoError::Write { path: dir.to_path_buf(), source })?;
     let radius = planet.planet.radius;
-    let mut studio = Offscreen::new(ORBIT_SIZE)?;
     studio.show(planet);
     let mut files = Vec::new();
     for (name, lat, lon) in ORBIT {

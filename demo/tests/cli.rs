@@ -138,8 +138,8 @@ fn scenarios_are_checked_before_and_while_they_play() {
         ["generate", "--samples", "500", "--plates", "10", "--until", "20", "--scenario", "a.scenario.ron"];
     for (command, words) in [
         ("SetParam(name: \"upift\", value: 1)", &["step 1", "upift"][..]),
-        ("SetPlateMotion(plate: (0), pole: (91, 0), speed: 1)", &["step 1", "latitude"]),
-        ("SetPlateMotion(plate: (999), pole: (0, 0), speed: 1)", &["step 1", "999"]),
+        ("SetPlateMotion(plate: 0, pole: (91, 0), speed: 1)", &["step 1", "latitude"]),
+        ("SetPlateMotion(plate: 999, pole: (0, 0), speed: 1)", &["step 1", "999"]),
     ] {
         fs::write(&scenario, format!("[(step: 1, command: {command})]")).unwrap();
         refused_in(folder.path(), &play, words);

@@ -35,7 +35,7 @@ pub enum ParamError {
     #[error("unknown parameter `{0}`")]
     Unknown(String),
     /// The value is outside of the limits, or no number.
-    #[error("{name} = {value} is outside of {min}..={max} {unit}")]
+    #[error("{name} = {} is outside of {min}..={max} {unit}", crate::params::shown(*value))]
     OutOfRange {
         /// Name of the parameter.
         name: &'static str,
@@ -48,6 +48,11 @@ pub enum ParamError {
         /// Unit of the limits.
         unit: &'static str,
     },
+}
+
+/// A refused number as a message shows it: a huge one with an exponent, not with three hundred digits.
+pub(crate) fn shown(value: f64) -> String {
+    if value.abs() >= 1e15 { format!("{value:e}") } else { value.to_string() }
 }
 
 macro_rules! params {

@@ -141,7 +141,7 @@ pub enum PlanetError {
     #[error(transparent)]
     Param(#[from] ParamError),
     /// A number of the recipe is outside of its limits.
-    #[error("{field} = {value} is outside of {min}..={max}")]
+    #[error("{field} = {} is outside of {min}..={max}", crate::params::shown(*value))]
     OutOfRange {
         /// The field of the recipe.
         field: &'static str,

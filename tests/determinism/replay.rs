@@ -64,7 +64,7 @@ fn a_scenario_file_plays_like_a_user() {
     steps(&mut app, planet, 5);
     let text = "[
         (step: 7, command: SetParam(name: \"erosion\", value: 0.1)),
-        (step: 3, command: SetPlateMotion(plate: (2), pole: (60, -30), speed: 80)),
+        (step: 3, command: SetPlateMotion(plate: 2, pole: (60, -30), speed: 80)),
     ]";
     let (mut other, played) = planet_app(&recipe);
     other.world_mut().entity_mut(played).insert(parse_scenario(text).unwrap());

@@ -23,7 +23,7 @@ pub enum CommandError {
     #[error("there is no plate {}", .0.0)]
     NoPlate(PlateId),
     /// A number is outside of its limits, or no number.
-    #[error("{field} = {value} is outside of {min}..={max}")]
+    #[error("{field} = {} is outside of {min}..={max}", crate::params::shown(*value))]
     OutOfRange {
         /// The field.
         field: &'static str,

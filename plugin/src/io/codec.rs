@@ -109,7 +109,7 @@ impl<'a> Decoder<'a> {
         if (low..=high).contains(&value) {
             Ok(value)
         } else {
-            Err(invalid(format!("{what} = {value} is outside of {low}..={high}")))
+            Err(invalid(format!("{what} = {} is outside of {low}..={high}", crate::params::shown(value))))
         }
     }
 

@@ -2,8 +2,8 @@
 //!
 //! ```ron
 //! [
-//!     (step: 10, command: SetPlateMotion(plate: (3), pole: (60, -30), speed: 80)),
-//!     (step: 20, command: RiftPlate(plate: (5), line: [(0, 10), (20, 14)])),
+//!     (step: 10, command: SetPlateMotion(plate: 3, pole: (60, -30), speed: 80)),
+//!     (step: 20, command: RiftPlate(plate: 5, line: [(0, 10), (20, 14)])),
 //!     (step: 30, command: PaintCrust(target: Disc(center: (10, 20), radius: 800), brush: Raise(2))),
 //!     (step: 40, command: SetParam(name: "erosion", value: 0.1)),
 //! ]
@@ -88,7 +88,7 @@ fn within(what: &str, value: f64, low: f64, high: f64) -> Result<(), String> {
     if (low..=high).contains(&value) {
         Ok(())
     } else {
-        Err(format!("{what} = {value} is outside of {low}..={high}"))
+        Err(format!("{what} = {} is outside of {low}..={high}", crate::params::shown(value)))
     }
 }
 
@@ -100,8 +100,8 @@ mod tests {
     #[test]
     fn commands_are_read() {
         let scenario = parse_scenario(
-            "[(step: 10, command: SetPlateMotion(plate: (3), pole: (60, -30), speed: 80)),
-              (step: 20, command: RiftPlate(plate: (5))),
+            "[(step: 10, command: SetPlateMotion(plate: 3, pole: (60, -30), speed: 80)),
+              (step: 20, command: RiftPlate(plate: 5)),
               (step: 30, command: PaintCrust(target: Everywhere, brush: Raise(-0.5))),
               (step: 40, command: SetParam(name: \"erosion\", value: 0.1)),
               (step: 50, command: Resample)]",
@@ -123,11 +123,11 @@ mod tests {
     #[test]
     fn what_no_planet_could_do_is_refused() {
         for command in [
-            "SetPlateMotion(plate: (1), pole: (91, 0), speed: 10)",
-            "SetPlateMotion(plate: (1), pole: (0, 0), speed: NaN)",
-            "SetPlateMotion(plate: (1), pole: (0, 0), speed: 1e9)",
-            "RiftPlate(plate: (1), line: [(0, 0)])",
-            "RiftPlate(plate: (1), fragments: 5)",
+            "SetPlateMotion(plate: 1, pole: (91, 0), speed: 10)",
+            "SetPlateMotion(plate: 1, pole: (0, 0), speed: NaN)",
+            "SetPlateMotion(plate: 1, pole: (0, 0), speed: 1e9)",
+            "RiftPlate(plate: 1, line: [(0, 0)])",
+            "RiftPlate(plate: 1, fragments: 5)",
             "PaintCrust(target: Disc(center: (0, 0), radius: -1), brush: Raise(1))",
             "PaintCrust(target: Everywhere, brush: Raise(inf))",
             "SetParam(name: \"upift\", value: 1)",

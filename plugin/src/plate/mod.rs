@@ -37,6 +37,7 @@ use bevy::prelude::*;
     serde::Serialize,
     serde::Deserialize,
 )]
+#[serde(transparent)]
 #[reflect(Component)]
 pub struct PlateId(pub u32);
 
