@@ -11,12 +11,12 @@ use bevy_pangaea::prelude::*;
 
 /// Draws the panel.
 pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
-    let changed = TectonicParams::TABLE.iter().filter(|info| is_changed(info, view.params)).count();
+    let changed = resets(view.params);
     ui.horizontal(|ui| {
-        hint(ui, format!("{changed} changed from their defaults"));
+        hint(ui, format!("{} changed from their defaults", changed.len()));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.add_enabled(changed > 0, Button::new("Reset all").small()).clicked() {
-                reset_all(view.params, out);
+            if ui.add_enabled(!changed.is_empty(), Button::new("Reset all").small()).clicked() {
+                changed.into_iter().for_each(|command| out.command(command));
             }
         });
     });
@@ -102,8 +102,17 @@ fn is_changed(info: &ParamInfo, params: &TectonicParams) -> bool {
     (info.get)(params) != info.default
 }
 
-fn reset_all(params: &TectonicParams, out: &mut Outbox) {
-    for info in TectonicParams::TABLE.iter().filter(|info| is_changed(info, params)) {
-        out.command(TectonicCommand::SetParam { name: info.name.into(), value: info.default });
-    }
+/// The commands that bring every changed switch and parameter back to its default.
+fn resets(params: &TectonicParams) -> Vec<TectonicCommand> {
+    let (mut now, mut default) = (params.processes, ProcessSwitches::default());
+    let switches = ProcessSwitches::NAMES.into_iter().filter_map(|name| {
+        let on = *default.get_mut(name).ok()?;
+        let command = TectonicCommand::SetProcess { name: name.into(), on };
+        (*now.get_mut(name).ok()? != on).then_some(command)
+    });
+    let values = TectonicParams::TABLE
+        .iter()
+        .filter(|info| is_changed(info, params))
+        .map(|info| TectonicCommand::SetParam { name: info.name.into(), value: info.default });
+    switches.chain(values).collect()
 }
