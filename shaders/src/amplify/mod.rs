@@ -1,5 +1,6 @@
 //! Amplification: the planet's ground from 52 km to half a metre, in exact integers (paper 002).
 
+pub mod arith;
 pub mod fixed;
 
 pub mod control;
