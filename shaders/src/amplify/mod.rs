@@ -4,3 +4,7 @@ pub mod arith;
 pub mod fixed;
 
 pub mod control;
+pub mod seed;
+pub mod vertex;
+
+pub mod rules;
