@@ -32,21 +32,22 @@ pub const fn saturate(t: i32) -> i32 {
     }
 }
 
-/// a / b in Q16 for a, b >= 0, saturated to 0..1; 1 where b is 0. Relative error below 2⁻¹⁴.
+/// ⌊a / b⌋ in Q16 for a, b >= 0, saturated to 0..1; 1 where b is 0. Exact for b < 2²⁴, else within 2⁻²² of the share.
 #[inline]
 pub const fn ratio(a: i32, b: i32) -> i32 {
     if a <= 0 {
-        return 0;
+        return if b <= 0 { Q16 } else { 0 };
     }
     if a >= b {
         return Q16;
     }
+    // Two digits of eight bits, so that the remainder never leaves 32 bits.
     let bits = 32 - (b as u32).leading_zeros();
-    if bits <= 16 {
-        return (((a as u32) << 16) / b as u32) as i32;
-    }
-    let shift = bits - 16;
-    ((((a as u32) >> shift) << 16) / ((b as u32) >> shift)) as i32
+    let shift = if bits > 24 { bits - 24 } else { 0 };
+    let b = (b as u32) >> shift;
+    let first = ((a as u32) >> shift) << 8;
+    let second = (first % b) << 8;
+    (((first / b) << 8) + second / b) as i32
 }
 
 /// Where x stands between two edges, 0..1 in Q16, linear. `low` < `high`.
