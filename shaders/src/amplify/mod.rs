@@ -7,4 +7,21 @@ pub mod control;
 pub mod seed;
 pub mod vertex;
 
+pub mod base;
+pub mod geometry;
+pub mod planet;
+pub mod topology;
+
+pub mod cull;
+pub mod mark;
+pub mod scan;
+pub mod edge_split;
+pub mod face_decide;
+pub mod vertex_resolve;
+pub mod face_split;
+pub mod step;
+pub mod carve;
+pub mod emit;
+pub mod ground;
+
 pub mod rules;

@@ -23,6 +23,11 @@ pub struct Segment {
     pub water: [i32; 2],
     /// Flow φ at the ends, Q16.
     pub flow: [i32; 2],
+    /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so that ground of
+    /// coarser levels never lies in it; [`FAR`] for a river of the control mesh.
+    pub reach: i32,
+    /// Level of the edge it was.
+    pub level: u32,
 }
 
 /// One vertex of the ground.
