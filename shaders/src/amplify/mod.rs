@@ -23,5 +23,9 @@ pub mod step;
 pub mod carve;
 pub mod emit;
 pub mod ground;
+pub mod synthetic;
 
 pub mod rules;
+
+#[cfg(test)]
+mod ground_tests;
