@@ -23,6 +23,8 @@ pub struct Base {
     pub starts: Vec<u32>,
     /// See `starts`.
     pub around: Vec<u32>,
+    /// Where to look for the face of a direction.
+    pub index: super::locate::Index,
 }
 
 /// What is wrong with a control mesh.
@@ -64,12 +66,14 @@ impl Base {
                 vertex.discharge = 0;
             }
         }
-        let edges = edges(mesh, &vertices);
+        let mut edges = edges(mesh, &vertices);
+        dry_drains(&mut vertices, &mut edges);
         let faces: Vec<Face> =
             (0..).zip(&mesh.faces).map(|(i, f)| Face::new(f.vertices, f.edges, i)).collect();
         nearest_rivers(&planet, &mut vertices, &edges, &faces);
         let (starts, around) = incidence(vertices.len(), &faces);
-        Ok(Self { planet, vertices, level: Level { edges, faces }, starts, around })
+        let index = super::locate::Index::new(&vertices, &faces);
+        Ok(Self { planet, vertices, level: Level { edges, faces }, starts, around, index })
     }
 
     /// Faces around a vertex.
@@ -134,6 +138,30 @@ fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
         made
     };
     mesh.edges.iter().map(make).collect()
+}
+
+/// Every dry land vertex drains down its steepest edge, which becomes a gully, as does the vertex.
+fn dry_drains(vertices: &mut [Vertex], edges: &mut [Edge]) {
+    let mut lowest: Vec<Option<u32>> = vec![None; vertices.len()];
+    let beyond = |edge: &Edge, v: u32| if edge.vertices[0] == v { edge.vertices[1] } else { edge.vertices[0] };
+    for (i, edge) in (0..).zip(edges.iter()).filter(|(_, e)| e.kind == EdgeKind::Terrain) {
+        for (v, to) in [(edge.vertices[0], edge.vertices[1]), (edge.vertices[1], edge.vertices[0])] {
+            let key = |w: u32| (vertices[w as usize].height, w);
+            let best = lowest[v as usize].map(|e: u32| key(beyond(&edges[e as usize], v)));
+            if vertices[v as usize].kind == VertexKind::Terrain && key(to) < best.unwrap_or(key(v)) {
+                lowest[v as usize] = Some(i);
+            }
+        }
+    }
+    for (v, lowest) in (0..).zip(lowest) {
+        let Some(edge) = lowest.map(|i| &mut edges[i as usize]) else { continue };
+        edge.kind = EdgeKind::Gully;
+        if edge.vertices[0] != v {
+            edge.vertices.swap(0, 1);
+            edge.faces.swap(0, 1);
+        }
+        vertices[v as usize].kind = VertexKind::Gully;
+    }
 }
 
 /// The nearest river edge of the faces around each vertex.

@@ -23,9 +23,13 @@ pub mod step;
 pub mod carve;
 pub mod emit;
 pub mod ground;
+pub mod locate;
+pub mod local;
 pub mod synthetic;
 
 pub mod rules;
 
 #[cfg(test)]
 mod ground_tests;
+#[cfg(test)]
+mod local_tests;
