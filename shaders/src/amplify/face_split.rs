@@ -2,13 +2,13 @@
 //!
 //! Every child edge and child face is written from its parent's data and that of the parent's neighbours alone.
 
-use super::rules::EdgeKind;
+use super::rules::{EdgeKind, Rules, gully};
 use super::topology::{Edge, Face, Inner, Mark, NONE};
 use super::vertex::Vertex;
 use super::vertex_resolve::tributary;
 
-/// The two halves of a split edge.
-pub fn halve(edge: &Edge, faces: &[Face], vertices: &[Vertex]) -> [Edge; 2] {
+/// The two halves of a split edge of a level. New dry land drains along one of them.
+pub fn halve(rules: &Rules, level: u32, edge: &Edge, faces: &[Face], vertices: &[Vertex]) -> [Edge; 2] {
     let [a, b] = edge.vertices;
     let child = |end: u32| {
         edge.faces.map(|f| match faces.get(f as usize) {
@@ -28,6 +28,15 @@ pub fn halve(edge: &Edge, faces: &[Face], vertices: &[Vertex]) -> [Edge; 2] {
         } else {
             halves[0].kind = EdgeKind::Terrain;
             halves[0].birth = 0;
+        }
+    }
+    if edge.kind == EdgeKind::Terrain {
+        let low = &vertices[b as usize];
+        if gully::drains(rules, level, mid, up, low) {
+            let [mine, beyond] = halves[0].faces;
+            halves[0] = Edge::new(EdgeKind::Gully, [edge.mid, a], [beyond, mine]);
+        } else if gully::drains(rules, level, mid, low, up) {
+            halves[1].kind = EdgeKind::Gully;
         }
     }
     halves

@@ -28,7 +28,7 @@ pub fn step(
     split_edges(planet, rules, index, level, vertices);
     decide_faces(rules, index, level, vertices);
     resolve_vertices(planet, index, level, vertices);
-    grow(index, level, next, vertices);
+    grow(rules, index, level, next, vertices);
 }
 
 fn mark_edges(level: &mut Level) {
@@ -133,11 +133,11 @@ fn resolved(planet: &Planet, index: u32, level: &Level, i: u32, edge: &Edge, ver
 }
 
 /// Writes the next level's edges and faces.
-fn grow(index: u32, level: &Level, next: &mut Level, vertices: &[Vertex]) {
+fn grow(rules: &Rules, index: u32, level: &Level, next: &mut Level, vertices: &[Vertex]) {
     next.edges.clear();
     next.faces.clear();
     for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
-        next.edges.extend(face_split::halve(edge, &level.faces, vertices));
+        next.edges.extend(face_split::halve(rules, index, edge, &level.faces, vertices));
     }
     let first = next.edges.len() as u32;
     let mut inner = first;

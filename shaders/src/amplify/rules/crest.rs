@@ -5,9 +5,8 @@ use super::super::control::VertexKind;
 use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
 use super::super::vertex::EdgeContext;
-use super::Ground;
-use super::landform::steepness;
-use super::preset::{LEAST_CREST, Rules};
+use super::preset::Rules;
+use super::{Ground, rise};
 
 /// The crest between two rivers: above both.
 pub fn between_rivers(rules: &Rules, context: &EdgeContext) -> Ground {
@@ -30,10 +29,5 @@ fn height(rules: &Rules, context: &EdgeContext, least: i32) -> i32 {
         let floor = top + rise.min(least);
         return floor.max(mul_q16(rise.min(new.crust), Q16 - mul_q16(square(xi), 62_259)));
     }
-    let slope = mul_q16(context.length / 2, steepness(rules, new, context.level));
-    let free = mul_q16(slope, 42_598 + mul_q16(xi, 45_875));
-    let room = (new.crust - top).max(0);
-    let held = mul_q16(room, Q16 - mul_q16(square(share(new.seed, 1)), 36_000));
-    let floor = mul_q16(context.length, 1_311).min(LEAST_CREST);
-    top + free.min(held).max(floor)
+    rise::height(rules, context, Q16)
 }

@@ -6,7 +6,7 @@ use super::super::arith::{mix, mul_q16};
 use super::super::control::VertexKind;
 use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
-use super::super::vertex::EdgeContext;
+use super::super::vertex::{EdgeContext, Vertex};
 use super::Ground;
 use super::preset::Rules;
 use super::terrain::ordered;
@@ -46,4 +46,14 @@ pub fn is_gully(rules: &Rules, level: u32, off_gully: bool, height: i32, tip: i3
         return false;
     }
     !off_gully || (share(seed, 9) < rules.gully_branching && (rules.landforms || tip > height + 50 * GRAINS))
+}
+
+/// Whether new dry land drains along the half of its edge that leads to `end`: to the lower end of an edge of the
+/// ground, while gullies still branch. So every vertex has a way down, and drainage is a tree at every scale.
+pub fn drains(rules: &Rules, level: u32, new: &Vertex, end: &Vertex, other: &Vertex) -> bool {
+    rules.landforms
+        && level < rules.gully_levels
+        && new.kind == VertexKind::Terrain
+        && new.height > end.height
+        && (end.height, end.seed) < (other.height, other.seed)
 }

@@ -25,7 +25,10 @@ pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u1
 /// R3 with a lake: the new vertex lies under the river's water, or nothing where no lake forms.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
     let (river, land) = if context.a.is_wet() { (context.a, context.b) } else { (context.b, context.a) };
-    if river.kind != VertexKind::River || land.kind != VertexKind::Terrain || river.water <= river.bed {
+    if river.kind != VertexKind::River
+        || !matches!(land.kind, VertexKind::Terrain | VertexKind::Gully)
+        || river.water <= river.bed
+    {
         return None;
     }
     let new = context.new;

@@ -14,6 +14,7 @@ pub mod fine;
 pub mod gully;
 pub mod lake;
 pub mod landform;
+pub mod rise;
 pub mod river;
 pub mod shift;
 pub mod slope;

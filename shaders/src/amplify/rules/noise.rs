@@ -58,7 +58,7 @@ pub const fn gradient(point: [i32; 3], cell: u32, seed: u32) -> i32 {
     let mut place = [0_i32; 3];
     let mut axis = 0;
     while axis < 3 {
-        let offset = (seed ^ (axis as u32 * 0x9e37_79b9)).wrapping_mul(0x85eb_ca6b);
+        let offset = (seed ^ (axis as u32).wrapping_mul(0x9e37_79b9)).wrapping_mul(0x85eb_ca6b);
         let moved = (point[axis] as u32).wrapping_add(offset);
         address[axis] = moved >> cell;
         let inside = moved & mask;

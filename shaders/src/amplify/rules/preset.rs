@@ -1,6 +1,6 @@
 //! The numbers of the rules, and their presets: ours, the paper's print, its authors' release.
 
-use super::super::fixed::{GRAINS, Q16};
+use super::super::fixed::Q16;
 use super::nodes::Form;
 
 /// Constants of the subdivision rules. Shares and tangents are Q16, heights and lengths grains, levels are the paper's
@@ -44,9 +44,9 @@ impl Default for Rules {
             form: Form::Release,
             landforms: true,
             crest_rise: 13_107,
-            steep_collision: 55_705,
+            steep_collision: 49_152,
             steep_subduction: 36_045,
-            steep_old: 19_661,
+            steep_old: 24_000,
             fine_level: 10,
             tributary_levels: [0, 4],
             gully_levels: 9,
@@ -82,6 +82,3 @@ impl Rules {
     pub const RELEASE: Self =
         Self { form: Form::Release, tributary_levels: [0, 2], archetypes: false, ..Self::PAPER };
 }
-
-/// Crest above the higher river at least, where the crust leaves room for no more: 5 m.
-pub(super) const LEAST_CREST: i32 = 5 * GRAINS;

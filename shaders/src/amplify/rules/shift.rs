@@ -47,7 +47,7 @@ fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, xi:
     use VertexKind::{Coast, Lake, Sea};
     let has = |kind| kinds[0] == kind || kinds[1] == kind;
     match edge {
-        EdgeKind::Gully => Q16,
+        EdgeKind::Gully => 40_000,
         EdgeKind::River if rules.landforms || level > 2 => {
             // The finest reaches straighten: smoothstep(0, 16, ξλ) in the release fades them in.
             Q16 - smooth(linear_step(8, 16, level as i32)) / 2
@@ -61,7 +61,7 @@ fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, xi:
                 0
             }
         }
-        EdgeKind::Terrain if level < 9 => 32_768 + mul_q16(dryness(wetness), 29_491),
+        EdgeKind::Terrain if level < 9 => 28_000 + mul_q16(dryness(wetness), 20_000),
         EdgeKind::Terrain if rules.landforms => {
             let _ = xi;
             20_000

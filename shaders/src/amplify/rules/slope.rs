@@ -1,13 +1,12 @@
 //! (r, T, t) and (g, T, t): the ground between a river or a gully and the land above it (paper 002 Fig. 12; rule R3).
 
-use super::super::arith::{mix, mul_q16, pow_1_5, square};
+use super::super::arith::{mix, mul_q16, square};
 use super::super::control::VertexKind;
 use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
 use super::super::vertex::{EdgeContext, Vertex};
-use super::landform::steepness;
 use super::preset::Rules;
-use super::{Ground, fine};
+use super::{Ground, fine, rise};
 
 /// The slope beside a river.
 pub fn from_river(rules: &Rules, context: &EdgeContext) -> Ground {
@@ -31,23 +30,15 @@ fn height(rules: &Rules, context: &EdgeContext, drain: &Vertex, land: &Vertex, l
     let xi = share(new.seed, 0);
     let cliff = Q16 - mul_q16(square(xi), xi);
     let r = mix(xi, cliff, i32::from(new.plateau));
-    if land.height <= drain.height {
-        let up = least.min(mul_q16(context.length, rise));
-        return drain.height + mul_q16(up, 3_277 + mul_q16(r, 62_259));
-    }
     if !rules.landforms {
+        if land.height <= drain.height {
+            let up = least.min(mul_q16(context.length, rise));
+            return drain.height + mul_q16(up, 3_277 + mul_q16(r, 62_259));
+        }
         return mix(drain.height, land.height, 6_554 + mul_q16(r, 58_982));
     }
     if context.level >= rules.fine_level {
         return fine::height(rules, context);
     }
-    // The spread narrows with the level: a valley's side is one slope, not a stair.
-    let spread = (Q16 - 4_000 * context.level.min(10) as i32).max(20_000);
-    let alpha = 34_000 + mul_q16(r - Q16 / 2, spread);
-    let between = mix(drain.height, land.height, alpha);
-    // No slope stands much steeper than its rock lets it, unless the land beyond is a cliff already.
-    let steepest = mul_q16(context.length / 2, steepness(rules, new, context.level)) / 2 * 3;
-    let soft = drain.height + steepest + (between - drain.height - steepest) / 3;
-    let _ = pow_1_5;
-    between.min(soft.max(drain.height + steepest))
+    rise::height(rules, context, 30_000)
 }

@@ -10,10 +10,10 @@ use super::super::control::VertexKind;
 use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
 use super::super::vertex::{EdgeContext, FAR, Vertex};
-use super::Ground;
 use super::landform::Landform;
 use super::nodes;
 use super::preset::Rules;
+use super::{Ground, rise};
 
 /// 5 km, the crust elevation at which peaks are full.
 const FULL_CRUST: i32 = 5_000 * GRAINS;
@@ -26,6 +26,9 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
 /// Its height, grains.
 pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     let new = context.new;
+    if rules.landforms {
+        return rise::height(rules, context, 44_000);
+    }
     let form = Landform::of(rules, new, context.level);
     let (low, high) = ordered(context.a.height, context.b.height);
     let mountain = mountain(rules, context, form, low, high);
