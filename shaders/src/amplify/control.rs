@@ -65,6 +65,20 @@ pub enum VertexKind {
     Gully = 5,
 }
 
+impl VertexKind {
+    /// The kind with this number; [`VertexKind::Terrain`] for a number that has none.
+    pub const fn from_number(number: u8) -> Self {
+        match number {
+            1 => Self::Sea,
+            2 => Self::Coast,
+            3 => Self::River,
+            4 => Self::Lake,
+            5 => Self::Gully,
+            _ => Self::Terrain,
+        }
+    }
+}
+
 /// One edge of the control mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]

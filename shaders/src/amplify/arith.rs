@@ -1,0 +1,205 @@
+//! Integer arithmetic of the rules: products, ratios, roots and blends of Q16 shares and of grains.
+//!
+//! Only 32-bit operations that WGSL has; sums and products wrap as they do there. Wide products are built from halves
+//! (floor rounding, exact). Every function is total: no input panics.
+
+use super::fixed::Q16;
+
+/// ⌊a·b / 2¹⁶⌋, exact while the result fits an i32.
+#[inline]
+pub const fn mul_q16(a: i32, b: i32) -> i32 {
+    let low = (a & 0xffff) as u32;
+    let cross = ((b >> 16) as u32).wrapping_mul(low);
+    let bottom = low.wrapping_mul((b & 0xffff) as u32) >> 16;
+    (a >> 16).wrapping_mul(b).wrapping_add(cross as i32).wrapping_add(bottom as i32)
+}
+
+/// a·(1 - t) + b·t for a share t in Q16; exact at both ends. The difference of the ends must fit an i32.
+#[inline]
+pub const fn mix(a: i32, b: i32, t: i32) -> i32 {
+    a.wrapping_add(mul_q16(b.wrapping_sub(a), t))
+}
+
+/// The nearest of 0..1 in Q16.
+#[inline]
+pub const fn saturate(t: i32) -> i32 {
+    if t < 0 {
+        0
+    } else if t > Q16 {
+        Q16
+    } else {
+        t
+    }
+}
+
+/// ⌊a / b⌋ in Q16 for a, b >= 0, saturated to 0..1; 1 where b is 0. Exact for b < 2²⁴, else within 2⁻²² of the share.
+#[inline]
+pub const fn ratio(a: i32, b: i32) -> i32 {
+    if a <= 0 {
+        return if b <= 0 { Q16 } else { 0 };
+    }
+    if a >= b {
+        return Q16;
+    }
+    // Two digits of eight bits, so that the remainder never leaves 32 bits.
+    let bits = 32 - (b as u32).leading_zeros();
+    let shift = if bits > 24 { bits - 24 } else { 0 };
+    let b = (b as u32) >> shift;
+    let first = ((a as u32) >> shift) << 8;
+    let second = (first % b) << 8;
+    (((first / b) << 8) + second / b) as i32
+}
+
+/// Where x stands between two edges, 0..1 in Q16, linear. `low` < `high`.
+#[inline]
+pub const fn linear_step(low: i32, high: i32, x: i32) -> i32 {
+    ratio(x.wrapping_sub(low), high.wrapping_sub(low))
+}
+
+/// 3t² - 2t³ of a share in Q16; monotone, 0 at 0 and 1 at 1.
+#[inline]
+pub const fn smooth(t: i32) -> i32 {
+    let t = saturate(t);
+    mul_q16(mul_q16(t, t), 3 * Q16 - 2 * t)
+}
+
+/// The cubic Hermite step from 0 at `low` to 1 at `high`, Q16.
+#[inline]
+pub const fn smoothstep(low: i32, high: i32, x: i32) -> i32 {
+    smooth(linear_step(low, high, x))
+}
+
+/// ⌊√x⌋.
+#[inline]
+pub const fn isqrt(x: u32) -> u32 {
+    let mut rest = x;
+    let mut root = 0_u32;
+    let mut bit = 1_u32 << 30;
+    while bit != 0 {
+        let trial = root | bit;
+        root >>= 1;
+        if rest >= trial {
+            rest -= trial;
+            root |= bit;
+        }
+        bit >>= 2;
+    }
+    root
+}
+
+/// √t of a share in Q16, rounded down to a multiple of 2⁻¹⁶.
+#[inline]
+pub const fn sqrt_q16(t: i32) -> i32 {
+    if t >= Q16 {
+        return Q16;
+    }
+    if t <= 0 {
+        return 0;
+    }
+    isqrt((t as u32) << 16) as i32
+}
+
+/// t^1.5 of a share in Q16.
+#[inline]
+pub const fn pow_1_5(t: i32) -> i32 {
+    mul_q16(t, sqrt_q16(t))
+}
+
+/// t² of a share in Q16.
+#[inline]
+pub const fn square(t: i32) -> i32 {
+    mul_q16(t, t)
+}
+
+/// Length of a vector of components below 2³⁰, rounded; relative error below 2⁻¹³.
+#[inline]
+pub const fn length(x: i32, y: i32, z: i32) -> i32 {
+    let (x, y, z) = (x.unsigned_abs(), y.unsigned_abs(), z.unsigned_abs());
+    let bits = 32 - (x | y | z).leading_zeros();
+    // Three squares of 15-bit numbers sum to less than 2^32.
+    if bits > 15 {
+        let shift = bits - 15;
+        let (x, y, z) = (x >> shift, y >> shift, z >> shift);
+        (isqrt(x * x + y * y + z * z) << shift) as i32
+    } else {
+        isqrt(x * x + y * y + z * z) as i32
+    }
+}
+
+/// cos(2πt) of a phase whose whole turn is 2¹⁶, Q16. Error below 0.001; even and periodic to the last bit.
+#[inline]
+pub const fn cos_turn(t: i32) -> i32 {
+    // Folded to a quarter: x in 0..=2¹⁴ from a crest, sign by half turns.
+    let half = t & 0xffff;
+    let x = if half > 0x8000 { 0x1_0000 - half } else { half };
+    let (x, sign) = if x > 0x4000 { (0x8000 - x, -1) } else { (x, 1) };
+    // cos(πu/2) with u = x / 2¹⁴: 1 - u²(a - u²(b - c·u²)), a - b + c = 1.
+    let u = x << 2;
+    let u2 = square(u);
+    let inner = 16_597 - mul_q16(1_285, u2);
+    let outer = 80_848 - mul_q16(inner, u2);
+    sign * (Q16 - mul_q16(outer, u2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_floor_like_wide_integers() {
+        let mut state = 12_345_u32;
+        for _ in 0..100_000 {
+            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            let a = state as i32;
+            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            let b = (state as i32) >> 14;
+            let wide = (i64::from(a) * i64::from(b)) >> 16;
+            assert_eq!(i64::from(mul_q16(a, b)), i64::from(wide as i32));
+        }
+    }
+
+    #[test]
+    fn ratios_and_roots_match_reals() {
+        for (a, b) in [(1, 3), (0, 7), (5, 5), (1_000_000_007, 2_000_000_011), (70_000, 65_537), (9, 2)] {
+            let want = (f64::from(a) / f64::from(b)).min(1.0);
+            assert!((f64::from(ratio(a, b)) / 65_536.0 - want).abs() < 1e-4, "{a}/{b}");
+        }
+        for x in [0, 1, 2, 3, 4, 15, 16, 17, 65_535, 65_536, u32::MAX - 1, u32::MAX] {
+            let root = u64::from(isqrt(x));
+            assert!(root * root <= u64::from(x) && (root + 1) * (root + 1) > u64::from(x));
+        }
+        for t in (0..=Q16).step_by(13) {
+            let x = f64::from(t) / 65_536.0;
+            assert!((f64::from(pow_1_5(t)) - x.powf(1.5) * 65_536.0).abs() < 2.1);
+            assert!((f64::from(smooth(t)) - x * x * (3.0 - 2.0 * x) * 65_536.0).abs() < 4.0);
+        }
+    }
+
+    #[test]
+    fn smooth_is_monotone() {
+        let mut last = 0;
+        for t in 0..=Q16 {
+            let value = smooth(t);
+            assert!(value + 1 >= last, "{t}");
+            last = last.max(value);
+        }
+        assert_eq!((smooth(0), smooth(Q16), smooth(-5), smooth(Q16 + 9)), (0, Q16, 0, Q16));
+    }
+
+    #[test]
+    fn cosine_is_close_and_even() {
+        for t in 0..65_536 {
+            let want = (f64::from(t) / 65_536.0 * std::f64::consts::TAU).cos() * 65_536.0;
+            assert!((f64::from(cos_turn(t)) - want).abs() < 66.0, "{t}: {} {want}", cos_turn(t));
+            assert_eq!(cos_turn(t), cos_turn(-t));
+        }
+    }
+
+    #[test]
+    fn length_is_isotropic() {
+        for v in [[3, 4, 0], [1_000_000, -2_000_000, 2_000_000], [1 << 29, 1 << 28, -(1 << 29)]] {
+            let want = v.map(|c| f64::from(c) * f64::from(c)).iter().sum::<f64>().sqrt();
+            assert!((f64::from(length(v[0], v[1], v[2])) / want - 1.0).abs() < 2e-4);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Passes: edges are halved and faces quartered; what joins what in the next level (see [`topology`](super::topology)).
+//!
+//! Every child edge and child face is written from its parent's data and that of the parent's neighbours alone.
+
+use super::rules::{EdgeKind, Rules, gully};
+use super::topology::{Edge, Face, Inner, Mark, NONE};
+use super::vertex::Vertex;
+use super::vertex_resolve::tributary;
+
+/// The two halves of a split edge of a level. New dry land drains along one of them.
+pub fn halve(rules: &Rules, level: u32, edge: &Edge, faces: &[Face], vertices: &[Vertex]) -> [Edge; 2] {
+    let [a, b] = edge.vertices;
+    let child = |end: u32| {
+        edge.faces.map(|f| match faces.get(f as usize) {
+            Some(face) if face.mark == Mark::Split => face.child + face.corner(end) as u32,
+            _ => NONE,
+        })
+    };
+    let (up, mid) = (&vertices[a as usize], &vertices[edge.mid as usize]);
+    let mut halves = [
+        Edge { birth: edge.birth, ..Edge::new(edge.kind, [a, edge.mid], child(a)) },
+        Edge { birth: edge.birth, arriving: edge.arriving, ..Edge::new(edge.kind, [edge.mid, b], child(b)) },
+    ];
+    if edge.kind == EdgeKind::River {
+        // R4b: above its spring a tributary's edge is ground. R1: what a tributary brings does not come down the river.
+        if up.is_wet() {
+            halves[0].arriving = mid.discharge - if mid.branched { tributary(mid, up) } else { 0 };
+        } else {
+            halves[0].kind = EdgeKind::Terrain;
+            halves[0].birth = 0;
+        }
+    }
+    if edge.kind == EdgeKind::Terrain {
+        let low = &vertices[b as usize];
+        if gully::drains(rules, level, mid, up, low) {
+            let [mine, beyond] = halves[0].faces;
+            halves[0] = Edge::new(EdgeKind::Gully, [edge.mid, a], [beyond, mine]);
+        } else if gully::drains(rules, level, mid, low, up) {
+            halves[1].kind = EdgeKind::Gully;
+        }
+    }
+    halves
+}
+
+/// The inner edge of a split face at a corner. `first` is the index of the face's first inner edge.
+pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &[Vertex]) -> Edge {
+    let other = (k + 2) % 3;
+    let (first, second) = (edges[face.edges[k] as usize].mid, edges[face.edges[other] as usize].mid);
+    let faces = [face.child + k as u32, face.child + 3];
+    let (kind, reversed, low) = match face.inner[k] {
+        Inner::Terrain => (EdgeKind::Terrain, false, k),
+        Inner::RiverToFirst => (EdgeKind::River, true, k),
+        Inner::RiverToSecond => (EdgeKind::River, false, other),
+        Inner::GullyToFirst => (EdgeKind::Gully, true, k),
+        Inner::GullyToSecond => (EdgeKind::Gully, false, other),
+    };
+    let mut edge = if reversed {
+        Edge::new(kind, [second, first], [faces[1], faces[0]])
+    } else {
+        Edge::new(kind, [first, second], faces)
+    };
+    if kind == EdgeKind::River {
+        let river = &edges[face.edges[low] as usize];
+        edge.birth = level as u8 + 1;
+        edge.arriving = tributary(&vertices[river.mid as usize], &vertices[river.vertices[0] as usize]);
+    }
+    edge
+}
+
+/// The four children of a split face. `first_inner` is the index of its first inner edge in the next level.
+pub fn quarter(face: &Face, index: u32, first_inner: u32, edges: &[Edge]) -> [Face; 4] {
+    let mid = |k: usize| edges[face.edges[k] as usize].mid;
+    // The half of edge e that ends at a corner.
+    let half = |e: usize, corner: u32| {
+        let edge = &edges[face.edges[e] as usize];
+        edge.child + u32::from(edge.vertices[0] != corner)
+    };
+    let corner = |k: usize| {
+        let (other, v) = ((k + 2) % 3, face.vertices[k]);
+        Face::new([v, mid(k), mid(other)], [half(k, v), first_inner + k as u32, half(other, v)], index)
+    };
+    let middle = [first_inner + 1, first_inner + 2, first_inner];
+    [corner(0), corner(1), corner(2), Face::new([mid(0), mid(1), mid(2)], middle, index)]
+}

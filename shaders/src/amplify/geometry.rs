@@ -1,0 +1,94 @@
+//! Plane geometry of small differences of directions, in 32 bits.
+//!
+//! Vectors are shifted to a common scale of 14 bits before they are multiplied: dot products then fit an i32, and a
+//! share along a segment is right to 2⁻¹³ of it.
+
+use super::arith::{length, ratio};
+use super::fixed::{Q16, difference, weigh};
+
+/// Bits to shift right so that every component of both vectors is below 2¹⁴.
+#[inline]
+const fn common_shift(u: [i32; 3], v: [i32; 3]) -> u32 {
+    let mut all = 0;
+    let mut i = 0;
+    while i < 3 {
+        all |= u[i].unsigned_abs() | v[i].unsigned_abs();
+        i += 1;
+    }
+    let bits = 32 - all.leading_zeros();
+    if bits > 14 { bits - 14 } else { 0 }
+}
+
+#[inline]
+const fn shifted(v: [i32; 3], shift: u32) -> [i32; 3] {
+    [v[0] >> shift, v[1] >> shift, v[2] >> shift]
+}
+
+#[inline]
+const fn product(u: [i32; 3], v: [i32; 3]) -> i32 {
+    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+}
+
+/// Dot product in a scale of its own: the sign is that of the exact one, but for angles within 2⁻¹³ of a right one.
+#[inline]
+pub const fn dot(u: [i32; 3], v: [i32; 3]) -> i32 {
+    let shift = common_shift(u, v);
+    product(shifted(u, shift), shifted(v, shift))
+}
+
+/// Where the point of a segment nearest to `p` lies: share of the way in Q16, and the vector from there to `p`.
+pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
+    let along = difference(ends[1], ends[0]);
+    let to = difference(p, ends[0]);
+    let shift = common_shift(along, to);
+    let (u, v) = (shifted(along, shift), shifted(to, shift));
+    let (square, part) = (product(u, u), product(u, v));
+    // A segment too short for this scale counts as its nearer end.
+    let t = if part <= 0 || square == 0 { 0 } else { ratio(part, square) };
+    let off = if t >= Q16 {
+        difference(p, ends[1])
+    } else {
+        [to[0] - weigh(t, along[0]), to[1] - weigh(t, along[1]), to[2] - weigh(t, along[2])]
+    };
+    (t, off)
+}
+
+/// Whether a corner stands well over its edge: it projects on the edge, a tenth beyond it at most, and is at least
+/// 0.3 edges away. Only between two such corners may the edge's middle move sideways.
+pub const fn stands_over(edge: [i32; 3], corner: [i32; 3]) -> bool {
+    let shift = common_shift(edge, corner);
+    let (u, v) = (shifted(edge, shift), shifted(corner, shift));
+    let (square, part) = (product(u, u), product(u, v));
+    if part < -square / 10 || part > square + square / 10 {
+        return false;
+    }
+    let cross = length(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+    cross >= square / 10 * 3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::amplify::seed::pcg;
+
+    fn random(k: u32, bits: u32) -> [i32; 3] {
+        [0, 1, 2].map(|i| (pcg(k * 3 + i) as i32) >> (32 - bits))
+    }
+
+    #[test]
+    fn nearest_point_agrees_with_reals() {
+        for k in 0..20_000 {
+            let bits = 8 + k % 17;
+            let (a, b, p) = (random(k, bits), random(k + 90_000, bits), random(k + 180_000, bits));
+            let (_, off) = nearest_on([a, b], p);
+            let f = |v: [i32; 3]| v.map(f64::from);
+            let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+            let (u, v) = (f(difference(b, a)), f(difference(p, a)));
+            let t = (dot(u, v) / dot(u, u)).clamp(0.0, 1.0);
+            let w = [v[0] - t * u[0], v[1] - t * u[1], v[2] - t * u[2]];
+            let (want, got) = (dot(w, w).sqrt(), dot(f(off), f(off)).sqrt());
+            let slack = 2.0 + (dot(u, u).sqrt() + dot(v, v).sqrt()) * 6e-4;
+            assert!((want - got).abs() <= slack, "{k}: {want} {got}");
+        }
+    }
+}

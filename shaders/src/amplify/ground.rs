@@ -1,0 +1,82 @@
+//! The ground of a view: every level from the control mesh down to what the view asks for.
+
+use super::base::Base;
+use super::cull::cull;
+use super::mark::{View, halo};
+use super::planet::Planet;
+use super::rules::Rules;
+use super::step::step;
+use super::topology::{Level, Mark};
+use super::vertex::Vertex;
+
+/// The finest level: edges of 0.4 m on an Earth-sized planet.
+pub const FINEST: u32 = 17;
+
+/// Caps of a refinement: what its buffers hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Caps {
+    /// Vertices.
+    pub vertices: usize,
+    /// Faces of one level.
+    pub faces: usize,
+}
+
+impl Default for Caps {
+    /// 8 million vertices, 8 million faces a level: 1.6 GB at most.
+    fn default() -> Self {
+        Self { vertices: 8_000_000, faces: 8_000_000 }
+    }
+}
+
+/// Refined ground.
+#[derive(Clone, Debug)]
+pub struct Ground {
+    /// The planet's constants.
+    pub planet: Planet,
+    /// Vertices of all levels.
+    pub vertices: Vec<Vertex>,
+    /// Edges and faces level by level. A face of any level that is not [`Mark::Split`] is a leaf.
+    pub levels: Vec<Level>,
+    /// The first level whose splits were dropped because a cap was reached.
+    pub capped: Option<u32>,
+}
+
+/// Refines the ground for a view. At a cap the whole level that would pass it is dropped, so the mesh stays whole.
+pub fn refine(base: &Base, rules: &Rules, view: &View, caps: &Caps) -> Ground {
+    let (vertices, level) = cull(base, view);
+    let mut ground = Ground { planet: base.planet, vertices, levels: vec![level], capped: None };
+    for index in 0..view.level.min(FINEST) {
+        let level = &mut ground.levels[index as usize];
+        let (vertices, faces) = mark_faces(&base.planet, view, index, level, &ground.vertices);
+        if faces == 0 {
+            break;
+        }
+        if ground.vertices.len() + vertices > caps.vertices || 4 * faces > caps.faces {
+            ground.capped = Some(index);
+            for face in &mut level.faces {
+                face.mark = Mark::Leaf;
+            }
+            break;
+        }
+        let mut next = Level::default();
+        step(&base.planet, rules, index, level, &mut next, &mut ground.vertices);
+        ground.levels.push(next);
+    }
+    ground
+}
+
+/// Marks the faces of a level; returns bounds of the vertices made and the number of faces split.
+fn mark_faces(planet: &Planet, view: &View, index: u32, level: &mut Level, vertices: &[Vertex]) -> (usize, usize) {
+    let splits: Vec<bool> = level
+        .faces
+        .iter()
+        .map(|face| view.splits(planet, index, face.vertices.map(|v| &vertices[v as usize])))
+        .collect();
+    let mut marked = 0;
+    for i in 0..level.faces.len() {
+        let mark = halo(&level.faces[i], i as u32, &level.edges, |f| splits[f as usize]);
+        level.faces[i].mark = mark;
+        marked += usize::from(mark != Mark::Leaf);
+    }
+    (3 * marked, splits.iter().filter(|&&s| s).count())
+}

@@ -1,0 +1,204 @@
+//! The laws of a refinement: conforming, unflipped, view-independent, water downhill, lakes level, flow conserved.
+
+use super::base::Base;
+use super::control::{ControlMesh, VertexKind};
+use super::fixed::{GRAINS, ONE};
+use super::ground::{Caps, Ground, refine};
+use super::mark::View;
+use super::rules::{EdgeKind, Rules};
+use super::seed::{pcg, share};
+use super::synthetic::{control_mesh, facing};
+use super::topology::{Mark, NONE};
+use super::vertex::Vertex;
+use std::collections::BTreeMap;
+
+fn planet() -> (ControlMesh, Base) {
+    let mesh = control_mesh(300_000, 3, 7);
+    let base = Base::new(&mesh).unwrap();
+    (mesh, base)
+}
+
+fn direction(k: u32) -> [i32; 3] {
+    let p = [0, 1, 2].map(|i| f64::from(share(pcg(k), i)) - 32_768.0);
+    let n = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
+    p.map(|x| (x / n * f64::from(ONE)).round() as i32)
+}
+
+/// The direction of a random river vertex.
+fn on_river(base: &Base, k: u32) -> [i32; 3] {
+    let rivers: Vec<&Vertex> = base.vertices.iter().filter(|v| v.kind == VertexKind::River).collect();
+    rivers[pcg(k) as usize % rivers.len()].direction
+}
+
+fn camera(direction: [i32; 3], altitude_m: i32, level: u32) -> View {
+    View { direction, altitude: Some(altitude_m * GRAINS), radius: 0, sharpness: 12 << 8, level, horizon: 100_000 * 16 }
+}
+
+/// 128-bit names of all vertices by their path from the control mesh.
+fn paths(ground: &Ground, seeds: &mut BTreeMap<u128, Vertex>) -> Vec<u128> {
+    let mut names = vec![0_u128; ground.vertices.len()];
+    let start = ground.levels[0].edges.iter().flat_map(|e| e.vertices).max().unwrap() as usize + 1;
+    for v in 0..start {
+        let d = ground.vertices[v].direction.map(|x| u128::from(x as u32));
+        names[v] = d[0] | d[1] << 32 | d[2] << 64;
+    }
+    for level in &ground.levels {
+        for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
+            let [a, b] = edge.vertices.map(|v| names[v as usize]);
+            let (a, b) = (a.min(b), a.max(b));
+            let mixed = (a.rotate_left(17) ^ b).wrapping_mul(0x2545_F491_4F6C_DD1D_9E37_79B9_7F4A_7C15);
+            names[edge.mid as usize] = mixed ^ (mixed >> 61) ^ (b.wrapping_add(a.wrapping_mul(3)));
+        }
+    }
+    for (v, &name) in names.iter().enumerate() {
+        if name != 0 {
+            seeds.insert(name, ground.vertices[v]);
+        }
+    }
+    names
+}
+
+#[test]
+fn every_interior_edge_is_used_twice() {
+    let (_, base) = planet();
+    for k in 0..6 {
+        let whole = View { horizon: i32::MAX, ..camera(on_river(&base, k), 300, 8) };
+        let ground = refine(&base, &Rules::default(), &whole, &Caps::default());
+        let mut uses = BTreeMap::new();
+        for t in ground.triangles() {
+            for i in 0..3 {
+                let (a, b) = (t.vertices[i], t.vertices[(i + 1) % 3]);
+                assert_ne!(a, NONE);
+                *uses.entry((a, b)).or_insert(0) += 1;
+            }
+        }
+        for (&(a, b), &n) in &uses {
+            assert_eq!((n, uses.get(&(b, a))), (1, Some(&1)), "edge {a} {b}");
+        }
+        // A closed surface without handles.
+        let triangles = uses.len() / 3;
+        let vertices: std::collections::BTreeSet<u32> = uses.keys().map(|e| e.0).collect();
+        assert_eq!(triangles, 2 * vertices.len() - 4);
+    }
+}
+
+#[test]
+fn no_face_turns_over() {
+    let (_, base) = planet();
+    for rules in [Rules::default(), Rules::PAPER, Rules::RELEASE] {
+        let ground = refine(&base, &rules, &View::whole(4), &Caps::default());
+        check_facing(&ground);
+        for k in 0..10 {
+            let view = View::disc(on_river(&base, k), 100, 12);
+            check_facing(&refine(&base, &rules, &view, &Caps::default()));
+        }
+    }
+}
+
+fn check_facing(ground: &Ground) {
+    let (mut worst, mut flipped, mut n) = (f64::MAX, 0, 0);
+    for (index, level) in ground.levels.iter().enumerate() {
+        let edge = f64::from(ground.planet.edge_grains(index as u32)) / f64::from(ground.planet.radius_m) / 1024.0;
+        for face in &level.faces {
+            let corners = face.vertices.map(|v| ground.vertices[v as usize].direction.map(|x| f64::from(x) / f64::from(ONE)));
+            let area = facing(corners) / (edge * edge);
+            worst = worst.min(area);
+            flipped += u32::from(area <= 0.0);
+            n += 1;
+        }
+    }
+    assert_eq!(flipped, 0, "of {n}; smallest {worst}");
+}
+
+#[test]
+fn cameras_agree_on_every_vertex() {
+    let (_, base) = planet();
+    let rules = Rules::default();
+    for k in 0..12 {
+        let centre = if k % 3 == 0 { direction(k) } else { on_river(&base, k) };
+        let near = [0, 1, 2].map(|i| centre[i as usize] + (share(pcg(k + 99), i) - 32_768) * (1 << (k % 6)));
+        let views =
+            [camera(centre, 50, 12), camera(near, 400, 12), View::disc(near, 60, 12), camera(direction(k + 50), 9_000, 8)];
+        let mut known = BTreeMap::new();
+        let mut shared = 0;
+        for view in views {
+            let ground = refine(&base, &rules, &view, &Caps::default());
+            let mut seen = BTreeMap::new();
+            paths(&ground, &mut seen);
+            for (name, vertex) in seen {
+                if let Some(other) = known.insert(name, vertex) {
+                    assert_eq!(other, vertex, "{name:x}");
+                    shared += 1;
+                }
+            }
+        }
+        assert!(shared > 500, "{shared}");
+    }
+}
+
+#[test]
+fn water_runs_downhill_and_lakes_are_level() {
+    let (_, base) = planet();
+    for rules in [Rules::default(), Rules::PAPER, Rules::RELEASE] {
+        let (mut rivers, mut lakes) = (0, 0);
+        for k in 0..8 {
+            let ground = refine(&base, &rules, &camera(on_river(&base, k), 100, 13), &Caps::default());
+            let mut levels = BTreeMap::new();
+            for vertex in &ground.vertices {
+                assert!(vertex.water >= vertex.bed, "{vertex:?}");
+                if vertex.kind == VertexKind::Lake {
+                    assert_eq!(*levels.entry(vertex.lake).or_insert(vertex.water), vertex.water);
+                    lakes += 1;
+                }
+            }
+            for edge in ground.levels.iter().flat_map(|l| &l.edges).filter(|e| e.kind == EdgeKind::River) {
+                let [up, down] = edge.vertices.map(|v| &ground.vertices[v as usize]);
+                if up.kind == VertexKind::River && down.kind == VertexKind::River {
+                    assert!(up.bed >= down.bed && up.water >= down.water, "{up:?} {down:?}");
+                    rivers += 1;
+                }
+            }
+            for level in &ground.levels {
+                for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River && e.mark == Mark::Split) {
+                    let [up, down] = edge.vertices.map(|v| &ground.vertices[v as usize]);
+                    let mid = &ground.vertices[edge.mid as usize];
+                    if mid.kind == VertexKind::River && up.kind == VertexKind::River && up.bed >= down.bed + 2 {
+                        assert!(up.bed > mid.bed && mid.bed > down.bed, "{up:?} {mid:?} {down:?}");
+                    }
+                }
+            }
+        }
+        assert!(rivers > 1000 && lakes > 10, "{rivers} {lakes}");
+    }
+}
+
+#[test]
+fn junctions_conserve_discharge() {
+    let (_, base) = planet();
+    let mut junctions = 0;
+    for k in 0..8 {
+        let ground = refine(&base, &Rules::default(), &View { horizon: i32::MAX, ..camera(on_river(&base, k), 100, 10) }, &Caps::default());
+        for level in &ground.levels {
+            let mut arriving = BTreeMap::new();
+            for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River) {
+                let [up, down] = edge.vertices;
+                assert!(edge.arriving >= ground.vertices[up as usize].discharge);
+                let sum = arriving.entry(down).or_insert((0_u64, 0));
+                (sum.0, sum.1) = (sum.0 + u64::from(edge.arriving), sum.1 + 1);
+            }
+            for (v, (sum, count)) in arriving {
+                let vertex = &ground.vertices[v as usize];
+                if vertex.is_wet() && vertex.level > 0 && closed(level, v) {
+                    assert_eq!(u64::from(vertex.discharge), sum, "{vertex:?}");
+                    junctions += u32::from(count > 1);
+                }
+            }
+        }
+    }
+    assert!(junctions > 10, "{junctions}");
+}
+
+/// Whether all faces around a vertex exist in a level.
+fn closed(level: &super::topology::Level, v: u32) -> bool {
+    level.edges.iter().filter(|e| e.vertices.contains(&v)).all(|e| !e.faces.contains(&NONE))
+}

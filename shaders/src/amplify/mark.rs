@@ -1,0 +1,90 @@
+//! Pass: a face decides whether it is split for a view.
+//!
+//! A face of level L is split where its centre is nearer than c·ℓ_L to what is looked at, ℓ_L the theoretical edge.
+//! The bound halves with the level while neighbours are about ℓ_L apart, so where c is at least 8 every face within
+//! three rings of a split one exists at its level: neighbours differ by one level at most, and no pass has to spread
+//! splits. A split face's neighbours are its halo: see [`Mark::Halo`].
+
+use super::arith::length;
+use super::fixed::{difference, mul_shift};
+use super::planet::Planet;
+use super::topology::{Edge, Face, Mark, NONE};
+use super::vertex::Vertex;
+
+/// Least and greatest [`View::sharpness`] that keep neighbours within a level: 8 and 250, Q8.
+pub const SHARPNESS: (u32, u32) = (8 << 8, 250 << 8);
+
+/// What the ground is refined for: a camera, or a disc of ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub struct View {
+    /// Direction of its centre, in units of 1 / `ONE`.
+    pub direction: [i32; 3],
+    /// Height of its centre above sea level, grains; `None` measures along the ground only.
+    pub altitude: Option<i32>,
+    /// Radius of the disc that is refined evenly, sixteenths of a metre; 0 for a camera.
+    pub radius: i32,
+    /// c: distance over edge length at which a face is split, Q8; 117 gives edges of 8 pixels at 1080p.
+    pub sharpness: u32,
+    /// Finest level, 0..=17.
+    pub level: u32,
+    /// Ground farther than this from the centre is left out, sixteenths of a metre, as a chord.
+    pub horizon: i32,
+}
+
+impl View {
+    /// The whole planet at one level.
+    pub const fn whole(level: u32) -> Self {
+        Self { direction: [0; 3], altitude: None, radius: i32::MAX, sharpness: SHARPNESS.0, level, horizon: i32::MAX }
+    }
+
+    /// A disc of ground at one level, coarser around it; `radius` in metres.
+    pub fn disc(direction: [i32; 3], radius: u32, level: u32) -> Self {
+        let radius = radius.saturating_mul(16).min(1 << 28) as i32;
+        Self { direction, altitude: None, radius, sharpness: SHARPNESS.0, level, horizon: radius }
+    }
+
+    /// Distance from what is looked at to a face's centre, sixteenths of a metre.
+    #[inline]
+    pub fn distance(&self, planet: &Planet, corners: [&Vertex; 3]) -> i32 {
+        let [a, b, c] = corners;
+        let (ab, ac) = (difference(b.direction, a.direction), difference(c.direction, a.direction));
+        let centre = [0, 1, 2].map(|i| a.direction[i] + (ab[i] + ac[i]) / 3);
+        let ground = planet.chord(centre, self.direction);
+        let above = self.altitude.map_or(0, |altitude| altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3);
+        (length(ground, above.clamp(-(1 << 28), 1 << 28), 0) - self.radius).max(0)
+    }
+
+    /// Distance within which a face of a level is split, sixteenths of a metre.
+    #[inline]
+    pub fn bound(&self, planet: &Planet, level: u32) -> i32 {
+        mul_shift(planet.edge, self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1), 8 + level)
+    }
+
+    /// Whether a face of a level is split.
+    #[inline]
+    pub fn splits(&self, planet: &Planet, level: u32, corners: [&Vertex; 3]) -> bool {
+        level < self.level && self.distance(planet, corners) < self.bound(planet, level)
+    }
+}
+
+/// A face's mark once the splits are known: split, beside a split one, or neither.
+#[inline]
+pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> bool) -> Mark {
+    if splits(index) {
+        return Mark::Split;
+    }
+    let beside = face.edges.iter().any(|&e| {
+        let [f, g] = edges[e as usize].faces;
+        let other = if f == index { g } else { f };
+        other != NONE && splits(other)
+    });
+    if beside { Mark::Halo } else { Mark::Leaf }
+}
+
+/// An edge's mark: the greater of its faces'.
+#[inline]
+pub fn edge_mark(edge: &Edge, faces: &[Face]) -> Mark {
+    let of = |face: u32| if face == NONE { Mark::Leaf } else { faces[face as usize].mark };
+    of(edge.faces[0]).max(of(edge.faces[1]))
+}

@@ -1,0 +1,36 @@
+//! Edges of the sea: sea floor, shore, and the slope from one to the other.
+
+use super::super::arith::{mix, mul_q16};
+use super::super::control::VertexKind;
+use super::super::fixed::{GRAINS, Q16};
+use super::super::seed::share;
+use super::super::vertex::EdgeContext;
+use super::preset::Rules;
+use super::{Ground, terrain};
+
+/// The vertex of an edge with an end in the sea, or along the shore.
+///
+/// Between land and sea it keeps the mean elevation, as the release does, drawn a little at random: the sign of the
+/// height makes the shore. Along the shore it stays at sea level. Under water the floor is smooth: its relief is noise,
+/// laid on once the subdivision is done.
+pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
+    use VertexKind::{Coast, Sea};
+    let (a, b) = (context.a, context.b);
+    match (a.kind, b.kind) {
+        (Coast, Coast) => Ground::dry(Coast, 0),
+        (Sea, Sea) | (Sea, Coast) | (Coast, Sea) => under_water(a.height + (b.height - a.height) / 2),
+        _ => {
+            let (low, high) = terrain::ordered(a.height, b.height);
+            let xi = share(context.new.seed, 0);
+            let spread = if rules.landforms { 26_214 - 1_600 * context.level.min(12) as i32 } else { 0 };
+            let height = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, spread));
+            let _ = GRAINS;
+            if height <= 0 { under_water(height) } else { Ground::dry(VertexKind::Terrain, height) }
+        }
+    }
+}
+
+/// Sea floor: its water is the sea's.
+fn under_water(height: i32) -> Ground {
+    Ground { kind: VertexKind::Sea, height, bed: height, water: 0.max(height) }
+}

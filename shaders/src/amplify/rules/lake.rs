@@ -1,0 +1,51 @@
+//! Lakes: widened rivers with a level surface (paper 002 §5.3, Figs. 14, 15; rule R3 with a lake).
+
+use super::super::arith::{mul_q16, smoothstep};
+use super::super::control::VertexKind;
+use super::super::fixed::{GRAINS, Q16};
+use super::super::seed::share;
+use super::super::vertex::{EdgeContext, Vertex};
+use super::landform::dryness;
+use super::preset::Rules;
+use super::{Ground, crest};
+
+/// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet land, or high in the
+/// mountains, on the coarse levels only.
+pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u16) -> i32 {
+    if level >= rules.lake_levels || river.bed <= 10 * GRAINS || river.branched {
+        return 0;
+    }
+    let coarse = Q16 - (level.min(4) as i32) * (Q16 / 4);
+    let high = smoothstep(200 * GRAINS, 1_000 * GRAINS, river.bed)
+        + 2 * smoothstep(1_500 * GRAINS, 2_500 * GRAINS, crust);
+    let wet = Q16 - mul_q16(dryness(wetness), 58_982);
+    mul_q16(mul_q16(mul_q16(rules.lake_chance, coarse), high), wet)
+}
+
+/// R3 with a lake: the new vertex lies under the river's water, or nothing where no lake forms.
+pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
+    let (river, land) = if context.a.is_wet() { (context.a, context.b) } else { (context.b, context.a) };
+    if river.kind != VertexKind::River
+        || !matches!(land.kind, VertexKind::Terrain | VertexKind::Gully)
+        || river.water <= river.bed
+    {
+        return None;
+    }
+    let new = context.new;
+    if share(new.seed, 10) >= chance(rules, context.level, river, new.crust, new.wetness) {
+        return None;
+    }
+    let depth = 20 * GRAINS + mul_q16(100 * GRAINS, share(new.seed, 11));
+    let bed = river.bed - depth.min(river.bed - GRAINS);
+    Some(Ground { kind: VertexKind::Lake, height: bed, bed, water: river.water })
+}
+
+/// Between two lake vertices: the floor of their lake, or a crest between two lakes.
+pub fn between(rules: &Rules, context: &EdgeContext) -> Ground {
+    let (a, b) = (context.a, context.b);
+    if a.lake != b.lake || a.water != b.water {
+        return crest::between_rivers(rules, context);
+    }
+    let bed = a.bed + (b.bed - a.bed) / 2;
+    Ground { kind: VertexKind::Lake, height: bed, bed, water: a.water }
+}

@@ -1,0 +1,56 @@
+//! What kind of land a vertex lies in: how old, how dry, how steep (paper 002 §3; DESIGN's Andean and Himalayan belts).
+//!
+//! Steepness stands for rock and uplift: real young belts of collision keep slopes near 30° at all scales, those of
+//! subduction near 25°, old belts near 12°, and it falls with the crust's height above the sea, which is all the relief
+//! that rivers have to cut.
+
+use super::super::arith::{linear_step, mix, mul_q16, ratio, smoothstep};
+use super::super::fixed::{GRAINS, Q16};
+use super::super::vertex::Vertex;
+use super::preset::Rules;
+
+/// Character of the land at a vertex; shares and tangents in Q16.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Landform {
+    /// 0 for a young orogeny, 1 from 200 My on; dryness ages land too (release: + 0.38).
+    pub old: i32,
+    /// 1 where rock is bare of water and soil.
+    pub dry: i32,
+    /// Tangent of its slopes at the level asked for.
+    pub steep: i32,
+}
+
+/// 200 My in the unit of ages.
+const OLD_AGE: i32 = 200 * 64;
+
+/// How dry land of a wetness is, Q16: fully below 0.15, not at all above 0.45.
+#[inline]
+pub const fn dryness(wetness: u16) -> i32 {
+    Q16 - smoothstep(9_830, 29_491, wetness as i32)
+}
+
+impl Landform {
+    /// Character at a vertex for an edge of a level.
+    pub fn of(rules: &Rules, vertex: &Vertex, level: u32) -> Self {
+        let dry = dryness(vertex.wetness);
+        let aged = smoothstep(0, OLD_AGE, i32::from(vertex.age)) + mul_q16(dry, 24_904);
+        let old = if aged < Q16 { aged } else { Q16 };
+        Self { old, dry, steep: steepness(rules, vertex, level) }
+    }
+}
+
+/// Tangent of the land's slopes on edges of a level, Q16.
+pub fn steepness(rules: &Rules, vertex: &Vertex, level: u32) -> i32 {
+    if !rules.landforms {
+        return rules.steep_old;
+    }
+    let age = smoothstep(0, OLD_AGE, i32::from(vertex.age));
+    let young = mix(rules.steep_subduction, rules.steep_collision, i32::from(vertex.collision));
+    let steep = mix(young, rules.steep_old, age);
+    // Old land is smoother at large than at small: its spectrum falls with an exponent of 2.7 against 3.
+    let trend = mix(0, 2_600, age) * (level.min(9) as i32 - 3);
+    let crust = vertex.crust.max(0);
+    let rise = ratio(crust, crust + 1_000 * GRAINS);
+    let flat = mul_q16(Q16 - linear_step(0, Q16, i32::from(vertex.plateau)) / 2, rise);
+    mul_q16(steep + mul_q16(steep, trend), flat)
+}

@@ -1,0 +1,84 @@
+//! The numbers of the rules, and their presets: ours, the paper's print, its authors' release.
+
+use super::super::fixed::Q16;
+use super::nodes::Form;
+
+/// Constants of the subdivision rules. Shares and tangents are Q16, heights and lengths grains, levels are the paper's
+/// λ: 0 halves the control mesh's edges of about 52 km.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rules {
+    /// Form of the young mountains' α and of the hills.
+    pub form: Form,
+    /// Whether crests and slopes follow the landform's own steepness, and fade with the level so that the ground's
+    /// spectrum is that of real relief; off, they follow the printed constants.
+    pub landforms: bool,
+    /// Rise of a crest over the higher river, per length of the edge halved: 0.2.
+    pub crest_rise: i32,
+    /// Tangent of the slopes of a young belt of continental collision.
+    pub steep_collision: i32,
+    /// Tangent of the slopes of a young belt of subduction.
+    pub steep_subduction: i32,
+    /// Tangent of the slopes of old land.
+    pub steep_old: i32,
+    /// First level whose halving is that of fine ground: 10.
+    pub fine_level: u32,
+    /// Levels of internal edges that may become tributaries, first and one beyond the last.
+    pub tributary_levels: [u32; 2],
+    /// One beyond the last level of internal edges that may become gullies.
+    pub gully_levels: u32,
+    /// Chance that an eligible internal edge becomes a gully off a gully.
+    pub gully_branching: i32,
+    /// One beyond the last level on which lakes form: 5.
+    pub lake_levels: u32,
+    /// Chance of a lake where water abounds.
+    pub lake_chance: i32,
+    /// Rise of a tributary along its first half, tangent: tan 3° = 0.0524.
+    pub spring_slope: i32,
+    /// Whether valleys are shaped by their archetype's curve; off, all have the released bank.
+    pub archetypes: bool,
+}
+
+impl Default for Rules {
+    fn default() -> Self {
+        Self {
+            form: Form::Release,
+            landforms: true,
+            crest_rise: 13_107,
+            steep_collision: 49_152,
+            steep_subduction: 36_045,
+            steep_old: 24_000,
+            fine_level: 10,
+            tributary_levels: [0, 4],
+            gully_levels: 9,
+            gully_branching: 45_000,
+            lake_levels: 5,
+            lake_chance: 9_000,
+            spring_slope: 3_435,
+            archetypes: true,
+        }
+    }
+}
+
+impl Rules {
+    /// As printed in paper 002: α of Appendix A, tributaries on internal edges of 3 to 25 km.
+    pub const PAPER: Self = Self {
+        form: Form::Paper,
+        landforms: false,
+        crest_rise: 13_107,
+        steep_collision: 26_214,
+        steep_subduction: 26_214,
+        steep_old: 26_214,
+        fine_level: 10,
+        tributary_levels: [1, 4],
+        gully_levels: 8,
+        gully_branching: Q16 / 4,
+        lake_levels: 5,
+        lake_chance: 6_554,
+        spring_slope: 3_435,
+        archetypes: true,
+    };
+
+    /// As in the authors' released source, which spans α over 0..1 and branches on two levels only.
+    pub const RELEASE: Self =
+        Self { form: Form::Release, tributary_levels: [0, 2], archetypes: false, ..Self::PAPER };
+}

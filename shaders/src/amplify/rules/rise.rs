@@ -1,0 +1,37 @@
+//! How high the ground between two drains stands: what all graphs of ours share.
+//!
+//! Real slopes rise from their drains as steeply as their rock lets them, and meet in crests. So the middle of an edge
+//! that drains at both ends bulges above them, by no more than the slope over half the edge from the lower end, and by
+//! no more than a part of what the crust leaves. It always stands above its lower end: every vertex can drain there,
+//! and no closed hollow is made.
+
+use super::super::arith::{mix, mul_q16, ratio};
+use super::super::fixed::Q16;
+use super::super::seed::share;
+use super::super::vertex::EdgeContext;
+use super::landform::steepness;
+use super::preset::Rules;
+use super::terrain::ordered;
+
+/// Height of the middle of an edge. `bulge` (Q16) is the share of the full slope by which it overtops the higher end.
+pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
+    let new = context.new;
+    let (low, high) = ordered(context.a.height, context.b.height);
+    let slope = mul_q16(context.length / 2, steepness(rules, new, context.level));
+    let (xi, chi) = (share(new.seed, 0), share(new.seed, 1));
+    let room = (new.crust - high).max(0);
+    let free = mul_q16(mul_q16(mul_q16(slope, bulge), fading(context.level)), 8_000 + mul_q16(xi, 80_000));
+    // Saturates at a third of the room: half-way there where the two are equal, so that summits stay apart.
+    let gain = mul_q16(room, ratio(free, free + free + room + 1));
+    // Without a bulge the ground lies between its ends.
+    let hang = mix(low, high, 30_000 + mul_q16(xi, 16_000));
+    let crest = if gain > 0 && bulge >= 49_152 { high + gain } else { hang + gain };
+    let steepest = low + mul_q16(slope, 62_000 + mul_q16(chi, 30_000));
+    let least = mix(low, high, 21_000) + (context.length >> 12).max(1);
+    crest.min(steepest).max(least)
+}
+
+/// Bulges fade below the spacing of valleys, 1.5 km: hillslopes are smooth.
+const fn fading(level: u32) -> i32 {
+    if level < 4 { 75_000 } else { Q16 - 9_000 * (if level < 9 { level as i32 - 3 } else { 6 }) }
+}

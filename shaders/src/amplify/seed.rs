@@ -1,0 +1,62 @@
+//! Random numbers without state: a vertex's seed comes from its parents', its draws from its seed.
+//!
+//! Paper 002 §7 sums the parents' seeds, which is linear: far relatives share draws. Here both go through a
+//! permutation first. Neither depends on the order of the parents, on the view, nor on the order of the work.
+
+/// The PCG-RXS-M-XS permutation of 32 bits.
+#[inline]
+pub const fn pcg(value: u32) -> u32 {
+    let state = value.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    (word >> 22) ^ word
+}
+
+/// Seed of the vertex between two others; the same for both orders.
+#[inline]
+pub const fn between(a: u32, b: u32) -> u32 {
+    let (low, high) = if a < b { (a, b) } else { (b, a) };
+    pcg(low ^ pcg(high.wrapping_add(0x9e37_79b9)))
+}
+
+/// The `k`th random number of a seed, 32 bits.
+#[inline]
+pub const fn draw(seed: u32, k: u32) -> u32 {
+    pcg(seed.wrapping_add(k.wrapping_mul(0x8549_1f4d)))
+}
+
+/// The `k`th random share ξ of a seed, Q16, 0..65,536 exclusive.
+#[inline]
+pub const fn share(seed: u32, k: u32) -> i32 {
+    (draw(seed, k) >> 16) as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seed_does_not_depend_on_the_order_of_the_parents() {
+        for k in 0..1000 {
+            let (a, b) = (pcg(k), pcg(k + 7777));
+            assert_eq!(between(a, b), between(b, a));
+        }
+    }
+
+    #[test]
+    fn shares_fill_their_range_evenly() {
+        let mut bins = [0_u32; 16];
+        for seed in 0..4096 {
+            for k in 0..16 {
+                bins[(share(seed, k) >> 12) as usize] += 1;
+            }
+        }
+        assert!(bins.iter().all(|&n| n.abs_diff(4096) < 4 * 64), "{bins:?}");
+    }
+
+    #[test]
+    fn draws_of_one_seed_and_of_relatives_differ() {
+        let a = between(1, 2);
+        assert_ne!(draw(a, 0), draw(a, 1));
+        assert_ne!(between(a, 1), between(a, 2));
+    }
+}

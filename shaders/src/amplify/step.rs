@@ -1,0 +1,151 @@
+//! One level of the subdivision: the passes in their order.
+//!
+//! The marks of the level's faces are given; the next level's vertices, edges and faces come out. Vertices of all
+//! levels share one column; what a level makes comes after what the coarser ones made, in the order of the edges.
+
+use super::edge_split;
+use super::face_decide::{self, Sight};
+use super::face_split;
+use super::mark::edge_mark;
+use super::planet::Planet;
+use super::rules::{EdgeKind, Rules};
+use super::scan::scan;
+use super::topology::{Edge, Face, Inner, Level, Mark};
+use super::vertex::Vertex;
+use super::vertex_resolve::{Surroundings, asks, resolve};
+
+/// Splits the marked faces of a level. `vertices` grows; `next` is cleared and filled.
+pub fn step(
+    planet: &Planet,
+    rules: &Rules,
+    index: u32,
+    level: &mut Level,
+    next: &mut Level,
+    vertices: &mut Vec<Vertex>,
+) {
+    mark_edges(level);
+    place(level, vertices.len() as u32);
+    split_edges(planet, rules, index, level, vertices);
+    decide_faces(rules, index, level, vertices);
+    resolve_vertices(planet, index, level, vertices);
+    grow(rules, index, level, next, vertices);
+}
+
+fn mark_edges(level: &mut Level) {
+    for edge in &mut level.edges {
+        edge.mark = edge_mark(edge, &level.faces);
+    }
+}
+
+/// Gives midpoints, halves and children their places.
+fn place(level: &mut Level, first_vertex: u32) {
+    let Level { edges, faces } = level;
+    scan(edges, first_vertex, |e| u32::from(e.mark != Mark::Leaf), |e, place| e.mid = place);
+    scan(edges, 0, |e| 2 * u32::from(e.mark == Mark::Split), |e, place| e.child = place);
+    scan(faces, 0, |f| 4 * u32::from(f.mark == Mark::Split), |f, place| f.child = place);
+}
+
+/// The corner of a face of an edge that the edge does not touch.
+fn opposite<'a>(level: &Level, vertices: &'a [Vertex], edge: u32, side: usize) -> Option<&'a Vertex> {
+    let face = level.edges[edge as usize].faces[side];
+    level.faces.get(face as usize).map(|f| &vertices[f.opposite(edge) as usize])
+}
+
+fn split_edges(planet: &Planet, rules: &Rules, index: u32, level: &Level, vertices: &mut Vec<Vertex>) {
+    for (i, edge) in (0..).zip(&level.edges) {
+        if edge.mark != Mark::Leaf {
+            let ends = edge.vertices.map(|v| &vertices[v as usize]);
+            let far = [0, 1].map(|side| opposite(level, vertices, i, side));
+            let new = edge_split::split(planet, rules, edge, index, ends, far);
+            vertices.push(new);
+        }
+    }
+}
+
+fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex]) {
+    if index >= edge_split::STRAIGHT_LEVEL {
+        return;
+    }
+    for f in 0..level.faces.len() {
+        let face = level.faces[f];
+        if face.mark == Mark::Leaf {
+            continue;
+        }
+        let edges = face.edges.map(|e| &level.edges[e as usize]);
+        if edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
+            continue;
+        }
+        let beyond = [0, 1, 2].map(|k| {
+            let side = usize::from(edges[k].faces[0] == f as u32);
+            opposite(level, vertices, face.edges[k], side)
+        });
+        let sight = Sight {
+            corners: face.vertices,
+            vertices: face.vertices.map(|v| &vertices[v as usize]),
+            edges,
+            mids: edges.map(|e| &vertices[e.mid as usize]),
+            beyond,
+        };
+        level.faces[f].inner = face_decide::decide(rules, index, &sight);
+    }
+}
+
+fn resolve_vertices(planet: &Planet, index: u32, level: &Level, vertices: &mut [Vertex]) {
+    for (i, edge) in (0..).zip(&level.edges) {
+        if edge.mark == Mark::Split {
+            let new = resolved(planet, index, level, i, edge, vertices);
+            vertices[edge.mid as usize] = new;
+        }
+    }
+}
+
+/// The new vertex of an edge, settled by the faces beside it.
+fn resolved(planet: &Planet, index: u32, level: &Level, i: u32, edge: &Edge, vertices: &[Vertex]) -> Vertex {
+    let mut around = Surroundings {
+        edge,
+        ends: edge.vertices.map(|v| &vertices[v as usize]),
+        opposite: [None; 2],
+        gully_tip: false,
+        river_tip: false,
+        branched: false,
+        beside: [None; 4],
+    };
+    for side in 0..2 {
+        let Some(face) = level.faces.get(edge.faces[side] as usize) else { continue };
+        around.opposite[side] = Some(&vertices[face.opposite(i) as usize]);
+        let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
+        if face.inner != [Inner::Terrain; 3] {
+            let (gully, river, junction) = asks(&face.inner, k);
+            around.gully_tip |= gully;
+            around.river_tip |= river;
+            around.branched |= junction;
+        }
+        for j in 0..2 {
+            let other = &level.edges[face.edges[(k + 1 + j) % 3] as usize];
+            if other.kind != EdgeKind::Terrain {
+                let ends = other.vertices.map(|v| &vertices[v as usize]);
+                let mid = vertices.get(other.mid as usize);
+                around.beside[side * 2 + j] = Some((other, ends, mid));
+            }
+        }
+    }
+    resolve(planet, index, &vertices[edge.mid as usize], &around)
+}
+
+/// Writes the next level's edges and faces.
+fn grow(rules: &Rules, index: u32, level: &Level, next: &mut Level, vertices: &[Vertex]) {
+    next.edges.clear();
+    next.faces.clear();
+    for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
+        next.edges.extend(face_split::halve(rules, index, edge, &level.faces, vertices));
+    }
+    let first = next.edges.len() as u32;
+    let mut inner = first;
+    for (f, face) in (0..).zip(&level.faces).filter(|(_, f): &(u32, &Face)| f.mark == Mark::Split) {
+        for k in 0..3 {
+            next.edges.push(face_split::inner_edge(face, index, k, &level.edges, vertices));
+        }
+        next.faces.extend(face_split::quarter(face, f, inner, &level.edges));
+        inner += 3;
+    }
+}

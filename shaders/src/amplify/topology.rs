@@ -1,0 +1,123 @@
+//! Edges and faces of one level, and how those of the next follow from them.
+//!
+//! A face (v₀, v₁, v₂) with midpoints m₀ (of v₀v₁), m₁, m₂ becomes the corner faces cₖ = (vₖ, mₖ, mₖ₋₁) and the
+//! middle c₃ = (m₀, m₁, m₂). Its inner edge iₖ = (mₖ, mₖ₋₁) cuts the corner k off.
+
+use super::rules::EdgeKind;
+
+/// No vertex, edge or face.
+pub const NONE: u32 = u32::MAX;
+
+/// How far an edge or a face takes part in a level's subdivision.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum Mark {
+    /// Not at all: a leaf.
+    #[default]
+    Leaf = 0,
+    /// Beside a split face: its midpoints are computed and its inner edges decided, because the split face's
+    /// vertices depend on them, but it stays whole.
+    Halo = 1,
+    /// It is split.
+    Split = 2,
+}
+
+/// One edge, 32 bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub struct Edge {
+    /// Its ends.
+    pub vertices: [u32; 2],
+    /// The faces of its level on both sides, or [`NONE`]; the first has the edge in its winding direction.
+    pub faces: [u32; 2],
+    /// The vertex that halves it, or [`NONE`].
+    pub mid: u32,
+    /// Its first half in the next level, or [`NONE`]; the second follows.
+    pub child: u32,
+    /// Discharge that arrives at the second vertex of a river edge, as [`Vertex::discharge`](super::vertex::Vertex::discharge).
+    pub arriving: u32,
+    /// What it is.
+    pub kind: EdgeKind,
+    /// Level at which its river was born; 0 for a river of the control mesh.
+    pub birth: u8,
+    /// Whether it is split.
+    pub mark: Mark,
+}
+
+impl Edge {
+    /// An edge that nothing has happened to.
+    pub const fn new(kind: EdgeKind, vertices: [u32; 2], faces: [u32; 2]) -> Self {
+        Self { vertices, faces, mid: NONE, child: NONE, arriving: 0, kind, birth: 0, mark: Mark::Leaf }
+    }
+}
+
+/// What a face lays along one of its inner edges (rules Ia to Ic).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum Inner {
+    /// Ground.
+    #[default]
+    Terrain = 0,
+    /// A tributary from mₖ₋₁ to mₖ.
+    RiverToFirst = 1,
+    /// A tributary from mₖ to mₖ₋₁.
+    RiverToSecond = 2,
+    /// A gully from mₖ₋₁ down to mₖ.
+    GullyToFirst = 3,
+    /// A gully from mₖ down to mₖ₋₁.
+    GullyToSecond = 4,
+}
+
+/// One face, 36 bytes, counter-clockwise from outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub struct Face {
+    /// Its corners.
+    pub vertices: [u32; 3],
+    /// Its edges; `edges[i]` joins `vertices[i]` and `vertices[(i + 1) % 3]`.
+    pub edges: [u32; 3],
+    /// Its first child in the next level, or [`NONE`]: corners 0, 1, 2, then the middle.
+    pub child: u32,
+    /// The face of the level above; of level 0, the face of the control mesh.
+    pub parent: u32,
+    /// What lies along its inner edges.
+    pub inner: [Inner; 3],
+    /// Whether it is split.
+    pub mark: Mark,
+}
+
+impl Face {
+    /// A face that nothing has happened to.
+    pub const fn new(vertices: [u32; 3], edges: [u32; 3], parent: u32) -> Self {
+        Self { vertices, edges, child: NONE, parent, inner: [Inner::Terrain; 3], mark: Mark::Leaf }
+    }
+
+    /// Which corner a vertex is; 3 if none.
+    #[inline]
+    pub const fn corner(&self, vertex: u32) -> usize {
+        let mut k = 0;
+        while k < 3 && self.vertices[k] != vertex {
+            k += 1;
+        }
+        k
+    }
+
+    /// The corner that an edge of this face does not touch.
+    #[inline]
+    pub const fn opposite(&self, edge: u32) -> u32 {
+        let mut k = 0;
+        while k < 2 && self.edges[k] != edge {
+            k += 1;
+        }
+        self.vertices[(k + 2) % 3]
+    }
+}
+
+/// Edges and faces of one level.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Level {
+    /// Edges.
+    pub edges: Vec<Edge>,
+    /// Faces.
+    pub faces: Vec<Face>,
+}

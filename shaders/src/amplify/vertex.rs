@@ -1,0 +1,162 @@
+//! What a vertex of the ground knows (paper 002 Table 1), and what the rules see of an edge that is split.
+//!
+//! A vertex is made once, by the edge that it halves, from data of coarser levels; no view changes a bit of it.
+
+use super::control::{ControlVertex, VertexKind};
+use super::fixed::GRAINS;
+
+/// A distance that means "nowhere near": 2000 km in grains.
+pub const FAR: i32 = 2_000_000 * GRAINS;
+
+/// Age of land that no orogeny ever touched, 1/64 My.
+pub const NO_AGE: u16 = u16::MAX;
+
+/// A piece of river, carried by value by the vertices around it, so that their distance to it is a true one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(C)]
+pub struct Segment {
+    /// Directions of its ends, upstream first, in units of 1 / `ONE` of the radius.
+    pub ends: [[i32; 3]; 2],
+    /// Bed at the ends, grains.
+    pub bed: [i32; 2],
+    /// Water surface at the ends, grains.
+    pub water: [i32; 2],
+    /// Flow φ at the ends, Q16.
+    pub flow: [i32; 2],
+    /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so that ground of
+    /// coarser levels never lies in it; [`FAR`] for a river of the control mesh.
+    pub reach: i32,
+    /// Level of the edge it was.
+    pub level: u32,
+}
+
+/// One vertex of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub struct Vertex {
+    /// Unit direction from the planet's centre, each component times `ONE`.
+    pub direction: [i32; 3],
+    /// Ground above sea level before carving, grains.
+    pub height: i32,
+    /// Where its random numbers begin.
+    pub seed: u32,
+    /// River bed or lake floor, grains; equals `height` at dry vertices.
+    pub bed: i32,
+    /// Water surface, grains; equals `bed` at dry vertices.
+    pub water: i32,
+    /// Discharge in 2⁻³² of 200,000 m³/s: an integer, so that junctions conserve it; 0 at dry vertices.
+    pub discharge: u32,
+    /// The nearest river's segment; meaningless where `river_distance` is [`FAR`].
+    pub river: Segment,
+    /// Distance to `river`, grains; [`FAR`] without one.
+    pub river_distance: i32,
+    /// Where along `river` its nearest point lies, Q16 from the upstream end.
+    pub river_along: i32,
+    /// Ground of the nearest gully, grains.
+    pub gully_bed: i32,
+    /// Distance to the nearest gully, grains; [`FAR`] without one.
+    pub gully_distance: i32,
+    /// Which lake it lies in; 0 in none.
+    pub lake: u32,
+    /// Crust elevation C above sea level, grains: the level that summits reach.
+    pub crust: i32,
+    /// What it is.
+    pub kind: VertexKind,
+    /// Level that made it; 0 in the control mesh.
+    pub level: u8,
+    /// Valley archetype (e_r), 0..4.
+    pub valley: u8,
+    /// Whether a river or gully already branches here.
+    pub branched: bool,
+    /// Orogeny age A, 1/64 My; [`NO_AGE`] where no orogeny ever was.
+    pub age: u16,
+    /// Share of continental collision in the orogeny, Q16.
+    pub collision: u16,
+    /// Wetness W, Q16.
+    pub wetness: u16,
+    /// Plateau presence P, Q16.
+    pub plateau: u16,
+    /// Hill presence B, Q16.
+    pub hills: u16,
+    /// Share of oceanic crust, Q16.
+    pub oceanic: u16,
+    /// Age of the ocean floor, 1/64 My.
+    pub ocean_age: u16,
+    /// Fold direction (undirected, tangent), components times 32767; zero where there is none.
+    pub fold: [i16; 3],
+    /// Ridge direction of the ocean floor (undirected, tangent), components times 32767; zero where there is none.
+    pub ridge: [i16; 3],
+}
+
+impl Default for Vertex {
+    fn default() -> Self {
+        Self::from_control(&ControlVertex::default())
+    }
+}
+
+impl Vertex {
+    /// A vertex of level 0.
+    pub fn from_control(control: &ControlVertex) -> Self {
+        let flow = control.flow.min(0xffff);
+        let is_lake = control.kind == VertexKind::Lake as u8;
+        let lake = if is_lake { super::seed::pcg(control.water as u32) | 1 } else { 0 };
+        Self {
+            direction: control.direction,
+            height: control.height,
+            seed: control.seed,
+            bed: control.bed,
+            water: control.water,
+            discharge: flow * flow,
+            river: Segment::default(),
+            river_distance: FAR,
+            river_along: 0,
+            gully_bed: control.height,
+            gully_distance: FAR,
+            lake,
+            crust: control.crust,
+            kind: VertexKind::from_number(control.kind),
+            level: 0,
+            valley: control.valley,
+            branched: false,
+            age: control.age,
+            collision: control.collision,
+            wetness: control.wetness,
+            plateau: control.plateau,
+            hills: control.hills,
+            oceanic: control.oceanic,
+            ocean_age: control.ocean_age,
+            fold: control.fold,
+            ridge: control.ridge,
+        }
+    }
+
+    /// Flow φ = sqrt(discharge / 200,000 m³/s), Q16.
+    #[inline]
+    pub fn flow(&self) -> i32 {
+        super::arith::isqrt(self.discharge) as i32
+    }
+
+    /// Whether water stands or runs here on land.
+    #[inline]
+    pub fn is_wet(&self) -> bool {
+        matches!(self.kind, VertexKind::River | VertexKind::Lake)
+    }
+}
+
+/// What a vertex's rule sees: an edge, and the vertex that halves it with everything but its elevation.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeContext<'a> {
+    /// One end; the upstream one of a river edge, the wet one of an edge between a river and land.
+    pub a: &'a Vertex,
+    /// The other end.
+    pub b: &'a Vertex,
+    /// The new vertex: displaced direction, seed, level (that of the edge + 1), distances to river and gully,
+    /// and the parents' average of C, A, W, P, B, collision, ocean and directions.
+    pub new: &'a Vertex,
+    /// Length of the edge, grains.
+    pub length: i32,
+    /// Level of the edge, 0..16 (the paper's λ).
+    pub level: u32,
+    /// Radius of the planet, metres.
+    pub radius_m: u32,
+}

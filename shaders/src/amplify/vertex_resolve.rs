@@ -1,0 +1,178 @@
+//! Pass: a new vertex settles its kind and its distances, once the faces on both sides have decided.
+//!
+//! Reads the two faces' decisions and what drains along their edges; writes the one vertex. A river outranks a gully,
+//! a gully outranks ground, whatever the order in which the faces asked.
+//!
+//! The nearest river is a true distance to a segment. A vertex beside a river sees the river's newest halves; one
+//! farther off inherits its parents' segments (and its neighbours', while edges still move), which lag behind by as
+//! many levels as it is rings away: they are charged for how far the river may have moved since.
+
+use super::control::VertexKind;
+use super::edge_split::STRAIGHT_LEVEL;
+use super::geometry::nearest_on;
+use super::planet::Planet;
+use super::rules::EdgeKind;
+use super::seed::share;
+use super::topology::{Edge, Inner};
+use super::vertex::{FAR, Segment, Vertex};
+
+/// An edge beside the vertex: the edge, its ends, its middle where it has one.
+pub type Beside<'a> = (&'a Edge, [&'a Vertex; 2], Option<&'a Vertex>);
+
+/// What a vertex's settling depends on.
+pub struct Surroundings<'a> {
+    /// The edge that the vertex halves.
+    pub edge: &'a Edge,
+    /// Its ends.
+    pub ends: [&'a Vertex; 2],
+    /// The corners opposite to it.
+    pub opposite: [Option<&'a Vertex>; 2],
+    /// Whether a face asks for a gully that starts here.
+    pub gully_tip: bool,
+    /// Whether a face asks for a tributary that starts here.
+    pub river_tip: bool,
+    /// Whether a face lets a tributary end here.
+    pub branched: bool,
+    /// The other edges of the two faces that run along a river or a gully.
+    pub beside: [Option<Beside<'a>>; 4],
+}
+
+/// What a face's decisions mean for the vertex on its `k`th edge: (gully tip, river tip, junction).
+pub fn asks(inner: &[Inner; 3], k: usize) -> (bool, bool, bool) {
+    // m_k is first on the inner edge of corner k, second on that of corner k + 1.
+    let (first, second) = (inner[k], inner[(k + 1) % 3]);
+    (
+        first == Inner::GullyToSecond || second == Inner::GullyToFirst,
+        first == Inner::RiverToSecond || second == Inner::RiverToFirst,
+        first == Inner::RiverToFirst || second == Inner::RiverToSecond,
+    )
+}
+
+/// The vertex as the faces around it leave it.
+pub fn resolve(planet: &Planet, level: u32, vertex: &Vertex, around: &Surroundings) -> Vertex {
+    let mut new = *vertex;
+    new.branched = around.branched;
+    if around.gully_tip && !around.river_tip && new.kind == VertexKind::Terrain {
+        new.kind = VertexKind::Gully;
+    }
+    near_river(planet, level, &mut new, around);
+    near_gully(planet, &mut new, around);
+    new
+}
+
+/// Discharge that a tributary brings to a junction: a quarter to a half of what its river has gained since the
+/// upstream vertex, so that what came from upstream and what the tributary brings make the junction's discharge.
+#[inline]
+pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
+    let gain = junction.discharge.saturating_sub(upstream.discharge);
+    let quarter = gain / 4;
+    quarter + super::fixed::mul_high(quarter, (share(junction.seed, 20) as u32) << 16)
+}
+
+/// The segment between two vertices of a river.
+pub fn segment(planet: &Planet, birth: u8, level: u32, up: &Vertex, down: &Vertex) -> Segment {
+    Segment {
+        ends: [up.direction, down.direction],
+        bed: [up.bed, down.bed],
+        water: [up.water, down.water],
+        flow: [up.flow(), down.flow()],
+        reach: if birth == 0 { FAR } else { planet.edge_grains(u32::from(birth)) / 2 },
+        level,
+    }
+}
+
+/// Nearest segment found so far.
+struct Nearest {
+    cost: i32,
+    distance: i32,
+    along: i32,
+    segment: Segment,
+}
+
+impl Nearest {
+    /// Takes a segment if it is nearer; one beyond its reach counts as far.
+    fn offer(&mut self, planet: &Planet, p: [i32; 3], segment: &Segment, charge: i32) {
+        let (along, off) = nearest_on(segment.ends, p);
+        let distance = planet.grains(off).min(FAR);
+        let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
+        let cost = distance + charge + beyond;
+        if cost < self.cost {
+            *self = Self { cost, distance, along, segment: *segment };
+        }
+    }
+}
+
+/// Sets the nearest river of a vertex.
+fn near_river(planet: &Planet, level: u32, new: &mut Vertex, around: &Surroundings) {
+    if matches!(new.kind, VertexKind::River | VertexKind::Lake) {
+        new.river = segment(planet, around.edge.birth, level + 1, new, new);
+        (new.river_distance, new.river_along) = (0, 0);
+        return;
+    }
+    let mut nearest = Nearest { cost: i32::MAX, distance: FAR, along: 0, segment: Segment::default() };
+    for (edge, [up, down], mid) in around.beside.iter().flatten() {
+        if edge.kind != EdgeKind::River {
+            continue;
+        }
+        if up.is_wet() && (level >= STRAIGHT_LEVEL || mid.is_none()) {
+            nearest.offer(planet, new.direction, &segment(planet, edge.birth, level, up, down), 0);
+        } else if let Some(mid) = mid {
+            if up.is_wet() {
+                nearest.offer(planet, new.direction, &segment(planet, edge.birth, level + 1, up, mid), 0);
+            }
+            nearest.offer(planet, new.direction, &segment(planet, edge.birth, level + 1, mid, down), 0);
+        }
+    }
+    if nearest.cost == i32::MAX {
+        inherit(planet, level, new, around, &mut nearest);
+    }
+    (new.river, new.river_distance, new.river_along) = (nearest.segment, nearest.distance, nearest.along);
+}
+
+/// Offers the segments of the parents and, while edges move, of the opposite corners.
+fn inherit(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings, nearest: &mut Nearest) {
+    let opposite = if level < STRAIGHT_LEVEL { around.opposite } else { [None, None] };
+    let [a, b] = around.ends.map(Some);
+    let mut seen: [Option<&Segment>; 4] = [None; 4];
+    for (i, from) in [a, b, opposite[0], opposite[1]].into_iter().enumerate() {
+        let Some(from) = from.filter(|v| v.river_distance < FAR) else { continue };
+        if seen.iter().flatten().any(|s| s.ends == from.river.ends) {
+            continue;
+        }
+        seen[i] = Some(&from.river);
+        let moved = if from.river.level >= STRAIGHT_LEVEL { 0 } else { planet.edge_grains(from.river.level) / 3 };
+        nearest.offer(planet, new.direction, &from.river, moved);
+    }
+}
+
+/// Sets the nearest gully: that of an edge beside the vertex, else the mean of what the parents know.
+fn near_gully(planet: &Planet, new: &mut Vertex, around: &Surroundings) {
+    if new.kind == VertexKind::Gully {
+        (new.gully_bed, new.gully_distance) = (new.height, 0);
+        return;
+    }
+    let [a, b] = around.ends;
+    (new.gully_bed, new.gully_distance) = match (a.gully_distance, b.gully_distance) {
+        (FAR, FAR) => (new.height, FAR),
+        (FAR, d) => (b.gully_bed, apart(planet, new, b, d)),
+        (d, FAR) => (a.gully_bed, apart(planet, new, a, d)),
+        (d, e) if d == 0 && e == 0 => (a.gully_bed / 2 + b.gully_bed / 2, apart(planet, new, a, 0)),
+        (d, e) => (a.gully_bed / 2 + b.gully_bed / 2, d / 2 + e / 2),
+    };
+    for (edge, [up, down], _) in around.beside.iter().flatten() {
+        if edge.kind == EdgeKind::Gully {
+            let (along, off) = nearest_on([up.direction, down.direction], new.direction);
+            let distance = planet.grains(off);
+            if distance < new.gully_distance {
+                new.gully_distance = distance;
+                new.gully_bed = super::arith::mix(up.height, down.height, along);
+            }
+        }
+    }
+}
+
+/// Distance to a parent's gully, at most that of going by the parent.
+fn apart(planet: &Planet, new: &Vertex, parent: &Vertex, distance: i32) -> i32 {
+    let step = planet.grains(super::fixed::difference(new.direction, parent.direction));
+    (distance.min(FAR) + step).min(FAR)
+}
