@@ -34,6 +34,8 @@ pub mod schedule;
 
 pub mod spawn;
 
+pub mod query;
+
 pub mod io;
 
 #[cfg(feature = "render")]

@@ -1,0 +1,171 @@
+//! Heights on squares: what exports, statistics and pictures read.
+
+use super::{AzimuthalEquidistant, Ground, GroundError, level_for};
+use crate::parallel;
+use bevy::math::{DVec2, DVec3};
+use rayon::prelude::*;
+
+/// A grid of heights in m, rows from the north, values at the centres of pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeightGrid {
+    /// Number of columns.
+    pub width: usize,
+    /// Number of rows.
+    pub height: usize,
+    /// Heights in m, row by row.
+    pub values: Vec<f32>,
+    /// Size of a pixel in m, to the east and to the south.
+    pub pixel_m: [f64; 2],
+}
+
+impl HeightGrid {
+    /// Lowest and highest value; `None` of an empty grid.
+    pub fn range(&self) -> Option<[f32; 2]> {
+        let first = *self.values.first()?;
+        Some(self.values.iter().fold([first; 2], |[low, high], &z| [low.min(z), high.max(z)]))
+    }
+
+    /// A row, from the west.
+    pub fn row(&self, y: usize) -> &[f32] {
+        &self.values[y * self.width..(y + 1) * self.width]
+    }
+}
+
+/// A square of an [`AzimuthalEquidistant`] projection about its middle, north up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Square {
+    projection: AzimuthalEquidistant,
+    side_m: f64,
+    pixels: usize,
+}
+
+impl Square {
+    /// Most pixels to a side.
+    pub const MAX_PIXELS: usize = 16_384;
+
+    /// A square of `side_m` with `pixels` to a side about the middle of `projection`.
+    ///
+    /// # Errors
+    /// [`GroundError::Length`] if the square is larger than the sphere, or smaller than a millimetre to a pixel;
+    /// [`GroundError::Count`] outside of 2..=16,384 pixels.
+    pub fn new(projection: AzimuthalEquidistant, side_m: f64, pixels: usize) -> Result<Self, GroundError> {
+        let (min, max) = (2, Self::MAX_PIXELS);
+        if !(min..=max).contains(&pixels) {
+            return Err(GroundError::Count { what: "the number of pixels", value: pixels, min, max });
+        }
+        let (min, max) = (pixels as f64 * 1e-3, AzimuthalEquidistant::largest_square(projection.radius_m()));
+        if !(min..=max).contains(&side_m) {
+            return Err(GroundError::Length { what: "the side of the square", value: side_m, min, max });
+        }
+        Ok(Self { projection, side_m, pixels })
+    }
+
+    /// The projection.
+    pub fn projection(&self) -> &AzimuthalEquidistant {
+        &self.projection
+    }
+
+    /// Side in m.
+    pub fn side_m(&self) -> f64 {
+        self.side_m
+    }
+
+    /// Pixels to a side.
+    pub fn pixels(&self) -> usize {
+        self.pixels
+    }
+
+    /// Side of a pixel in m.
+    pub fn pixel_m(&self) -> f64 {
+        self.side_m / self.pixels as f64
+    }
+
+    /// Unit vector of the centre of pixel (`column`, `row`), rows from the north.
+    pub fn direction(&self, column: usize, row: usize) -> DVec3 {
+        let from_middle = |k: usize| (k as f64 + 0.5 - 0.5 * self.pixels as f64) * self.pixel_m();
+        self.projection.direction(DVec2::new(from_middle(column), -from_middle(row)))
+    }
+
+    /// The level whose edges are not longer than a pixel.
+    pub fn level(&self) -> u8 {
+        level_for(self.projection.radius_m(), self.pixel_m())
+    }
+
+    /// Heights at all pixels, in batches on all threads.
+    ///
+    /// # Errors
+    /// As [`Ground::height`]: the error of the first batch that has one.
+    pub fn heights(&self, ground: &(impl Ground + ?Sized), level: u8) -> Result<HeightGrid, GroundError> {
+        let count = self.pixels * self.pixels;
+        let mut values = vec![0.0_f32; count];
+        let batches = values.par_chunks_mut(parallel::CHUNK).enumerate().map(|(batch, heights)| {
+            let first = batch * parallel::CHUNK;
+            let pixels = first..first + heights.len();
+            let directions: Vec<DVec3> =
+                pixels.map(|i| self.direction(i % self.pixels, i / self.pixels)).collect();
+            ground.heights(&directions, level, heights)
+        });
+        // Collected first: which of several errors is told must not depend on the threads.
+        let results: Vec<Result<(), GroundError>> = batches.collect();
+        results.into_iter().collect::<Result<(), GroundError>>()?;
+        Ok(HeightGrid { width: self.pixels, height: self.pixels, values, pixel_m: [self.pixel_m(); 2] })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math;
+    use crate::query::checked;
+
+    /// Height = 10 m per degree of latitude, and of longitude in a second copy.
+    struct Degrees(bool);
+
+    impl Ground for Degrees {
+        fn radius_m(&self) -> f64 {
+            6_370_000.0
+        }
+
+        fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
+            let (lat, lon) = math::lat_lon(checked(direction, level)?);
+            Ok(10.0 * if self.0 { lon } else { lat } as f32)
+        }
+    }
+
+    fn square(lat: f64, lon: f64, side_m: f64, pixels: usize) -> Square {
+        Square::new(AzimuthalEquidistant::new(lat, lon, 6_370_000.0).unwrap(), side_m, pixels).unwrap()
+    }
+
+    #[test]
+    fn north_is_up_and_values_are_those_of_pixel_centres() {
+        let degree = 6_370_000.0 * math::PI / 180.0;
+        let square = square(30.0, 40.0, 8.0 * degree, 8);
+        let lat = square.heights(&Degrees(false), 5).unwrap();
+        assert_eq!((lat.width, lat.height, lat.values.len()), (8, 8, 64));
+        // The middle column is half a pixel off the meridian; latitudes differ by a few hundredths of a degree there.
+        for (y, expected) in (0..8).map(|y| (y, 33.5 - y as f32)) {
+            assert!((lat.row(y)[4] / 10.0 - expected).abs() < 0.02, "{y}");
+        }
+        let lon = square.heights(&Degrees(true), 5).unwrap();
+        assert!(lon.row(3).windows(2).all(|pair| pair[0] < pair[1]));
+        assert_eq!(lat.range().unwrap()[1], lat.row(0)[4].max(lat.row(0)[3]));
+    }
+
+    #[test]
+    fn levels_follow_pixels() {
+        assert_eq!(square(0.0, 0.0, 60_004.8, 648).level(), 10);
+        assert_eq!(square(0.0, 0.0, 64.0, 128).level(), 17);
+    }
+
+    #[test]
+    fn bad_squares_and_levels_are_refused() {
+        let map = AzimuthalEquidistant::new(0.0, 0.0, 50_000.0).unwrap();
+        for side in [0.0, -1.0, f64::NAN, f64::INFINITY, 300_000.0] {
+            assert!(matches!(Square::new(map, side, 16), Err(GroundError::Length { .. })), "{side}");
+        }
+        for pixels in [0, 1, 20_000, usize::MAX] {
+            assert!(matches!(Square::new(map, 1000.0, pixels), Err(GroundError::Count { .. })), "{pixels}");
+        }
+        assert_eq!(square(0.0, 0.0, 1e5, 9).heights(&Degrees(true), 18), Err(GroundError::Level(18)));
+    }
+}
