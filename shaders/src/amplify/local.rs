@@ -19,6 +19,7 @@ use super::rules::{EdgeKind, Rules};
 use super::step::step;
 use super::topology::{Face, Level, Mark, NONE};
 use super::vertex::Vertex;
+use core::ops::Deref;
 
 /// A leaf of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,10 +50,11 @@ impl Leaf {
     }
 }
 
-/// Answers queries about one planet's ground; keeps the patches of the last one.
+/// Answers queries about one planet's ground; keeps the patches of the last one. `B` is a reference to the planet's
+/// level 0, or an `Arc` of it.
 #[derive(Clone, Debug)]
-pub struct Local<'a> {
-    base: &'a Base,
+pub struct Local<B> {
+    base: B,
     rules: Rules,
     vertices: Vec<Vertex>,
     levels: Vec<Level>,
@@ -68,9 +70,9 @@ pub struct Local<'a> {
     centre: u32,
 }
 
-impl<'a> Local<'a> {
+impl<B: Deref<Target = Base>> Local<B> {
     /// An engine that has answered nothing yet.
-    pub fn new(base: &'a Base, rules: &Rules) -> Self {
+    pub fn new(base: B, rules: &Rules) -> Self {
         Self {
             base,
             rules: *rules,
@@ -85,8 +87,8 @@ impl<'a> Local<'a> {
     }
 
     /// The planet's level 0.
-    pub fn base(&self) -> &'a Base {
-        self.base
+    pub fn base(&self) -> &Base {
+        &self.base
     }
 
     /// The leaf of a level, at most [`FINEST`], that contains a direction. `hint` is a face of the control mesh near
@@ -142,7 +144,7 @@ impl<'a> Local<'a> {
             ring
         };
         let kept = ring(&ring(&[face]));
-        (self.vertices, self.levels[0]) = compact(self.base, &kept);
+        (self.vertices, self.levels[0]) = compact(&self.base, &kept);
         (self.centre, self.depth) = (face, 0);
     }
 
