@@ -4,6 +4,7 @@
 //! ground       Ground: what every reader asks for; levels and their lengths
 //! sample       all there is to know of one point
 //! surface      rock, sand, grass, snow ...: a rule of height, slope, warmth, wetness and water
+//! planet       the amplified ground of a planet
 //! coarse       the ground of the crust alone, interpolated between its samples
 //! projection   azimuthal equidistant squares
 //! raster       heights on such a square
@@ -22,6 +23,8 @@ mod surface;
 
 mod coarse;
 
+mod planet;
+
 mod projection;
 
 mod raster;
@@ -33,10 +36,12 @@ mod ray;
 pub use coarse::CoarseGround;
 pub use ground::{Ground, LEVELS, checked, direction_at, level_for, spacing};
 pub use patch::{Patch, collider_patch};
+pub use planet::PlanetGround;
 pub use projection::AzimuthalEquidistant;
 pub use raster::{HeightGrid, Square};
 pub use ray::{RayHit, cast_ray};
 pub use sample::{Sample, normal, sample};
+use surface::LAPSE;
 pub use surface::{Climate, GroundSurface, Site, classify};
 
 use thiserror::Error;

@@ -14,7 +14,7 @@ pub struct Climate {
 }
 
 /// Cooling with height in °C per m (ICAO standard atmosphere).
-const LAPSE: f32 = 0.0065;
+pub(super) const LAPSE: f32 = 0.0065;
 
 impl Climate {
     /// The climate of a latitude, given by its sine, at `height_m` above the sea: the two-term zonal mean of

@@ -46,7 +46,8 @@ fn gathered(up: &Vertex, edge: &Edge) -> u32 {
 
 /// Keeps lakes level and water from rising downstream, whatever the graph says.
 fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
-    let same_lake = a.is_wet() && b.is_wet() && a.water == b.water && (a.lake == b.lake || a.lake * b.lake == 0);
+    let same_lake =
+        a.is_wet() && b.is_wet() && a.water == b.water && (a.lake == b.lake || a.lake * b.lake == 0);
     if same_lake && (a.lake | b.lake) != 0 {
         let bed = a.bed + (b.bed - a.bed) / 2;
         (new.kind, new.height, new.bed, new.water) = (VertexKind::Lake, bed, bed, a.water);

@@ -116,7 +116,8 @@ mod tests {
             let angle = f64::from(k) * 5e-5;
             let one = f64::from(ONE);
             let a = [one, 0.0, 0.0].map(|x| x.round() as i32);
-            let b = [one * angle.cos(), one * angle.sin() * 0.6, one * angle.sin() * 0.8].map(|x| x.round() as i32);
+            let b = [one * angle.cos(), one * angle.sin() * 0.6, one * angle.sin() * 0.8]
+                .map(|x| x.round() as i32);
             let d = difference(b, a);
             let middle = [a[0] + d[0] / 2, a[1] + d[1] / 2, a[2] + d[2] / 2];
             let p = lift(middle, square_q32(d) / 4).map(f64::from);

@@ -138,7 +138,8 @@ impl<B: Deref<Target = Base>> Local<B> {
     fn recentre(&mut self, face: u32) {
         let ring = |faces: &[u32]| {
             let corners = faces.iter().flat_map(|&f| self.base.level.faces[f as usize].vertices);
-            let mut ring: Vec<u32> = corners.flat_map(|v| self.base.faces_around(v).iter().copied()).collect();
+            let mut ring: Vec<u32> =
+                corners.flat_map(|v| self.base.faces_around(v).iter().copied()).collect();
             ring.sort_unstable();
             ring.dedup();
             ring

@@ -1,0 +1,177 @@
+//! The ground of a planet, amplified from its control mesh: what the player sees, on the CPU.
+//!
+//! Every answer has the bits of any other way to refine the ground there (DESIGN: twins). Engines keep the patches of
+//! their last question, so questions that lie close together are asked of the same one: a batch is cut into runs, and
+//! each run has an engine to itself.
+
+use super::ground::same_length;
+use super::{Climate, Ground, GroundError, LAPSE, checked};
+use bevy::math::DVec3;
+use pangaea_shaders::amplify::base::Base;
+use pangaea_shaders::amplify::control::ControlMesh;
+use pangaea_shaders::amplify::fixed::{GRAINS, ONE};
+use pangaea_shaders::amplify::local::{Leaf, Local};
+use pangaea_shaders::amplify::rules::Rules;
+use rayon::prelude::*;
+use std::sync::{Arc, Mutex};
+
+/// Questions of a batch that one engine answers in a row: enough to profit from what it remembers.
+const RUN: usize = 512;
+
+type Engine = Local<Arc<Base>>;
+
+/// The amplified ground of one planet. Cheap to clone; clones share the control mesh.
+#[derive(Debug)]
+pub struct PlanetGround {
+    base: Arc<Base>,
+    rules: Rules,
+    /// Temperature at sea level in °C per control vertex; empty where only the latitude is known.
+    temperature: Arc<Vec<f32>>,
+    bounds_m: [f64; 2],
+    /// Engines at rest.
+    engines: Mutex<Vec<Engine>>,
+}
+
+impl PlanetGround {
+    /// The ground that `rules` grow from `control`.
+    ///
+    /// # Errors
+    /// [`GroundError::Unavailable`] if the control mesh is not whole.
+    pub fn new(control: &ControlMesh, rules: Rules) -> Result<Self, GroundError> {
+        let base = Base::new(control).map_err(|error| GroundError::Unavailable(error.to_string()))?;
+        let metres = |grains: i32| f64::from(grains) / f64::from(GRAINS);
+        let lowest = control.vertices.iter().map(|v| v.height.min(v.bed)).min().unwrap_or(0);
+        let highest = control.vertices.iter().map(|v| v.height.max(v.crust)).max().unwrap_or(0);
+        // Rules add to what the control mesh says: crests over summits, beds under rivers, seamounts.
+        let bounds_m = [metres(lowest) - 3000.0, metres(highest) + 3000.0];
+        let (temperature, engines) = (Arc::default(), Mutex::default());
+        Ok(Self { base: Arc::new(base), rules, temperature, bounds_m, engines })
+    }
+
+    /// The same with the temperature at the ground in °C of every control vertex, from which that of all other
+    /// heights follows.
+    ///
+    /// # Errors
+    /// [`GroundError::Count`] if there is not one temperature per vertex.
+    pub fn with_temperature(mut self, temperature: &[f32]) -> Result<Self, GroundError> {
+        let n = self.base.vertices.len();
+        if temperature.len() != n {
+            let what = "the number of temperatures";
+            return Err(GroundError::Count { what, value: temperature.len(), min: n, max: n });
+        }
+        let at_sea_level = |(t, v): (&f32, &pangaea_shaders::amplify::vertex::Vertex)| {
+            t + LAPSE * (v.height.max(0) / GRAINS) as f32
+        };
+        self.temperature = Arc::new(temperature.iter().zip(&self.base.vertices).map(at_sea_level).collect());
+        Ok(self)
+    }
+
+    /// Level 0 of the ground.
+    pub fn base(&self) -> &Arc<Base> {
+        &self.base
+    }
+
+    /// The rules that grow it.
+    pub fn rules(&self) -> &Rules {
+        &self.rules
+    }
+
+    /// The triangle of a level that contains a direction, with all that its corners know.
+    ///
+    /// # Errors
+    /// [`GroundError::NotADirection`], [`GroundError::Level`].
+    pub fn leaf(&self, direction: DVec3, level: u8) -> Result<Leaf, GroundError> {
+        let at = quantised(checked(direction, level)?);
+        Ok(self.with_engine(|engine| engine.leaf(at, u32::from(level), None)))
+    }
+
+    /// Lends an engine at rest, or a new one.
+    fn with_engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
+        let resting = |engines: &Mutex<Vec<Engine>>| engines.lock().ok().and_then(|mut all| all.pop());
+        let mut engine = resting(&self.engines).unwrap_or_else(|| Local::new(self.base.clone(), &self.rules));
+        let answer = work(&mut engine);
+        if let Ok(mut all) = self.engines.lock() {
+            all.push(engine);
+        }
+        answer
+    }
+}
+
+impl Clone for PlanetGround {
+    fn clone(&self) -> Self {
+        Self {
+            base: self.base.clone(),
+            rules: self.rules,
+            temperature: self.temperature.clone(),
+            bounds_m: self.bounds_m,
+            engines: Mutex::default(),
+        }
+    }
+}
+
+/// A unit vector in the integers of the amplifier.
+fn quantised(unit: DVec3) -> [i32; 3] {
+    (unit * f64::from(ONE)).round().to_array().map(|x| x as i32)
+}
+
+impl Ground for PlanetGround {
+    fn radius_m(&self) -> f64 {
+        f64::from(self.base.planet.radius_m)
+    }
+
+    fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
+        let at = quantised(checked(direction, level)?);
+        Ok(self.with_engine(|engine| engine.leaf(at, u32::from(level), None).height_m(at) as f32))
+    }
+
+    fn heights(&self, directions: &[DVec3], level: u8, heights: &mut [f32]) -> Result<(), GroundError> {
+        same_length(directions, heights)?;
+        let run = |directions: &[DVec3], heights: &mut [f32]| {
+            self.with_engine(|engine| {
+                for (direction, height) in directions.iter().zip(heights) {
+                    let at = quantised(checked(*direction, level)?);
+                    *height = engine.leaf(at, u32::from(level), None).height_m(at) as f32;
+                }
+                Ok(())
+            })
+        };
+        if directions.len() <= RUN {
+            return run(directions, heights);
+        }
+        let runs = directions.par_chunks(RUN).zip(heights.par_chunks_mut(RUN));
+        let results: Vec<_> = runs.map(|(directions, heights)| run(directions, heights)).collect();
+        results.into_iter().collect()
+    }
+
+    fn water(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
+        let at = quantised(checked(direction, level)?);
+        let leaf = self.with_engine(|engine| engine.leaf(at, u32::from(level), None));
+        Ok(water_m(&leaf, at).max(leaf.height_m(at)) as f32)
+    }
+
+    fn climate(&self, direction: DVec3, height_m: f32) -> Result<Climate, GroundError> {
+        let unit = checked(direction, 0)?;
+        let leaf = self.with_engine(|engine| engine.leaf(quantised(unit), 0, None));
+        let weights = leaf.weights(quantised(unit));
+        let mean = |value: [f64; 3]| (0..3).map(|k| weights[k] * value[k]).sum::<f64>() as f32;
+        let wetness = mean(leaf.vertices.map(|v| f64::from(v.wetness) / 65_536.0));
+        let corners = self.base.level.faces[leaf.base_face as usize].vertices;
+        let mut climate = Climate { wetness, ..Climate::of_latitude(unit.z, height_m) };
+        if !self.temperature.is_empty() {
+            let sea_level = mean(corners.map(|v| f64::from(self.temperature[v as usize])));
+            climate.temperature_c = sea_level - LAPSE * height_m.max(0.0);
+        }
+        Ok(climate)
+    }
+
+    fn bounds_m(&self) -> [f64; 2] {
+        self.bounds_m
+    }
+}
+
+/// Level of the water at a direction in a leaf in m: below the ground where it is dry.
+fn water_m(leaf: &Leaf, at: [i32; 3]) -> f64 {
+    let weights = leaf.weights(at);
+    let sum: f64 = (0..3).map(|k| weights[k] * f64::from(leaf.carved[k].water)).sum();
+    sum / f64::from(GRAINS)
+}
