@@ -26,13 +26,15 @@ impl Noise {
     /// Hashes of the corners of the cell around `p`, in the order of x, then y, then z, and the position in it.
     #[inline]
     fn corners(&self, p: DVec3) -> ([u64; 8], DVec3) {
-        let cell = p.floor();
+        let cell = DVec3::new(floor(p.x), floor(p.y), floor(p.z));
         let (x, y, z) = (cell.x as i64 as u64, cell.y as i64 as u64, cell.z as i64 as u64);
+        let planes = [0, 1].map(|i| mix(self.key ^ x.wrapping_add(i)));
         let mut hashes = [0; 8];
-        for (corner, hash) in hashes.iter_mut().enumerate() {
-            let (i, j, k) = (corner as u64 & 1, corner as u64 >> 1 & 1, corner as u64 >> 2);
-            let row = mix(mix(self.key ^ x.wrapping_add(i)) ^ y.wrapping_add(j));
-            *hash = mix(row ^ z.wrapping_add(k));
+        for (row, hashes) in hashes.chunks_exact_mut(2).enumerate() {
+            let (j, k) = (row as u64 & 1, row as u64 >> 1);
+            for (plane, hash) in planes.iter().zip(hashes) {
+                *hash = mix(mix(plane ^ y.wrapping_add(j)) ^ z.wrapping_add(k));
+            }
         }
         (hashes, p - cell)
     }
@@ -57,6 +59,13 @@ impl Noise {
         let part = |shift: f64| self.fractal(p + DVec3::splat(shift), frequency, octaves);
         DVec3::new(part(0.0), part(31.7), part(73.1))
     }
+}
+
+/// The largest whole number not above `x`, for numbers of ordinary size: a call of libm is dear here.
+#[inline]
+fn floor(x: f64) -> f64 {
+    let whole = x as i64 as f64;
+    if whole > x { whole - 1.0 } else { whole }
 }
 
 /// Blends the values of a cell's corners at the position `f` in it; a value is given the corner and

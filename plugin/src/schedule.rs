@@ -5,9 +5,7 @@
 //! spent, and each run goes on where the last one stopped. Without a budget a single run is a whole step.
 
 use crate::planet::{GeologicClock, Planet};
-use bevy::ecs::schedule::{
-    InternedScheduleLabel, LogLevel, ScheduleBuildSettings, ScheduleLabel, SingleThreadedExecutor,
-};
+use bevy::ecs::schedule::{LogLevel, ScheduleBuildSettings, ScheduleLabel, SingleThreadedExecutor};
 use bevy::prelude::*;
 use core::time::Duration;
 use std::time::Instant;
@@ -316,9 +314,4 @@ fn finish_step(world: &mut World, planet: Entity, step: f64) {
             clock.until = None;
         }
     }
-}
-
-/// The label as schedules know it, for `app.edit_schedule`.
-pub fn tectonic_step() -> InternedScheduleLabel {
-    TectonicStep.intern()
 }

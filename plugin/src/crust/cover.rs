@@ -1,9 +1,9 @@
 //! Which frames cover a point: frames, not moved points.
 //!
 //! A point is rotated into a frame; the frame covers it if the nearest sample of the lattice belongs
-//! to that frame. Candidates come from two coarse tables of bins on a cube: which frames have samples
-//! in or near a bin of the lattice (renewed when frames gain or lose samples), and which of those bins
-//! may lie over a bin of the world (renewed when frames move).
+//! to that frame. Candidates come from tables of bins on a cube: which frames have samples in or near a bin
+//! of the lattice (renewed when frames gain or lose samples; fine for look-ups, coarse for what follows), and
+//! which of the coarse ones may lie over a bin of the world (renewed when frames move).
 //!
 //! Policies. *Several frames of one plate*: the terrane lies on top, of two terranes the later one.
 //! *Several plates*: continental crust lies on top of oceanic; of equal kinds the polarity of the front
@@ -17,6 +17,8 @@ use crate::plate::contact::PolarityMemory;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
+use rayon::prelude::*;
+use std::sync::Arc;
 
 /// A frame that covers a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,90 +58,154 @@ impl Hits {
     }
 }
 
-/// Candidate tables for the frames of one planet.
-#[derive(Component, Clone, Debug)]
-pub struct CoverIndex {
+/// What never changes about the bins of a lattice.
+#[derive(Debug)]
+struct Bins {
     grid: CubeGrid,
     /// Centre and radius, as a chord, of each bin.
-    bins: Vec<(DVec3, f64)>,
-    /// Number of 64-bit words of a set of frames.
-    words: usize,
-    /// Frames with samples in or near each bin of the lattice.
-    lattice: Vec<u64>,
-    /// Frames that may cover each bin of the world.
-    world: Vec<u64>,
+    shape: Vec<(DVec3, f64)>,
+    /// Where the samples of each bin begin in `samples`, and where the last ones end.
+    start: Vec<u32>,
+    /// The samples in or near each bin, in order.
+    samples: Vec<u32>,
+    /// Number of samples of the lattice.
+    lattice: usize,
 }
 
-impl Default for CoverIndex {
-    fn default() -> Self {
-        Self { grid: CubeGrid::new(1), bins: Vec::new(), words: 0, lattice: Vec::new(), world: Vec::new() }
-    }
-}
-
-impl CoverIndex {
-    /// Builds both tables.
-    pub fn new(mesh: &SphereMesh, frame: &[FrameId], frames: &[Frame]) -> Self {
-        // Bins several samples wide are touched by few samples; more of them cost more at every turn
-        // than they save at look-ups.
-        let cells = ((mesh.len() as f64 / 6.0).sqrt() / 5.0).clamp(2.0, 20.0) as usize;
+impl Bins {
+    /// Bins that are `width` samples wide, but no more than `most` along the edge of a face.
+    fn new(mesh: &SphereMesh, width: f64, most: f64) -> Self {
+        let cells = ((mesh.len() as f64 / 6.0).sqrt() / width).clamp(2.0, most) as usize;
         let grid = CubeGrid::new(cells);
-        let words = frames.len().div_ceil(64).max(1);
-        let bins = (0..grid.len()).map(|cell| (grid.center(cell), grid.radius(cell))).collect();
-        let mut index = Self { grid, bins, words, lattice: Vec::new(), world: Vec::new() };
-        index.lattice = index.mark_lattice(mesh, frame);
-        index.turn(frames);
-        index
-    }
-
-    fn mark_lattice(&self, mesh: &SphereMesh, frame: &[FrameId]) -> Vec<u64> {
-        let size = self.grid.len() * self.words;
+        let shape = (0..grid.len()).map(|cell| (grid.center(cell), grid.radius(cell))).collect();
         // No point is farther from its nearest sample than the circumradius of a triangle; Fibonacci
         // triangles stay below one spacing, and random points are not resampled.
         let reach = 1.1 * mesh.spacing();
-        let block = 64 * parallel::CHUNK;
-        let parts = {
-            use rayon::prelude::*;
-            (0..mesh.len().div_ceil(block))
-                .into_par_iter()
-                .map(|b| {
-                    let mut marks = vec![0u64; size];
-                    let end = ((b + 1) * block).min(mesh.len());
-                    for (&p, &id) in mesh.points()[b * block..end].iter().zip(&frame[b * block..end]) {
-                        let id = usize::from(id);
-                        self.grid.visit_near(p, reach, |cell| {
-                            marks[cell * self.words + id / 64] |= 1 << (id % 64);
-                        });
-                    }
-                    marks
-                })
-                .collect::<Vec<_>>()
-        };
-        parts.into_iter().fold(vec![0; size], |mut all, part| {
-            all.iter_mut().zip(part).for_each(|(a, b)| *a |= b);
-            all
-        })
+        let near = parallel::map_chunks(mesh.len(), |range| {
+            let mut near = Vec::with_capacity(range.len() * 3 / 2);
+            for i in range {
+                grid.visit_near(mesh.points()[i], reach, |cell| near.push((cell as u32, i as u32)));
+            }
+            near
+        });
+        let mut start = vec![0_u32; grid.len() + 1];
+        for &(cell, _) in near.iter().flatten() {
+            start[cell as usize + 1] += 1;
+        }
+        for cell in 0..grid.len() {
+            start[cell + 1] += start[cell];
+        }
+        let mut next = start.clone();
+        let mut samples = vec![0; start[grid.len()] as usize];
+        for (cell, i) in near.into_iter().flatten() {
+            let at = &mut next[cell as usize];
+            samples[*at as usize] = i;
+            *at += 1;
+        }
+        Self { grid, shape, start, samples, lattice: mesh.len() }
+    }
+
+    fn samples(&self, cell: usize) -> &[u32] {
+        &self.samples[self.start[cell] as usize..self.start[cell + 1] as usize]
+    }
+
+    /// Marks in sets of `words` words which frames have samples in or near each bin.
+    fn mark(&self, frame: &[FrameId], words: usize, marks: &mut Vec<u64>) {
+        marks.clear();
+        marks.resize(self.grid.len() * words, 0);
+        marks.par_chunks_mut(BLOCK * words).enumerate().for_each(|(block, marks)| {
+            for (k, marks) in marks.chunks_mut(words).enumerate() {
+                for &i in self.samples(block * BLOCK + k) {
+                    let id = usize::from(frame[i as usize]);
+                    marks[id / 64] |= 1 << (id % 64);
+                }
+            }
+        });
+    }
+}
+
+impl Default for Bins {
+    fn default() -> Self {
+        let grid = CubeGrid::new(1);
+        let start = vec![0; grid.len() + 1];
+        Self { grid, shape: Vec::new(), start, samples: Vec::new(), lattice: 0 }
+    }
+}
+
+/// Bins per unit of parallel work.
+const BLOCK: usize = 64;
+
+/// Samples across a fine bin: wide enough to be touched by few samples, narrow enough to be missed by most frames
+/// that do not cover a point.
+const FINE: f64 = 3.0;
+
+/// The same for coarse bins. More of them cost more at every turn than they save at look-ups.
+const COARSE: f64 = 5.0;
+
+/// Most coarse bins along the edge of a face.
+const MOST_COARSE: f64 = 16.0;
+
+/// Candidate tables for the frames of one planet.
+#[derive(Component, Clone, Debug, Default)]
+pub struct CoverIndex {
+    fine: Arc<Bins>,
+    coarse: Arc<Bins>,
+    /// Number of 64-bit words of a set of frames.
+    words: usize,
+    /// Frames with samples in or near each fine bin of the lattice.
+    near: Vec<u64>,
+    /// Frames that may cover each coarse bin of the world.
+    world: Vec<u64>,
+    /// Frames with samples in or near each coarse bin of the lattice.
+    lattice: Vec<u64>,
+}
+
+impl CoverIndex {
+    /// Builds all tables.
+    pub fn new(mesh: &SphereMesh, frame: &[FrameId], frames: &[Frame]) -> Self {
+        let mut index = Self::default();
+        index.renew(mesh, frame, frames);
+        index
+    }
+
+    /// Renews all tables after frames have gained or lost samples.
+    pub fn renew(&mut self, mesh: &SphereMesh, frame: &[FrameId], frames: &[Frame]) {
+        if self.fine.lattice != mesh.len() {
+            self.fine = Arc::new(Bins::new(mesh, FINE, f64::INFINITY));
+            self.coarse = Arc::new(Bins::new(mesh, COARSE, MOST_COARSE));
+        }
+        self.words = frames.len().div_ceil(64).max(1);
+        self.fine.mark(frame, self.words, &mut self.near);
+        self.coarse.mark(frame, self.words, &mut self.lattice);
+        self.turn(frames);
     }
 
     /// Renews the table of the world after frames have moved.
     pub fn turn(&mut self, frames: &[Frame]) {
-        let mut world = vec![0u64; self.lattice.len()];
-        for cell in 0..self.grid.len() {
-            let marks = &self.lattice[cell * self.words..(cell + 1) * self.words];
-            let (center, reach) = self.bins[cell];
-            for id in ones(marks) {
-                let p = frames[id].to_world(center);
-                self.grid.visit_near(p, reach, |at| {
-                    world[at * self.words + id / 64] |= 1 << (id % 64);
-                });
+        let (bins, words, lattice) = (&self.coarse, self.words, &self.lattice);
+        let blocks = (0..bins.shape.len().div_ceil(BLOCK)).into_par_iter().map(|block| {
+            let mut found: Vec<(u32, u32)> = Vec::with_capacity(16 * BLOCK);
+            for cell in block * BLOCK..((block + 1) * BLOCK).min(bins.shape.len()) {
+                let (center, reach) = bins.shape[cell];
+                for id in ones(&lattice[cell * words..(cell + 1) * words]) {
+                    let p = frames[id].to_world(center);
+                    bins.grid.visit_near(p, reach, |at| found.push((at as u32, id as u32)));
+                }
             }
+            found
+        });
+        let blocks: Vec<_> = blocks.collect();
+        self.world.clear();
+        self.world.resize(lattice.len(), 0);
+        for (cell, id) in blocks.into_iter().flatten() {
+            self.world[cell as usize * words + id as usize / 64] |= 1 << (id % 64);
         }
-        self.world = world;
     }
 
     /// The bin of the world that holds `p`.
     #[inline]
     fn candidates(&self, p: DVec3) -> &[u64] {
-        let cell = self.grid.cell(p);
+        let cell = self.coarse.grid.cell(p);
         &self.world[cell * self.words..(cell + 1) * self.words]
     }
 
@@ -154,35 +220,39 @@ impl CoverIndex {
         p: DVec3,
     ) -> Option<Hit> {
         let frame = &frames[usize::from(id)];
-        let local = if frame.is_at_rest() { p } else { frame.to_lattice(p).normalize() };
-        let cell = self.grid.cell(local);
-        let word = self.lattice[cell * self.words + usize::from(id) / 64];
+        let rest = frame.is_at_rest();
+        let local = if rest { p } else { frame.to_lattice(p) };
+        let cell = self.fine.grid.cell(local);
+        let word = self.near[cell * self.words + usize::from(id) / 64];
         if word >> (id % 64) & 1 == 0 {
             return None;
         }
+        let local = if rest { local } else { local.normalize() };
         let sample = mesh.nearest(local);
         (crust.frame[sample as usize] == id).then_some(Hit { frame: id, sample, local })
     }
 
-    /// All frames that cover the unit direction `p`, in order of their numbers.
-    pub fn covering(&self, mesh: &SphereMesh, crust: &Crust, frames: &[Frame], p: DVec3) -> Hits {
-        self.covering_if(mesh, crust, frames, p, |_| true)
-    }
-
-    /// The frames of a choice that cover the unit direction `p`, in order of their numbers.
-    pub fn covering_if(
+    /// The hit on top at the unit direction `p` among a choice of frames.
+    pub fn top_if(
         &self,
         mesh: &SphereMesh,
         crust: &Crust,
         frames: &[Frame],
+        polarity: &PolarityMemory,
         p: DVec3,
         choice: impl Fn(&Frame) -> bool,
-    ) -> Hits {
+    ) -> Option<Hit> {
+        let hits = ones(self.candidates(p))
+            .filter(|&id| choice(&frames[id]))
+            .filter_map(|id| self.hit(mesh, crust, frames, id as FrameId, p));
+        hits.reduce(|top, hit| if overrides(crust, frames, polarity, hit, top, p) { hit } else { top })
+    }
+
+    /// All frames that cover the unit direction `p`, in order of their numbers.
+    pub fn covering(&self, mesh: &SphereMesh, crust: &Crust, frames: &[Frame], p: DVec3) -> Hits {
         let mut hits = Hits::default();
         for id in ones(self.candidates(p)) {
-            if choice(&frames[id])
-                && let Some(hit) = self.hit(mesh, crust, frames, id as FrameId, p)
-            {
+            if let Some(hit) = self.hit(mesh, crust, frames, id as FrameId, p) {
                 hits.push(hit);
             }
         }

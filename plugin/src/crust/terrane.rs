@@ -1,5 +1,7 @@
 //! Terranes: connected regions of continental crust on one plate (paper 000 §3).
 
+use super::FrameId;
+use crate::sphere::components::Components;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 
@@ -32,31 +34,21 @@ pub fn census(
     frames: &super::Frames,
     radius: f64,
 ) -> Vec<(crate::plate::PlateId, Terrane)> {
-    let mut seen = vec![false; crust.len()];
-    let mut found = Vec::new();
-    let mut queue = Vec::new();
-    for start in 0..crust.len() {
-        if seen[start] || !crust.is_continental(start) {
-            continue;
+    let member = |i: u32| crust.is_continental(i as usize);
+    let together = |i: u32, j: u32| crust.frame[i as usize] == crust.frame[j as usize];
+    let components = Components::new(mesh, member, together);
+    let mut sums = vec![(0, 0.0, DVec3::ZERO); components.count];
+    for (i, &number) in components.of.iter().enumerate() {
+        if let Some((id, area, moment)) = sums.get_mut(number as usize) {
+            *id = crust.frame[i];
+            *area += mesh.areas()[i];
+            *moment += mesh.points()[i] * mesh.areas()[i];
         }
-        let id = crust.frame[start];
-        let (mut area, mut moment) = (0.0, DVec3::ZERO);
-        seen[start] = true;
-        queue.push(start as u32);
-        while let Some(i) = queue.pop() {
-            area += mesh.area(i);
-            moment += mesh.point(i) * mesh.area(i);
-            for &j in mesh.ring(i) {
-                let k = j as usize;
-                if !seen[k] && crust.frame[k] == id && crust.is_continental(k) {
-                    seen[k] = true;
-                    queue.push(j);
-                }
-            }
-        }
+    }
+    let terrane = |(id, area, moment): (FrameId, f64, DVec3)| {
         let frame = frames[usize::from(id)];
         let centroid = frame.to_world(moment).try_normalize().unwrap_or(DVec3::Z);
-        found.push((frame.plate, Terrane { area: area * radius * radius, centroid }));
-    }
-    found
+        (frame.plate, Terrane { area: area * radius * radius, centroid })
+    };
+    sums.into_iter().map(terrane).collect()
 }

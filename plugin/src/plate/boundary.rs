@@ -52,6 +52,41 @@ impl Rim {
         rim
     }
 
+    /// Renews the rims after the samples `changed`, in order, have gone to other frames.
+    pub fn renew(&mut self, mesh: &SphereMesh, frame: &[FrameId], frames: &Frames, changed: &[u32]) {
+        let plate: Vec<_> = frames.iter().map(|frame| frame.plate).collect();
+        let mut near: Vec<u32> =
+            changed.iter().flat_map(|&i| mesh.ring(i).iter().copied().chain([i])).collect();
+        near.par_sort_unstable();
+        near.dedup();
+        let fresh = parallel::map_chunks(near.len(), |range| {
+            let normal = |&i: &u32| Some((i, outward(mesh, frame, &plate, i)?));
+            near[range].iter().filter_map(normal).collect::<Vec<_>>()
+        });
+        let mut fresh = fresh.into_iter().flatten().peekable();
+        let old = core::mem::take(&mut self.samples).into_iter().zip(core::mem::take(&mut self.normal));
+        let mut near = near.into_iter().peekable();
+        for (i, normal) in old {
+            self.index[i as usize] = INTERIOR;
+            while near.next_if(|&k| k < i).is_some() {}
+            while let Some((k, normal)) = fresh.next_if(|&(k, _)| k <= i) {
+                self.push(k, normal);
+            }
+            if near.peek() != Some(&i) {
+                self.push(i, normal);
+            }
+        }
+        fresh.for_each(|(k, normal)| self.push(k, normal));
+        for (k, &i) in self.samples.iter().enumerate() {
+            self.index[i as usize] = k as u32;
+        }
+    }
+
+    fn push(&mut self, sample: u32, normal: DVec3) {
+        self.samples.push(sample);
+        self.normal.push(normal);
+    }
+
     /// Number of samples on rims.
     pub fn len(&self) -> usize {
         self.samples.len()
@@ -82,4 +117,31 @@ fn outward(mesh: &SphereMesh, frame: &[FrameId], plate: &[super::PlateId], i: u3
     let tangent = sum - p * sum.dot(p);
     // A sample alone among strangers has no outside: any direction serves.
     found.then(|| tangent.try_normalize().unwrap_or_else(|| crate::math::any_tangent(p)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::crust::Frame;
+    use crate::plate::PlateId;
+
+    #[test]
+    fn renewed_rims_are_those_found_anew() {
+        let mesh = SphereMesh::fibonacci(3000).unwrap();
+        let frame_of = |p: DVec3| u16::from(p.x > 0.2) + 2 * u16::from(p.y > 0.1);
+        let mut frame: Vec<FrameId> = mesh.points().iter().map(|&p| frame_of(p)).collect();
+        // Two frames of one plate: a sample between them is on no rim until one changes plate.
+        let mut frames = Frames([0, 1, 2, 1].map(|id| Frame::at_rest(PlateId(id))).to_vec());
+        let mut rim = Rim::new(&mesh, &frame, &frames);
+        for (at, to) in [(DVec3::X, 0), (DVec3::new(0.2, 0.1, 0.95), 5), (-DVec3::Y, 1), (DVec3::X, 1)] {
+            let id = frames.len() as FrameId;
+            frames.push(Frame::at_rest(PlateId(to)));
+            let disc = |i: &u32| mesh.point(*i).distance(at) < 0.3;
+            let changed: Vec<u32> = (0..mesh.len() as u32).filter(disc).collect();
+            changed.iter().for_each(|&i| frame[i as usize] = id);
+            rim.renew(&mesh, &frame, &frames, &changed);
+            let anew = Rim::new(&mesh, &frame, &frames);
+            assert_eq!((&rim.samples, &rim.normal, &rim.index), (&anew.samples, &anew.normal, &anew.index));
+        }
+    }
 }

@@ -12,12 +12,14 @@ use super::boundary::Rim;
 pub use super::polarity::{Evidence, PolarityMemory};
 use super::polarity::{Pair, bin, pair};
 use super::{PlateId, PlateTable};
-use crate::crust::cover::{CoverIndex, Hit, topmost};
-use crate::crust::{Crust, CrustKind, Frames};
+use crate::crust::cover::CoverIndex;
+use crate::crust::{Crust, CrustKind, Frame, Frames};
+use crate::parallel;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Slower than this in km/My plates neither converge nor diverge.
 pub const SLIDING: f64 = 2.0;
@@ -110,8 +112,8 @@ fn meet(input: &ContactInput, rim: &Rim, polarity: &PolarityMemory, k: usize) ->
     let local = mesh.point(sample);
     let probe = (local + rim.normal[k] * (0.75 * mesh.spacing())).normalize();
     let p = frame.to_world(probe).normalize();
-    let others = cover.covering_if(mesh, crust, frames, p, |other| other.plate != frame.plate);
-    let Some(hit) = topmost(crust, frames, polarity, &others, p) else { return Contact::default() };
+    let other = |other: &Frame| other.plate != frame.plate;
+    let Some(hit) = cover.top_if(mesh, crust, frames, polarity, p, other) else { return Contact::default() };
     let other = frames.plate(hit.frame);
     let relative = plates.angular_velocity(frame.plate) - plates.angular_velocity(other);
     let relative = frame.to_lattice(relative);
@@ -139,39 +141,36 @@ fn meet(input: &ContactInput, rim: &Rim, polarity: &PolarityMemory, k: usize) ->
 /// Ages of ocean floors that meet, by pair and segment, summed in the order of the rim.
 fn evidence(input: &ContactInput, rim: &Rim, contacts: &[Contact]) -> Vec<((Pair, u16), Evidence)> {
     let &ContactInput { mesh, crust, frames, .. } = input;
-    let mut seen: Vec<((Pair, u16), [f64; 2])> = Vec::new();
-    for (k, contact) in contacts.iter().enumerate() {
-        let i = rim.samples[k] as usize;
-        if contact.role != Role::Overriding {
-            continue;
-        }
-        let frame = &frames[usize::from(crust.frame[i])];
-        let (pair, swapped) = pair(frame.plate, contact.other);
-        let age = match (crust.is_continental(i), contact.other_continental) {
-            (true, true) => [0.0; 2],
-            (true, false) => [0.0, OCEAN_UNDER_CONTINENT],
-            (false, true) => [OCEAN_UNDER_CONTINENT, 0.0],
-            (false, false) => {
-                [f64::from(crust.ocean_age[i]), f64::from(crust.ocean_age[contact.sample as usize])]
-            }
+    let seen = parallel::map_chunks(contacts.len(), |range| {
+        let meeting = |k: usize| {
+            let (i, contact) = (rim.samples[k] as usize, &contacts[k]);
+            let frame = &frames[usize::from(crust.frame[i])];
+            let (pair, swapped) = pair(frame.plate, contact.other);
+            let age = match (crust.is_continental(i), contact.other_continental) {
+                (true, true) => [0.0; 2],
+                (true, false) => [0.0, OCEAN_UNDER_CONTINENT],
+                (false, true) => [OCEAN_UNDER_CONTINENT, 0.0],
+                (false, false) => {
+                    [f64::from(crust.ocean_age[i]), f64::from(crust.ocean_age[contact.sample as usize])]
+                }
+            };
+            let age = if swapped { [age[1], age[0]] } else { age };
+            ((pair, bin(frame.to_world(mesh.points()[i]))), age)
         };
-        let age = if swapped { [age[1], age[0]] } else { age };
-        seen.push(((pair, bin(frame.to_world(mesh.points()[i]))), age));
-    }
-    // Stable: within a segment the order of the rim remains.
-    seen.sort_by_key(|&(key, _)| key);
-    let mut out: Vec<((Pair, u16), Evidence)> = Vec::new();
-    for (key, age) in seen {
-        if out.last().is_none_or(|last| last.0 != key) {
-            out.push((key, Evidence::default()));
-        }
-        if let Some((_, sum)) = out.last_mut() {
+        range.filter(|&k| contacts[k].role == Role::Overriding).map(meeting).collect::<Vec<_>>()
+    });
+    let mut found: BTreeMap<(Pair, u16), Evidence> = BTreeMap::new();
+    let seen: Vec<_> = seen.concat();
+    // Neighbours on the rim mostly belong to one segment: one search serves them all.
+    for run in seen.chunk_by(|a, b| a.0 == b.0) {
+        let sum = found.entry(run[0].0).or_default();
+        for (_, age) in run {
             sum.age[0] += age[0];
             sum.age[1] += age[1];
             sum.count += 1;
         }
     }
-    out
+    found.into_iter().collect()
 }
 
 /// Decides which of two converging plates goes under.
@@ -194,10 +193,4 @@ fn decide(input: &ContactInput, rim: &Rim, polarity: &PolarityMemory, k: usize, 
     if goes_under {
         contact.role = Role::Subducting;
     }
-}
-
-/// The frame on top at `p`, for callers that need no list.
-pub fn top_at(input: &ContactInput, polarity: &PolarityMemory, p: DVec3) -> Option<Hit> {
-    let hits = input.cover.covering(input.mesh, input.crust, input.frames, p);
-    topmost(input.crust, input.frames, polarity, &hits, p)
 }

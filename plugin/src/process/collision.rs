@@ -41,15 +41,6 @@ impl Plugin for CollisionPlugin {
     }
 }
 
-/// Two continents that overlap by more than the trigger.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Overlap {
-    /// Position in the rim of the overriding plate.
-    rim: usize,
-    /// Length of the overlap in radians.
-    depth: f64,
-}
-
 /// What all parts of a collision read.
 struct Scene<'a> {
     planet: &'a Planet,
@@ -80,86 +71,90 @@ pub fn collision(
         return;
     }
     let mesh: &SphereMesh = lattice;
+    let meeting = meeting_continents(rim, contacts, &crust);
+    if meeting.is_empty() {
+        return;
+    }
     let table = plates.table();
     // A resample resolves overlaps: what is half way to a collision would never become one.
     let last_chance = crate::resample::due(params, clock, &table, planet.radius, frames.len());
     let trigger = params.collision_trigger / planet.radius * if last_chance { 0.5 } else { 1.0 };
     let scene = Scene { planet, mesh, params, rim, contacts, cover, plates: table, trigger };
-    let mut sutured = false;
-    for overlap in scene.overlaps(&crust, &frames) {
-        if let Some(mut event) = scene.collide(&overlap, &mut crust, &mut frames, &mut ledger) {
+    let mut moved = Vec::new();
+    let mut scratch = Scratch::default();
+    for at in scene.overlaps(&meeting, &crust, &frames) {
+        let found = scene.collide(at, &mut crust, &mut frames, &mut ledger, &mut scratch);
+        if let Some((mut event, terrane)) = found {
             event.planet = plates.planet();
-            sutured = true;
+            moved.extend(terrane);
             commands.trigger(event);
         }
     }
-    if sutured {
+    if !moved.is_empty() {
         let planet = plates.planet();
-        commands.queue(move |world: &mut World| crate::resample::rebuild(world, planet));
+        moved.sort_unstable();
+        moved.dedup();
+        commands.queue(move |world: &mut World| crate::resample::rebuild_changed(world, planet, &moved));
     }
 }
 
+/// Positions on the rim where continents of two plates converge, in order.
+fn meeting_continents(rim: &Rim, contacts: &Contacts, crust: &Crust) -> Vec<usize> {
+    let meet = |&k: &usize| {
+        let contact = &contacts.0[k];
+        matches!(contact.role, Role::Overriding | Role::Subducting)
+            && contact.other_continental
+            && crust.is_continental(rim.samples[k] as usize)
+    };
+    (0..contacts.0.len()).filter(meet).collect()
+}
+
 impl Scene<'_> {
-    /// The deepest overlap of every pair of frames beyond the trigger, in the order of the rim.
-    fn overlaps(&self, crust: &Crust, frames: &Frames) -> Vec<Overlap> {
-        let trigger = self.trigger;
-        let found: Vec<Overlap> = (0..self.rim.len())
-            .into_par_iter()
-            .with_min_len(256)
-            .filter_map(|k| {
-                let contact = &self.contacts.0[k];
-                let sample = self.rim.samples[k] as usize;
-                let continents = matches!(contact.role, Role::Overriding | Role::Subducting)
-                    && contact.other_continental
-                    && crust.is_continental(sample);
-                let depth = if continents { self.depth(k, trigger, crust, frames) } else { 0.0 };
-                (depth >= trigger).then_some(Overlap { rim: k, depth })
-            })
-            .collect();
-        let mut deepest: Vec<Overlap> = Vec::new();
-        for overlap in found {
-            let pair =
-                |o: &Overlap| (crust.frame[self.rim.samples[o.rim] as usize], self.contacts.0[o.rim].frame);
-            match deepest.iter_mut().find(|d| pair(d) == pair(&overlap)) {
-                Some(known) if known.depth < overlap.depth => *known = overlap,
-                Some(_) => {}
-                None => deepest.push(overlap),
+    /// The first place of every pair of frames where continents overlap by the trigger, in the order of the rim.
+    fn overlaps(&self, meeting: &[usize], crust: &Crust, frames: &Frames) -> Vec<usize> {
+        let deep = |k: usize| self.overlaps_by(k, self.trigger, crust, frames).then_some(k);
+        let found: Vec<usize> = meeting.par_iter().with_min_len(64).filter_map(|&k| deep(k)).collect();
+        let mut pairs: Vec<(FrameId, FrameId)> = Vec::new();
+        let first = |&k: &usize| {
+            let pair = (crust.frame[self.rim.samples[k] as usize], self.contacts.0[k].frame);
+            let new = !pairs.contains(&pair);
+            if new {
+                pairs.push(pair);
             }
-        }
-        deepest
+            new
+        };
+        found.into_iter().filter(first).collect()
     }
 
-    /// Length in radians over which the other plate's continent lies under rim sample `k`, against the
-    /// relative motion, in steps of half a sample; measured no further than just beyond the trigger.
-    fn depth(&self, k: usize, trigger: f64, crust: &Crust, frames: &Frames) -> f64 {
+    /// Whether the other plate's continent lies under rim sample `k` and for `length` radians behind it, against
+    /// the relative motion; seen in steps of half a sample.
+    fn overlaps_by(&self, k: usize, length: f64, crust: &Crust, frames: &Frames) -> bool {
         let contact = &self.contacts.0[k];
         let sample = self.rim.samples[k];
         let frame = &frames[usize::from(crust.frame[sample as usize])];
         let p = self.mesh.point(sample);
-        let Some(forward) = contact.relative.cross(p).try_normalize() else { return 0.0 };
+        let Some(forward) = contact.relative.cross(p).try_normalize() else { return false };
         let stride = 0.5 * self.mesh.spacing();
-        let steps = (trigger / stride) as usize + 1;
-        for step in 0..=steps {
+        // The far end first: most overlaps are short.
+        (0..=(length / stride) as usize).rev().all(|step| {
             let (s, c) = crate::math::sin_cos(stride * step as f64);
             let back = frame.to_world(p * c - forward * s);
             let hit = self.cover.hit(self.mesh, crust, frames, contact.frame, back);
-            if !hit.is_some_and(|hit| crust.is_continental(hit.sample as usize)) {
-                return stride * step as f64;
-            }
-        }
-        stride * steps as f64
+            hit.is_some_and(|hit| crust.is_continental(hit.sample as usize))
+        })
     }
 
-    /// Carries out one collision, if both terranes still stand where they were found and are large enough.
+    /// Carries out one collision at the rim's sample number `at`, if both terranes still stand where they were found and are large enough.
     fn collide(
         &self,
-        overlap: &Overlap,
+        at: usize,
         crust: &mut Crust,
         frames: &mut Frames,
         ledger: &mut Ledger,
-    ) -> Option<TerraneCollided> {
-        let contact = self.contacts.0[overlap.rim];
-        let above = self.rim.samples[overlap.rim];
+        scratch: &mut Scratch,
+    ) -> Option<(TerraneCollided, Vec<u32>)> {
+        let contact = self.contacts.0[at];
+        let above = self.rim.samples[at];
         let still_there = crust.frame[contact.sample as usize] == contact.frame
             && frames.plate(contact.frame) == contact.other
             && frames.plate(crust.frame[above as usize]) != contact.other;
@@ -183,7 +178,7 @@ impl Scene<'_> {
         let seeds = self.suture(&terrane, crust, frames, from, to, start, mover);
         for (side, id) in [(0, from), (1, to)] {
             let q = frames[usize::from(id)].to_lattice(centroid);
-            let reached = self.spread_on(crust, id, &seeds[side], surge.radius);
+            let reached = self.spread_on(crust, id, &seeds[side], surge.radius, scratch);
             let volume = surge.raise(self.mesh, crust, &reached, q);
             ledger.book(Cause::CollisionUplift, 0.0, volume * self.planet.radius * self.planet.radius);
         }
@@ -196,7 +191,7 @@ impl Scene<'_> {
             speed,
         };
         reframe(crust, frames, &terrane, from, event.to);
-        Some(event)
+        Some((event, terrane))
     }
 
     fn area(&self, samples: &[u32]) -> f64 {
@@ -242,9 +237,16 @@ impl Scene<'_> {
     }
 
     /// Distances from the suture over the continental crust of one frame.
-    fn spread_on(&self, crust: &Crust, id: FrameId, seeds: &[u32], reach: f64) -> Reached {
+    fn spread_on(
+        &self,
+        crust: &Crust,
+        id: FrameId,
+        seeds: &[u32],
+        reach: f64,
+        scratch: &mut Scratch,
+    ) -> Reached {
         let seeds: Vec<_> = seeds.iter().map(|&i| (i, self.mesh.point(i))).collect();
-        spread(self.mesh, &mut Scratch::default(), &seeds, reach, |_, to| {
+        spread(self.mesh, scratch, &seeds, reach, |_, to| {
             crust.frame[to as usize] == id && crust.is_continental(to as usize)
         })
     }

@@ -9,11 +9,15 @@
 
 use crate::params::TectonicParams;
 
+/// Share of its elevation that land loses in one step.
+pub fn wear(params: &TectonicParams) -> f32 {
+    (params.erosion / params.summit_elevation * params.time_step).min(1.0) as f32
+}
+
 /// Elevation in km that erosion takes from crust at `z` km in one step; not negative.
 #[inline]
-pub fn eroded(params: &TectonicParams, z: f32) -> f32 {
-    let rate = params.erosion / params.summit_elevation * params.time_step;
-    z.max(0.0) * rate.min(1.0) as f32
+pub fn eroded(wear: f32, z: f32) -> f32 {
+    z.max(0.0) * wear
 }
 
 /// Share of the distance to isostatic balance that is made good in one step.
@@ -30,12 +34,12 @@ mod tests {
         let params = TectonicParams::default();
         let mut z = 5.0_f32;
         for _ in 0..100 {
-            z -= eroded(&params, z);
+            z -= eroded(wear(&params), z);
         }
         let share = params.erosion / params.summit_elevation * params.time_step;
         let expected = 5.0 * crate::math::pow(1.0 - share, 100.0);
         assert!((f64::from(z) / expected - 1.0).abs() < 1e-5);
-        assert_eq!(eroded(&params, -0.2), 0.0);
-        assert_eq!(eroded(&params, 0.0), 0.0);
+        assert_eq!(eroded(wear(&params), -0.2), 0.0);
+        assert_eq!(eroded(wear(&params), 0.0), 0.0);
     }
 }

@@ -13,7 +13,7 @@ use crate::noise::Noise;
 use crate::parallel::{self, CHUNK};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
-use crate::process::erosion::{adjustment, eroded};
+use crate::process::erosion::{adjustment, eroded, wear};
 use crate::process::ocean_floor::Subsidence;
 use crate::random::Purpose;
 use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
@@ -88,7 +88,8 @@ struct Booked {
 /// Everything that a sweep needs to know, for one time.
 struct ReliefLaw {
     dt: f32,
-    erosion: Option<TectonicParams>,
+    /// Share of its elevation that land loses.
+    wear: Option<f32>,
     adjustment: f32,
     isostasy: Isostasy,
     subsidence: Subsidence,
@@ -104,7 +105,7 @@ impl ReliefLaw {
         let amplitude = if params.processes.noise { params.noise_amplitude * params.time_step } else { 0.0 };
         Self {
             dt: params.time_step as f32,
-            erosion: params.processes.erosion.then(|| params.clone()),
+            wear: params.processes.erosion.then(|| wear(params)),
             adjustment: adjustment(params),
             isostasy: Isostasy::new(params),
             subsidence: Subsidence::new(params),
@@ -128,16 +129,17 @@ fn sweep(mesh: &SphereMesh, crust: &mut Crust, noise: &ReliefNoise, law: &Relief
         .enumerate()
         .map(|(chunk, (kind, elevation, thickness, ocean_age, orogeny, orogeny_age))| {
             let mut booked = Booked::default();
+            let start = chunk * CHUNK;
+            let areas = &mesh.areas()[start..start + kind.len()];
+            let patterns = noise.patterns.each_ref().map(|p| p.get(start..start + kind.len()));
             for k in 0..kind.len() {
-                let i = chunk * CHUNK + k;
-                let area = mesh.areas()[i];
+                let area = areas[k];
                 let (z, e) = (&mut elevation[k], &mut thickness[k]);
                 orogeny_age[k] += law.dt;
                 if kind[k] == CrustKind::Continental {
-                    let wave = if silent {
-                        0.0
-                    } else {
-                        law.noise[0] * noise.patterns[0][i] + law.noise[1] * noise.patterns[1][i]
+                    let wave = match patterns {
+                        [Some(a), Some(b)] if !silent => law.noise[0] * a[k] + law.noise[1] * b[k],
+                        _ => 0.0,
                     };
                     law.continent(z, e, wave, area, &mut booked);
                 } else {
@@ -171,8 +173,8 @@ impl ReliefLaw {
         *e += self.isostasy.thickening(*z, wave);
         *z += wave;
         let noisy = *e;
-        if let Some(params) = &self.erosion {
-            let lost = eroded(params, *z);
+        if let Some(wear) = self.wear {
+            let lost = eroded(wear, *z);
             *e += self.isostasy.thickening(*z, -lost);
             *z -= lost;
         }

@@ -101,10 +101,17 @@ impl RiftShape {
         }
     }
 
-    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians.
-    pub fn split(&self, p: DVec3) -> (usize, f64) {
+    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians; farther away than
+    /// `near` radians it is any number above that.
+    pub fn split(&self, p: DVec3, near: f64) -> (usize, f64) {
         match self {
             Self::Line { normal, origin, warp } => {
+                // Noise is dear, and beyond its reach it decides nothing.
+                let reach = near + 2.0 * warp.amplitude;
+                let height = p.dot(*normal);
+                if reach < 0.5 * PI && height.abs() > sin(reach) {
+                    return (usize::from(height < 0.0), reach);
+                }
                 let along = atan2(p.dot(normal.cross(*origin)), p.dot(*origin));
                 let side = asin(p.dot(*normal)) - warp.shift(along, 0);
                 (usize::from(side < 0.0), side.abs())
@@ -189,12 +196,17 @@ fn sector(junction: DVec3, azimuths: &[f64], warp: &Warp, p: DVec3) -> (usize, f
     (found.0, found.2)
 }
 
+/// The ends of nothing.
+const NOWHERE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+
 /// Two fragments turn about a pole on the line's extension beyond the plate.
 fn open_line(normal: DVec3, origin: DVec3, plate: &[DVec3], speed: f64, far_end: bool) -> Option<Vec<DVec3>> {
     let tangent = normal.cross(origin);
-    let along = |p: &DVec3| atan2(p.dot(tangent), p.dot(origin));
-    let low = plate.iter().map(along).fold(f64::INFINITY, f64::min);
-    let high = plate.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+    let ends = crate::parallel::map_chunks(plate.len(), |range| {
+        let along = |p: &DVec3| atan2(p.dot(tangent), p.dot(origin));
+        plate[range].iter().map(along).fold(NOWHERE, |ends, x| (ends.0.min(x), ends.1.max(x)))
+    });
+    let (low, high) = ends.into_iter().fold(NOWHERE, |all, part| (all.0.min(part.0), all.1.max(part.1)));
     let margin = 0.15;
     if high - low + 2.0 * margin >= PI {
         return None;
@@ -250,13 +262,13 @@ mod tests {
         let motions = shape.motions(plate, 0.006, far_end).unwrap();
         let mut touching = 0;
         for p in plate {
-            let (a, _) = shape.split(*p);
+            let (a, _) = shape.split(*p, 1.0);
             for k in 0..6 {
                 let (s, c) = sin_cos(TAU * f64::from(k) / 6.0);
                 let t = any_tangent(*p);
                 let step = (t * c + p.cross(t) * s) * 0.01;
                 let q = (*p + step).normalize();
-                let (b, _) = shape.split(q);
+                let (b, _) = shape.split(q, 1.0);
                 if a != b {
                     touching += 1;
                     // Over 20 My neither fragment may run into the other: points of a moved by its
@@ -264,7 +276,7 @@ mod tests {
                     let relative = motions[a] - motions[b];
                     for age in [2.0, 10.0, 20.0] {
                         let moved = rotation(relative.normalize(), relative.length() * age) * *p;
-                        assert_ne!(shape.split(moved).0, b, "{p} enters after {age} My");
+                        assert_ne!(shape.split(moved, 1.0).0, b, "{p} enters after {age} My");
                     }
                 }
             }
@@ -311,8 +323,8 @@ mod tests {
         for (lat, lon, left) in
             [(1.0, 5.0, 0), (-1.0, 5.0, 1), (1.0, -30.0, 0), (-1.0, -30.0, 1), (9.0, 14.0, 0), (1.0, 16.0, 1)]
         {
-            assert_eq!(shape.split(direction(lat, lon)).0, left, "{lat} {lon}");
+            assert_eq!(shape.split(direction(lat, lon), 1.0).0, left, "{lat} {lon}");
         }
-        assert!((shape.split(direction(2.0, 5.0)).1 - 2.0_f64.to_radians()).abs() < 1e-9);
+        assert!((shape.split(direction(2.0, 5.0), 1.0).1 - 2.0_f64.to_radians()).abs() < 1e-9);
     }
 }

@@ -159,13 +159,14 @@ struct Split {
     world: DVec3,
 }
 
-/// Splits every `stride`-th sample of a plate.
+/// Splits every `stride`-th sample of a plate; distances beyond `near` radians need only lie beyond it.
 fn split(
     mesh: &SphereMesh,
     crust: &Crust,
     frames: &Frames,
     id: PlateId,
     shape: &RiftShape,
+    near: f64,
     stride: usize,
 ) -> Vec<Split> {
     let own: Vec<bool> = frames.iter().map(|frame| frame.plate == id).collect();
@@ -175,7 +176,7 @@ fn split(
             .filter(|&i| own[usize::from(crust.frame[i])])
             .map(|i| {
                 let world = frames[usize::from(crust.frame[i])].to_world(mesh.points()[i]);
-                let (fragment, distance) = shape.split(world);
+                let (fragment, distance) = shape.split(world, near);
                 Split { sample: i as u32, fragment: fragment as u8, distance: distance as f32, world }
             })
             .collect::<Vec<_>>()
@@ -206,18 +207,19 @@ fn rift(
         return Err(RiftError::NoPlate(id));
     };
     let speed = params.rift_speed / body.radius;
+    let near = params.rift_width / body.radius;
     let opens = |parts: &[Split]| {
-        let outline: Vec<DVec3> = parts.iter().map(|part| part.world).collect();
-        shape.motions(&outline, speed, far_end).ok_or(RiftError::NoShape)
+        let plate: Vec<DVec3> = parts.iter().map(|part| part.world).collect();
+        shape.motions(&plate, speed, far_end).ok_or(RiftError::NoShape)
     };
     if smallest > 0.0 {
         // Most random shapes are refused; some thousand samples are enough to see it.
         let stride = (row.stats.samples as usize / 2000).clamp(1, 16);
-        let coarse = split(lattice, &crust, &frames, id, shape, stride);
+        let coarse = split(lattice, &crust, &frames, id, shape, near, stride);
         check_shares(&coarse, shape, smallest)?;
         opens(&coarse)?;
     }
-    let parts = split(lattice, &crust, &frames, id, shape, 1);
+    let parts = split(lattice, &crust, &frames, id, shape, near, 1);
     check_shares(&parts, shape, smallest)?;
     let gained = opens(&parts)?;
     let fragments = shape.fragments();
@@ -243,7 +245,8 @@ fn rift(
             world.spawn((name, PlateOf(planet), born, fragment, motion, PlateStats::default()));
         }
     }
-    crate::resample::rebuild(world, planet);
+    let moved: Vec<u32> = parts.iter().filter(|part| part.fragment > 0).map(|part| part.sample).collect();
+    crate::resample::rebuild_changed(world, planet, &moved);
     if let Some(mut timings) = world.get_mut::<StageTimings>(planet) {
         timings.rift.1 += start.elapsed().as_secs_f64() * 1e3;
     }

@@ -96,10 +96,14 @@ impl<'a> Uplift<'a> {
 
     /// The rate of uplift in km/My.
     pub fn rate(&self, d: f64, v: f64, z_i: f64) -> f64 {
+        self.weighted(self.distance_profile(d), v, z_i)
+    }
+
+    fn weighted(&self, distance_profile: f64, v: f64, z_i: f64) -> f64 {
         let weigh = |weight: f64, factor: f64| 1.0 + weight * (factor - 1.0);
         let p = self.params;
         p.uplift
-            * weigh(p.weight_distance, self.distance_profile(d))
+            * weigh(p.weight_distance, distance_profile)
             * weigh(p.weight_speed, self.speed_profile(v))
             * weigh(p.weight_relief, self.relief_profile(z_i))
     }
@@ -170,8 +174,9 @@ impl Uplift<'_> {
     fn at(&self, mesh: &SphereMesh, i: usize, distance: f32, contact: &Contact) -> (f32, Vec3) {
         let velocity = contact.relative.cross(mesh.points()[i]) * self.radius;
         let d = f64::from(distance) * self.radius;
-        let rate = self.rate(d, velocity.length(), f64::from(contact.other_elevation));
-        let strength = self.params.fold_rate * self.params.time_step * self.distance_profile(d);
+        let profile = self.distance_profile(d);
+        let rate = self.weighted(profile, velocity.length(), f64::from(contact.other_elevation));
+        let strength = self.params.fold_rate * self.params.time_step * profile;
         (rate as f32, (velocity * strength).as_vec3())
     }
 }

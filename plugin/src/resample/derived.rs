@@ -8,7 +8,7 @@ use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
 use crate::plate::PlateId;
 use crate::plate::boundary::Rim;
-use crate::plate::contact::{ContactInput, Contacts, PolarityMemory, find_contacts};
+use crate::plate::contact::{Contact, ContactInput, Contacts, PolarityMemory, find_contacts};
 use crate::plate::stats::plate_stats;
 use crate::process::plate_table;
 use bevy::prelude::*;
@@ -16,18 +16,28 @@ use bevy::prelude::*;
 /// Renews what depends on which samples a frame has: rims, candidate tables and plate statistics. Plates
 /// without crust are removed.
 pub fn rebuild(world: &mut World, planet: Entity) {
+    renew(world, planet, None);
+}
+
+/// The same where only the samples `changed`, in order, have gone to other frames.
+pub fn rebuild_changed(world: &mut World, planet: Entity, changed: &[u32]) {
+    renew(world, planet, Some(changed));
+}
+
+fn renew(world: &mut World, planet: Entity, changed: Option<&[u32]>) {
     let mut query = world.query::<(
         (&Planet, &Lattice, &Crust, &Frames),
         (&mut Rim, &mut CoverIndex, &mut PolarityMemory, &mut Contacts),
     )>();
     let Ok(((body, lattice, crust, frames), derived)) = query.get_mut(world, planet) else { return };
     let (mut rim, mut cover, mut polarity, mut contacts) = derived;
-    let old = core::mem::replace(&mut *rim, Rim::new(lattice, &crust.frame, frames));
-    *cover = CoverIndex::new(lattice, &crust.frame, frames);
-    // Contacts are parallel to the rim. What was known stays good enough for pictures until the next step.
-    let known = |&i: &u32| old.index.get(i as usize).and_then(|&k| contacts.0.get(k as usize)).copied();
-    let carried = rim.samples.iter().map(|i| known(i).unwrap_or_default()).collect();
-    contacts.0 = carried;
+    let old: Vec<u32> = rim.samples.clone();
+    match changed {
+        Some(changed) if !rim.index.is_empty() => rim.renew(lattice, &crust.frame, frames, changed),
+        _ => *rim = Rim::new(lattice, &crust.frame, frames),
+    }
+    cover.renew(lattice, &crust.frame, frames);
+    contacts.0 = carried(&old, &contacts.0, &rim.samples);
     let stats = plate_stats(lattice, crust, frames, body.radius);
     let alive = |id: PlateId| stats.iter().any(|(other, stats)| *other == id && stats.samples > 0);
     polarity.retain(alive);
@@ -42,6 +52,17 @@ pub fn rebuild(world: &mut World, planet: Entity) {
             }
         }
     }
+}
+
+/// Contacts are parallel to the rim. What was known of samples that are still on it stays good enough for
+/// pictures until the next step.
+fn carried(old: &[u32], contacts: &[Contact], rim: &[u32]) -> Vec<Contact> {
+    let mut known = old.iter().zip(contacts).peekable();
+    let contact = |&i: &u32| {
+        while known.next_if(|(k, _)| **k < i).is_some() {}
+        known.peek().filter(|(k, _)| **k == i).map_or_else(Contact::default, |(_, contact)| **contact)
+    };
+    rim.iter().map(contact).collect()
 }
 
 /// Finds everything that a planet derives from its state, after it was made or loaded, and projects its surface.

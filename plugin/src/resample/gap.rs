@@ -21,6 +21,7 @@
 use crate::crust::surface::Cover;
 use crate::crust::{CrustKind, Orogeny, Surface};
 use crate::math::exp2;
+use crate::parallel;
 use crate::params::TectonicParams;
 use crate::plate::PlateTable;
 use crate::resample::project::{Notes, Row};
@@ -53,7 +54,10 @@ pub struct GapInput<'a> {
 pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usize {
     let mesh = input.mesh;
     let open = |i: u32| notes.weight[i as usize] < 0.0;
-    let gaps: Vec<u32> = (0..mesh.len() as u32).filter(|&i| open(i)).collect();
+    let gaps = parallel::map_chunks(mesh.len(), |range| {
+        range.map(|i| i as u32).filter(|&i| open(i)).collect::<Vec<_>>()
+    });
+    let gaps = gaps.concat();
     if gaps.is_empty() {
         return 0;
     }
@@ -72,19 +76,25 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usiz
         first[i as usize] = seeds[source as usize].0;
     }
     let second = second_rims(mesh, &gaps, &first, surface, &mut scratch);
+    // Rows are made of covered samples alone: none depends on another.
+    let rows = parallel::map_chunks(gaps.len(), |range| {
+        let row = |&i: &u32| {
+            let (near, far) = (first[i as usize], second[i as usize]);
+            if near == UNREACHED {
+                return None;
+            }
+            let ridge = if far == UNREACHED { None } else { ridge_row(input, surface, i, near, far, false) };
+            let cover = if ridge.is_some() { Cover::Ridge } else { Cover::Filled };
+            let row = ridge.unwrap_or_else(|| filled_row(input, surface, i, near, far));
+            Some((i as usize, surface.plate[near as usize], cover, row))
+        };
+        gaps[range].iter().filter_map(row).collect::<Vec<_>>()
+    });
     let mut made = 0;
-    for &i in &gaps {
-        let near = first[i as usize];
-        if near == UNREACHED {
-            continue;
-        }
-        let k = i as usize;
-        let far = second[k];
-        let ridge = if far == UNREACHED { None } else { ridge_row(input, surface, i, near, far, false) };
-        surface.plate[k] = surface.plate[near as usize];
-        surface.cover[k] = if ridge.is_some() { Cover::Ridge } else { Cover::Filled };
-        made += usize::from(ridge.is_some());
-        let row = ridge.unwrap_or_else(|| filled_row(input, surface, i, near, far));
+    for (k, plate, cover, row) in rows.into_iter().flatten() {
+        surface.plate[k] = plate;
+        surface.cover[k] = cover;
+        made += usize::from(cover == Cover::Ridge);
         row.write(&mut surface.crust, k);
     }
     made

@@ -126,19 +126,28 @@ pub fn prepare(surface: &mut Surface, notes: &mut Notes, n: usize) {
 pub fn project_slice(input: &ProjectInput, surface: &mut Surface, notes: &mut Notes, first: usize) -> usize {
     let n = input.mesh.len();
     let end = (first + CHUNKS_PER_SLICE).min(n.div_ceil(CHUNK));
-    let found: Vec<Vec<Found>> = (first..end)
-        .into_par_iter()
-        .map(|chunk| (chunk * CHUNK..((chunk + 1) * CHUNK).min(n)).map(|i| find(input, i)).collect())
-        .collect();
-    for (i, found) in (first * CHUNK..).zip(found.into_iter().flatten()) {
-        found.row.write(&mut surface.crust, i);
-        surface.plate[i] = found.plate;
-        surface.cover[i] = found.cover;
-        surface.trench[i] = 0.0;
-        notes.weight[i] = found.weight;
-        notes.below[i] = found.below;
-        notes.layers[i] = found.layers;
+    let range = first * CHUNK..(end * CHUNK).min(n);
+    macro_rules! chunks {
+        ($($column:expr),+) => { ($($column[range.clone()].par_chunks_mut(CHUNK)),+).into_par_iter() };
     }
+    let Surface { crust, plate, cover, trench, .. } = surface;
+    let Crust { frame, kind, thickness, elevation, ocean_age, ridge, orogeny_age, orogeny, fold } = crust;
+    let scalars = chunks!(frame, kind, thickness, elevation, ocean_age, orogeny_age, orogeny);
+    let rest = chunks!(ridge, fold, plate, cover, trench, notes.weight, notes.below, notes.layers);
+    (scalars, rest).into_par_iter().enumerate().for_each(|(chunk, (scalars, rest))| {
+        let (frame, kind, thickness, elevation, ocean_age, orogeny_age, orogeny) = scalars;
+        let (ridge, fold, plate, cover, trench, weight, below, layers) = rest;
+        for k in 0..frame.len() {
+            let found = find(input, (first + chunk) * CHUNK + k);
+            let row = found.row;
+            (frame[k], kind[k], thickness[k], elevation[k]) =
+                (row.frame, row.kind, row.thickness, row.elevation);
+            (ocean_age[k], orogeny_age[k], orogeny[k]) = (row.ocean_age, row.orogeny_age, row.orogeny);
+            (ridge[k], fold[k]) = (row.ridge, row.fold);
+            (plate[k], cover[k], trench[k]) = (found.plate, found.cover, 0.0);
+            (weight[k], below[k], layers[k]) = (found.weight, found.below, found.layers);
+        }
+    });
     end
 }
 

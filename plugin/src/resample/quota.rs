@@ -10,9 +10,11 @@ use crate::crust::cover::topmost;
 use crate::crust::isostasy::Isostasy;
 use crate::crust::ledger::measure;
 use crate::crust::{Cause, Crust, CrustKind, Ledger, Surface};
+use crate::parallel::{self, CHUNK};
 use crate::params::TectonicParams;
 use crate::resample::project::{Notes, ProjectInput, sample_frame};
 use crate::sphere::SphereMesh;
+use rayon::prelude::*;
 
 /// Books what was buried and brings the projected crust to the area and the volume that the ledger expects.
 pub fn conserve(
@@ -26,17 +28,15 @@ pub fn conserve(
     let before = measure(input.crust, input.mesh, radius);
     let square = radius * radius;
     let mut lost = [0.0; 2];
-    for (i, layers) in notes.layers.iter().enumerate() {
-        for (lost, &count) in lost.iter_mut().zip(layers) {
+    for i in chosen(notes.layers.len(), |i| notes.layers[i] != [0; 2]) {
+        for (lost, &count) in lost.iter_mut().zip(&notes.layers[i]) {
             *lost += f64::from(count) * input.mesh.areas()[i];
         }
     }
     ledger.book(Cause::Stacking, -lost[0] * square, 0.0);
     ledger.book(Cause::ForcedSubduction, -lost[1] * square, 0.0);
-    let stretched: f64 = (0..surface.len())
-        .filter(|&i| notes.weight[i] < 0.0 && surface.crust.is_continental(i))
-        .map(|i| input.mesh.areas()[i])
-        .sum();
+    let stretched = chosen(surface.len(), |i| notes.weight[i] < 0.0 && surface.crust.is_continental(i));
+    let stretched: f64 = stretched.into_iter().map(|i| input.mesh.areas()[i]).sum();
     ledger.book(Cause::Rifting, stretched * square, 0.0);
     let target = before.area + (stretched - lost[0] - lost[1]) * square + ledger.carried_area;
     flip_coast(input, surface, notes, target / square);
@@ -48,21 +48,26 @@ pub fn conserve(
     ledger.check(after);
 }
 
+/// The samples of a choice, in order.
+fn chosen(n: usize, choice: impl Fn(usize) -> bool + Sync + Send) -> Vec<usize> {
+    parallel::map_chunks(n, |range| range.filter(|&i| choice(i)).collect::<Vec<_>>()).concat()
+}
+
 /// Lets samples of the coast change kind until the continental area is `target` steradians as nearly as it can be.
 fn flip_coast(input: &ProjectInput, surface: &mut Surface, notes: &Notes, target: f64) {
     let areas = input.mesh.areas();
-    let area: f64 = (0..areas.len()).filter(|&i| surface.crust.is_continental(i)).map(|i| areas[i]).sum();
+    let land = chosen(areas.len(), |i| surface.crust.is_continental(i));
+    let area: f64 = land.into_iter().map(|i| areas[i]).sum();
     let mut missing = target - area;
     let to = if missing > 0.0 { CrustKind::Continental } else { CrustKind::Oceanic };
-    let mut coast: Vec<(f32, u32)> = (0..areas.len() as u32)
-        .filter_map(|i| {
-            let weight = notes.weight[i as usize];
-            let share = if to == CrustKind::Continental { weight } else { 1.0 - weight };
-            let candidate = weight >= 0.0 && share > 0.02 && surface.crust.kind[i as usize] != to;
-            candidate.then_some((-share, i))
-        })
-        .collect();
-    coast.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let share = |i: usize| {
+        let weight = notes.weight[i];
+        if to == CrustKind::Continental { weight } else { 1.0 - weight }
+    };
+    let coast =
+        chosen(areas.len(), |i| notes.weight[i] >= 0.0 && share(i) > 0.02 && surface.crust.kind[i] != to);
+    let mut coast: Vec<(f32, u32)> = coast.into_iter().map(|i| (-share(i), i as u32)).collect();
+    coast.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     for (_, i) in coast {
         let change = if to == CrustKind::Continental { areas[i as usize] } else { -areas[i as usize] };
         // Half a sample too much is as good as half a sample too little.
@@ -84,11 +89,9 @@ fn flip_coast(input: &ProjectInput, surface: &mut Surface, notes: &Notes, target
 fn stack(params: &TectonicParams, crust: &mut Crust, mesh: &SphereMesh, notes: &Notes) -> f64 {
     let thickest = Isostasy::new(params).thickness(params.summit_elevation as f32);
     let mut shed = 0.0;
-    for i in 0..crust.len() {
-        if notes.below[i] > 0.0 && crust.is_continental(i) {
-            crust.thickness[i] += notes.below[i];
-        }
-        if notes.below[i] > 0.0 && crust.is_continental(i) && crust.thickness[i] > thickest {
+    for i in chosen(crust.len(), |i| notes.below[i] > 0.0 && crust.is_continental(i)) {
+        crust.thickness[i] += notes.below[i];
+        if crust.thickness[i] > thickest {
             shed += f64::from(crust.thickness[i] - thickest) * mesh.areas()[i];
             crust.thickness[i] = thickest;
         }
@@ -105,10 +108,11 @@ fn scale_volume(crust: &mut Crust, mesh: &SphereMesh, radius: f64, target: f64) 
             return;
         }
         let scale = target / volume;
-        for i in 0..crust.len() {
-            if crust.is_continental(i) {
-                crust.thickness[i] = (f64::from(crust.thickness[i]) * scale) as f32;
+        let columns = (crust.kind.par_chunks(CHUNK), crust.thickness.par_chunks_mut(CHUNK));
+        columns.into_par_iter().for_each(|(kind, thickness)| {
+            for (_, e) in kind.iter().zip(thickness).filter(|(kind, _)| **kind == CrustKind::Continental) {
+                *e = (f64::from(*e) * scale) as f32;
             }
-        }
+        });
     }
 }

@@ -9,16 +9,17 @@ use super::trench::bend;
 use crate::crust::cover::CoverIndex;
 use crate::crust::{Crust, Frame, FrameId, Frames, Ledger, Surface};
 use crate::events::CrustResampled;
-use crate::parallel::CHUNK;
+use crate::parallel::{self, CHUNK};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
-use crate::plate::PlateTable;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, PolarityMemory};
+use crate::plate::{PlateId, PlateTable};
 use crate::process::front::FrontField;
 use crate::process::plate_table;
 use crate::schedule::{CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems};
 use bevy::prelude::*;
+use rayon::prelude::*;
 use std::time::Instant;
 
 /// Adds the stages [`Stage::Resample`] and [`Stage::Surface`].
@@ -214,7 +215,7 @@ fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Res
     work.next.time = clock.time;
     if commit {
         renumber(&mut work.next, plates, &mut frames);
-        crust.clone_from(&work.next.crust);
+        copy(&work.next.crust, &mut crust);
         clock.last_resample = clock.time + params.time_step;
         clock.resample_requested = false;
         work.next.time = clock.last_resample;
@@ -233,6 +234,24 @@ fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Res
     }
 }
 
+/// Copies all columns; they have equal lengths.
+fn copy(from: &Crust, to: &mut Crust) {
+    let small = || {
+        to.frame.clone_from(&from.frame);
+        to.kind.clone_from(&from.kind);
+        to.orogeny.clone_from(&from.orogeny);
+        to.thickness.clone_from(&from.thickness);
+        to.elevation.clone_from(&from.elevation);
+        to.ocean_age.clone_from(&from.ocean_age);
+        to.orogeny_age.clone_from(&from.orogeny_age);
+    };
+    let large = || {
+        to.ridge.clone_from(&from.ridge);
+        to.fold.clone_from(&from.fold);
+    };
+    rayon::join(small, large);
+}
+
 fn bend_trenches(world: &mut World, planet: Entity, next: &mut Surface) {
     let mut query = world.query::<(&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim, &Contacts)>();
     if let Ok((body, mesh, params, crust, frames, rim, contacts)) = query.get(world, planet) {
@@ -242,18 +261,26 @@ fn bend_trenches(world: &mut World, planet: Entity, next: &mut Surface) {
 
 /// One frame at rest for every plate that has samples, in the order of plate numbers.
 fn renumber(surface: &mut Surface, plates: &PlateTable, frames: &mut Frames) {
-    let mut used = vec![false; plates.rows().len()];
-    let index: Vec<usize> = surface.plate.iter().map(|&id| plates.index(id).unwrap_or(0)).collect();
-    index.iter().for_each(|&k| used[k] = true);
-    let mut number = vec![0 as FrameId; used.len()];
+    let index = |id: PlateId| plates.index(id).unwrap_or(0);
+    let used = parallel::map_chunks(surface.len(), |range| {
+        let mut used = vec![false; plates.rows().len()];
+        surface.plate[range].chunk_by(|a, b| a == b).for_each(|run| used[index(run[0])] = true);
+        used
+    });
+    let mut number = vec![0 as FrameId; plates.rows().len()];
     frames.0.clear();
-    for (k, row) in plates.rows().iter().enumerate().filter(|(k, _)| used[*k]) {
+    for (k, row) in plates.rows().iter().enumerate().filter(|&(k, _)| used.iter().any(|part| part[k])) {
         number[k] = frames.len() as FrameId;
         frames.0.push(Frame::at_rest(row.id));
     }
-    for (frame, k) in surface.crust.frame.iter_mut().zip(index) {
-        *frame = number[k];
-    }
+    let columns = (surface.crust.frame.par_chunks_mut(CHUNK), surface.plate.par_chunks(CHUNK));
+    columns.into_par_iter().for_each(|(mut frame, plate)| {
+        for run in plate.chunk_by(|a, b| a == b) {
+            let (here, rest) = frame.split_at_mut(run.len());
+            here.fill(number[index(run[0])]);
+            frame = rest;
+        }
+    });
 }
 
 #[cfg(test)]

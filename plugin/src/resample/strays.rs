@@ -6,82 +6,71 @@
 use crate::crust::Surface;
 use crate::plate::PlateId;
 use crate::sphere::SphereMesh;
+use crate::sphere::components::Components;
 
 /// Pieces of a plate with a larger share of the sphere keep their owner: 1,000,000 km² on Earth.
 pub const LARGEST_STRAY: f64 = 0.002;
 
 /// Gives stray pieces to the neighbour with which they share the longest border. Returns the samples that changed owner.
 pub fn gather_strays(mesh: &SphereMesh, surface: &mut Surface) -> usize {
-    let pieces = pieces(mesh, &surface.plate);
-    let limit = LARGEST_STRAY * 4.0 * crate::math::PI;
-    let mut largest: Vec<(PlateId, usize)> = Vec::new();
-    for (k, piece) in pieces.iter().enumerate() {
-        match largest.iter_mut().find(|(plate, _)| *plate == piece.plate) {
-            Some((_, best)) if pieces[*best].area < piece.area => *best = k,
-            Some(_) => {}
-            None => largest.push((piece.plate, k)),
-        }
-    }
     let mut changed = 0;
-    for (k, piece) in pieces.iter().enumerate() {
-        if piece.area > limit || largest.iter().any(|&(_, best)| best == k) {
-            continue;
-        }
+    for piece in strays(mesh, &surface.plate) {
+        let own = surface.plate[piece[0] as usize];
         let mut border: Vec<(PlateId, u16, usize)> = Vec::new();
-        for &i in &piece.samples {
-            for &j in mesh.ring(i) {
-                let (plate, frame) = (surface.plate[j as usize], surface.crust.frame[j as usize]);
-                if plate == piece.plate {
-                    continue;
-                }
-                match border.iter_mut().find(|entry| entry.0 == plate) {
-                    Some(entry) => entry.2 += 1,
-                    None => border.push((plate, frame, 1)),
-                }
+        for &j in piece.iter().flat_map(|&i| mesh.ring(i)) {
+            let (plate, frame) = (surface.plate[j as usize], surface.crust.frame[j as usize]);
+            if plate == own {
+                continue;
+            }
+            match border.iter_mut().find(|entry| entry.0 == plate) {
+                Some(entry) => entry.2 += 1,
+                None => border.push((plate, frame, 1)),
             }
         }
         border.sort_by_key(|&(plate, _, length)| (usize::MAX - length, plate));
         if let Some(&(plate, frame, _)) = border.first() {
-            for &i in &piece.samples {
+            for &i in &piece {
                 surface.plate[i as usize] = plate;
                 surface.crust.frame[i as usize] = frame;
             }
-            changed += piece.samples.len();
+            changed += piece.len();
         }
     }
     changed
 }
 
-/// A connected set of samples of one plate.
-struct Piece {
-    plate: PlateId,
-    samples: Vec<u32>,
-    area: f64,
-}
-
-/// All connected pieces in the order of their first samples.
-fn pieces(mesh: &SphereMesh, plate: &[PlateId]) -> Vec<Piece> {
-    let mut seen = vec![false; plate.len()];
-    let mut pieces = Vec::new();
-    for start in 0..plate.len() as u32 {
-        if seen[start as usize] {
-            continue;
-        }
-        seen[start as usize] = true;
-        let own = plate[start as usize];
-        let mut piece = Piece { plate: own, samples: vec![start], area: 0.0 };
-        let mut next = 0;
-        while let Some(&i) = piece.samples.get(next) {
-            next += 1;
-            piece.area += mesh.area(i);
-            for &j in mesh.ring(i) {
-                if !seen[j as usize] && plate[j as usize] == own {
-                    seen[j as usize] = true;
-                    piece.samples.push(j);
-                }
-            }
-        }
-        pieces.push(piece);
+/// The samples of all pieces that are neither large nor the largest of their plate, in the order of their first samples.
+fn strays(mesh: &SphereMesh, plate: &[PlateId]) -> Vec<Vec<u32>> {
+    let together = |i: u32, j: u32| plate[i as usize] == plate[j as usize];
+    let components = Components::new(mesh, |_| true, together);
+    let mut pieces: Vec<(PlateId, f64)> = vec![(PlateId::default(), 0.0); components.count];
+    for (i, &number) in components.of.iter().enumerate() {
+        let piece = &mut pieces[number as usize];
+        piece.0 = plate[i];
+        piece.1 += mesh.areas()[i];
     }
-    pieces
+    let mut largest: Vec<(PlateId, usize)> = Vec::new();
+    for (k, &(plate, area)) in pieces.iter().enumerate() {
+        match largest.iter_mut().find(|(other, _)| *other == plate) {
+            Some((_, best)) if pieces[*best].1 < area => *best = k,
+            Some(_) => {}
+            None => largest.push((plate, k)),
+        }
+    }
+    let limit = LARGEST_STRAY * 4.0 * crate::math::PI;
+    let mut slot = vec![usize::MAX; pieces.len()];
+    let mut count = 0;
+    for (k, &(_, area)) in pieces.iter().enumerate() {
+        if area <= limit && largest.iter().all(|&(_, best)| best != k) {
+            slot[k] = count;
+            count += 1;
+        }
+    }
+    let mut strays = vec![Vec::new(); count];
+    for (i, &number) in components.of.iter().enumerate() {
+        if let Some(stray) = strays.get_mut(slot[number as usize]) {
+            stray.push(i as u32);
+        }
+    }
+    strays
 }

@@ -8,6 +8,7 @@
 //! area            spherical Voronoi cells
 //! nearest         nearest sample of a direction: a cube-map grid, then a walk over neighbours
 //! locate          containing triangle and barycentric weights of a direction
+//! components      connected components of samples
 //! spread          distances from many sources, spread over the mesh
 //! ```
 //!
@@ -21,6 +22,7 @@
 //! - A direction on an edge belongs to either triangle of that edge; the weights are the same.
 
 mod area;
+pub mod components;
 mod cube;
 mod locate;
 mod mesh;

@@ -1,9 +1,7 @@
 //! Connected regions of equally labelled samples.
 
 use crate::sphere::SphereMesh;
-
-/// Marks a sample that is not in the set.
-const OUTSIDE: u32 = u32::MAX;
+use crate::sphere::components::{Components, OUTSIDE};
 
 /// The connected regions of a labelled set of samples.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,31 +64,21 @@ fn entries(mesh: &SphereMesh, samples: &[u32]) -> Vec<u32> {
 }
 
 fn regions(mesh: &SphereMesh, samples: &[u32], labels: &[u16], entries: &[u32]) -> Regions {
+    let entry = |i: u32| entries[i as usize];
+    let member = |i: u32| entry(i) != OUTSIDE;
+    let together = |i: u32, j: u32| labels[entry(i) as usize] == labels[entry(j) as usize];
+    let components = Components::new(mesh, member, together);
+    let mut number = vec![OUTSIDE; components.count];
     let mut found = Regions { region: vec![OUTSIDE; samples.len()], ..Regions::default() };
-    let mut open = Vec::new();
-    for start in 0..samples.len() {
-        if found.region[start] != OUTSIDE {
-            continue;
+    for (entry, &i) in samples.iter().enumerate() {
+        let number = &mut number[components.of[i as usize] as usize];
+        if *number == OUTSIDE {
+            *number = found.size.len() as u32;
+            found.size.push(0);
+            found.label.push(labels[entry]);
         }
-        let region = found.size.len() as u32;
-        let mut size = 0;
-        found.region[start] = region;
-        open.push(start);
-        while let Some(entry) = open.pop() {
-            size += 1;
-            for &j in mesh.ring(samples[entry]) {
-                let next = entries[j as usize];
-                if next == OUTSIDE || found.region[next as usize] != OUTSIDE {
-                    continue;
-                }
-                if labels[next as usize] == labels[entry] {
-                    found.region[next as usize] = region;
-                    open.push(next as usize);
-                }
-            }
-        }
-        found.size.push(size);
-        found.label.push(labels[start]);
+        found.region[entry] = *number;
+        found.size[*number as usize] += 1;
     }
     found
 }
