@@ -1,8 +1,8 @@
 //! The command line.
 
 use crate::error::CliError;
-pub use crate::values::CameraSpec;
-use crate::values::{Counts, camera, counts, integer, number, overlay, size};
+pub use crate::values::{CameraSpec, PlaceSpec, RegionSpec};
+use crate::values::{Counts, camera, counts, integer, number, overlay, place, region, size};
 use bevy_pangaea::io::load_preset;
 use bevy_pangaea::overlay::Overlay;
 use bevy_pangaea::planet::PlanetRecipe;
@@ -76,6 +76,12 @@ pub enum Command {
     Bench(BenchArgs),
     /// Print the facts of a planet file
     Info(InfoArgs),
+    /// Write the height of a square of the ground: GeoTIFF, 16-bit PNG or a mesh
+    Export(ExportArgs),
+    /// Print relief statistics by what built the relief, beside those of real ground
+    Relief(ReliefArgs),
+    /// Print height, water, normal and surface of points of the ground
+    Query(QueryArgs),
 }
 
 /// How to grow a planet. An option given here replaces what the preset says.
@@ -234,6 +240,73 @@ pub struct InfoArgs {
     pub file: PathBuf,
 }
 
+/// Options of `export`.
+#[derive(Args, Debug)]
+pub struct ExportArgs {
+    /// A planet file, *.pangaea
+    #[arg(value_name = "PLANET.pangaea")]
+    pub planet: PathBuf,
+    /// Middle of the square in degrees, and its side in km
+    ///
+    /// The square is azimuthal equidistant about its middle, north up; values are those of the centres of pixels.
+    #[arg(long, value_name = "LAT,LON,SIZE_KM", allow_hyphen_values = true, value_parser = region)]
+    pub region: RegionSpec,
+    /// Pixels to a side, 2 to 16384; 8192 for .glb
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "1024",
+        allow_hyphen_values = true,
+        value_parser = |s: &str| integer(s, 2, 16_384)
+    )]
+    pub pixels: u64,
+    /// The file; its extension says in which format
+    ///
+    /// .tif: one band of f32 in metres, georeferenced. .png: 16-bit grey, with a .json of the same name to decode it:
+    /// min_m, max_m, metres_per_pixel, lat, lon. .glb: a mesh in metres, +x east, +y up, -z north.
+    #[arg(long, value_name = "TILE.png|TILE.tif|TILE.glb")]
+    pub out: PathBuf,
+}
+
+/// Options of `relief`.
+#[derive(Args, Debug)]
+pub struct ReliefArgs {
+    /// A planet file, *.pangaea
+    #[arg(value_name = "PLANET.pangaea")]
+    pub planet: PathBuf,
+    /// Folder of tiles of real ground to compare with
+    ///
+    /// Files are .hgt, GeoTIFF, or 16-bit PNG with a sidecar NAME.json {metres_per_pixel, metres_per_unit}.
+    #[arg(long, value_name = "DIR")]
+    pub dem: Option<PathBuf>,
+    /// Write the figures to a JSON file, too
+    #[arg(long, value_name = "F")]
+    pub json: Option<PathBuf>,
+}
+
+/// Options of `query`.
+#[derive(Args, Debug)]
+pub struct QueryArgs {
+    /// A planet file, *.pangaea
+    #[arg(value_name = "PLANET.pangaea")]
+    pub planet: PathBuf,
+    /// The point in degrees; without it, lines "lat,lon" are read from the standard input
+    ///
+    /// Printed are comma separated values with a header, in the order of the input. The normal is given in the
+    /// planet's axes: +z is the north pole, +x is 0° N 0° E. Where it is dry, water_m is height_m.
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true, value_parser = place)]
+    pub at: Option<PlaceSpec>,
+    /// Level of detail, 0 (edges of about 52 km) to 17 (0.4 m)
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "17",
+        allow_hyphen_values = true,
+        value_parser = |s: &str| integer(s, 0, 17)
+    )]
+    pub level: u64,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -252,6 +325,21 @@ mod tests {
         let line = ["pangaea", "render", "--camera", "-33,-70,1000000,90,-10", "--out", "a.png"];
         let Some(Command::Render(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
         assert_eq!((args.camera.lat, args.camera.lon), (-33.0, -70.0));
+    }
+
+    #[test]
+    fn places_in_the_south_and_west_are_accepted_in_both_forms() {
+        let south = PlaceSpec { lat: -33.0, lon: -70.0 };
+        for at in [&["--at=-33,-70"][..], &["--at", "-33,-70"]] {
+            let line = [&["pangaea", "query", "a.pangaea"], at].concat();
+            let Some(Command::Query(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
+            assert_eq!((args.at, args.level), (Some(south), 17));
+        }
+        for region in [&["--region=-33,-70,12"][..], &["--region", "-33,-70,12"]] {
+            let line = [&["pangaea", "export", "a.pangaea", "--out", "a.tif"], region].concat();
+            let Some(Command::Export(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
+            assert_eq!((args.region.middle, args.region.size_km, args.pixels), (south, 12.0, 1024));
+        }
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Why a command fails, as one line on stderr and an exit code.
 
 use crate::picture::PictureError;
-use bevy_pangaea::io::IoError;
+use bevy_pangaea::io::{ExportError, IoError};
 use bevy_pangaea::planet::PlanetError;
+use bevy_pangaea::query::GroundError;
 use std::fmt::Display;
 use std::process::ExitCode;
 use thiserror::Error;
@@ -42,6 +43,21 @@ impl From<IoError> for CliError {
 impl From<PlanetError> for CliError {
     fn from(error: PlanetError) -> Self {
         Self::input(error)
+    }
+}
+
+impl From<GroundError> for CliError {
+    fn from(error: GroundError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<ExportError> for CliError {
+    fn from(error: ExportError) -> Self {
+        match error {
+            ExportError::Encode(_) => Self::Failed(error.to_string()),
+            other => Self::input(other),
+        }
     }
 }
 

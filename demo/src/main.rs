@@ -15,6 +15,12 @@ mod bench;
 mod generate;
 mod info;
 
+mod ground;
+
+mod export;
+mod query;
+mod relief;
+
 mod offscreen;
 mod picture;
 
@@ -37,6 +43,9 @@ fn main() -> ExitCode {
         Some(Command::Views(args)) => picture::views(args),
         Some(Command::Bench(args)) => bench::bench(args),
         Some(Command::Info(args)) => info::info(args),
+        Some(Command::Export(args)) => export::export(args),
+        Some(Command::Relief(args)) => relief::relief(args),
+        Some(Command::Query(args)) => query::query(args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -17,6 +17,24 @@ pub struct CameraSpec {
     pub pitch: f64,
 }
 
+/// A point of the planet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaceSpec {
+    /// Degrees north.
+    pub lat: f64,
+    /// Degrees east.
+    pub lon: f64,
+}
+
+/// A square of the planet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RegionSpec {
+    /// Its middle.
+    pub middle: PlaceSpec,
+    /// Its side in km.
+    pub size_km: f64,
+}
+
 /// A list of numbers of samples.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Counts(pub Vec<u32>);
@@ -58,6 +76,30 @@ pub fn camera(text: &str) -> Result<CameraSpec, String> {
         heading,
         pitch,
     })
+}
+
+/// `LAT,LON`.
+pub fn place(text: &str) -> Result<PlaceSpec, String> {
+    match text.split(',').collect::<Vec<_>>()[..] {
+        [lat, lon] => coordinates(lat, lon),
+        _ => Err("it must be LAT,LON".into()),
+    }
+}
+
+/// `LAT,LON,SIZE_KM`.
+pub fn region(text: &str) -> Result<RegionSpec, String> {
+    let [lat, lon, size] = text.split(',').collect::<Vec<_>>()[..] else {
+        return Err("it must be LAT,LON,SIZE_KM".into());
+    };
+    let size_km = number(size, 1e-3, 1e5).map_err(|problem| problem.replacen("it", "the size in km", 1))?;
+    Ok(RegionSpec { middle: coordinates(lat, lon)?, size_km })
+}
+
+fn coordinates(lat: &str, lon: &str) -> Result<PlaceSpec, String> {
+    let part = |text: &str, name: &str, limit: f64| {
+        number(text, -limit, limit).map_err(|problem| problem.replacen("it", name, 1))
+    };
+    Ok(PlaceSpec { lat: part(lat, "the latitude", 90.0)?, lon: part(lon, "the longitude", 360.0)? })
 }
 
 /// `WIDTHxHEIGHT`.
@@ -121,6 +163,15 @@ mod tests {
             "0,0,9,0,91",
         ] {
             assert!(camera(bad).is_err(), "{bad}");
+        }
+        let south = PlaceSpec { lat: -33.0, lon: -70.5 };
+        assert_eq!(place(" -33, -70.5"), Ok(south));
+        assert_eq!(region("-33,-70.5,12"), Ok(RegionSpec { middle: south, size_km: 12.0 }));
+        for bad in ["", "1", "1,2,3", "91,0", "0,361", "NaN,0", "0,inf", "a,b", "1;2"] {
+            assert!(place(bad).is_err(), "{bad}");
+        }
+        for bad in ["", "1,2", "1,2,0", "1,2,-5", "1,2,NaN", "1,2,1e9", "1,2,3,4", "-91,2,3"] {
+            assert!(region(bad).is_err(), "{bad}");
         }
         assert_eq!(size("1280x720"), Ok((1280, 720)));
         for bad in ["", "0x0", "1280", "1280x", "-1x5", "100000x100000", "16x15", "NaNx5"] {

@@ -95,7 +95,7 @@ fn help_and_version_go_to_stdout() {
     let folder = TempDir::new().unwrap();
     for (args, words) in [
         (&["--version"][..], &["pangaea 0."][..]),
-        (&["--help"], &["generate", "render", "bench", "info"]),
+        (&["--help"], &["generate", "render", "bench", "info", "export", "relief", "query"]),
         (&["generate", "--help"], &["--samples", "60000", "--until", "250", "pangaea-out"]),
         (&["render", "--help"], &["LAT,LON,ALTITUDE_M[,HEADING,PITCH]", "1280x720"]),
     ] {

@@ -36,6 +36,8 @@ pub mod spawn;
 
 pub mod query;
 
+pub mod relief;
+
 pub mod io;
 
 #[cfg(feature = "render")]

@@ -29,6 +29,8 @@ pub enum Purpose {
     RiftWarp,
     /// Coherent noise of the relief (paper 000 §4.5).
     Relief,
+    /// Places whose relief is measured.
+    ReliefSites = 100,
 }
 
 /// A stream of random numbers addressed by a counter.

@@ -8,6 +8,8 @@
 //! scenario   *.scenario.ron: commands to come
 //! png        16-bit elevation, RGB maps
 //! stats      figures of a planet
+//! export     squares of the ground: GeoTIFF, 16-bit PNG, glTF
+//! dem        elevation models of real ground
 //! floor      the time of one sweep over the crust, by which timings are measured
 //! ```
 //!
@@ -33,10 +35,16 @@ pub mod png;
 
 pub mod stats;
 
+pub mod export;
+
+pub mod dem;
+
 mod floor;
 
 pub use capture::capture;
+pub use dem::{Dem, DemError, dem_files, load_dem};
 pub use digest::digest;
+pub use export::{ExportError, export};
 pub use floor::floor;
 pub use preset::{PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{SaveError, load, save};
@@ -74,6 +82,14 @@ pub enum IoError {
         path: PathBuf,
         /// What is wrong with it.
         source: SaveError,
+    },
+    /// The file is no elevation model, or one that is not read.
+    #[error("{}: {source}", path.display())]
+    Dem {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: DemError,
     },
     /// The text of a preset or a scenario is refused.
     #[error("{}{}: {problem}", path.display(), at(*line))]
@@ -135,10 +151,54 @@ pub fn write_atomically(
     result.map_err(|source| IoError::write(path, source))
 }
 
-fn replace(target: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+/// Writes several files of given content, all or none: all of them under hidden names first.
+///
+/// # Errors
+/// [`IoError::Write`]; the files are as they were before, but if a rename fails half way through.
+pub fn write_all_atomically(files: &[(PathBuf, Vec<u8>)]) -> Result<(), IoError> {
+    let target = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let plain = |path: &Path| fs::metadata(path).is_ok_and(|meta| !meta.is_file() && !meta.is_dir());
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
+        return Err(IoError::write(path, io::ErrorKind::IsADirectory.into()));
+    }
+    // A device is written directly: there is nothing to rename.
+    if let [(path, content)] = files
+        && plain(path)
+    {
+        return write_atomically(path, |out| out.write_all(content));
+    }
+    let mut parts: Vec<(PathBuf, PathBuf)> = Vec::with_capacity(files.len());
+    let write = |parts: &mut Vec<(PathBuf, PathBuf)>| {
+        for (path, content) in files {
+            let target = target(path);
+            let part = hidden_beside(&target).map_err(|source| IoError::write(path, source))?;
+            parts.push((part.clone(), target));
+            File::create(&part)
+                .and_then(|file| fill(file, |out| out.write_all(content), true))
+                .map_err(|source| IoError::write(path, source))?;
+        }
+        for ((part, target), (path, _)) in parts.iter().zip(files) {
+            fs::rename(part, target).map_err(|source| IoError::write(path, source))?;
+        }
+        Ok(())
+    };
+    let result = write(&mut parts);
+    if result.is_err() {
+        for (part, _) in &parts {
+            let _ = fs::remove_file(part);
+        }
+    }
+    result
+}
+
+/// The hidden name that a file has while it is written.
+fn hidden_beside(target: &Path) -> io::Result<PathBuf> {
     let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?;
-    let hidden = format!(".{}.{}.part", name.to_string_lossy(), std::process::id());
-    let part = target.with_file_name(hidden);
+    Ok(target.with_file_name(format!(".{}.{}.part", name.to_string_lossy(), std::process::id())))
+}
+
+fn replace(target: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let part = hidden_beside(target)?;
     let result = File::create(&part)
         .and_then(|file| fill(file, content, true))
         .and_then(|()| fs::rename(&part, target));

@@ -27,8 +27,16 @@ pub fn elevation_of_grey(grey: u16) -> f32 {
 /// # Errors
 /// If the elevations are not whole rows.
 pub fn elevation_png(width: u32, elevation: &[f32]) -> Result<Vec<u8>, EncodingError> {
-    let height = elevation.len() as u32 / width.max(1);
-    let bytes: Vec<u8> = elevation.iter().flat_map(|&z| grey_of_elevation(z).to_be_bytes()).collect();
+    grey_png(width, elevation.iter().map(|&z| grey_of_elevation(z)))
+}
+
+/// A 16-bit grey PNG, `width` to a row, rows from the top.
+///
+/// # Errors
+/// If the values are not whole rows.
+pub fn grey_png(width: u32, greys: impl Iterator<Item = u16>) -> Result<Vec<u8>, EncodingError> {
+    let bytes: Vec<u8> = greys.flat_map(u16::to_be_bytes).collect();
+    let height = (bytes.len() / 2) as u32 / width.max(1);
     encode(width, height, ColorType::Grayscale, BitDepth::Sixteen, &bytes)
 }
 

@@ -1,0 +1,113 @@
+//! GeoTIFF (OGC 19-008r4): one band of heights, with the size of a pixel in degrees or in a projection's unit.
+//!
+//! Heights are in m. What is not read: rotated rasters, the tables of coordinate systems. A projected
+//! raster is taken for true to scale, so its position is not told.
+
+use super::{Dem, DemError, check_size, degrees_to_metres, filled};
+use std::io::Cursor;
+use tiff::decoder::{Decoder, DecodingResult, Limits};
+use tiff::tags::Tag;
+use tiff::{ColorType, TiffError};
+
+/// Keys of the GeoKeyDirectory.
+const MODEL_TYPE: u16 = 1024;
+const LINEAR_UNITS: u16 = 3076;
+
+/// Model types.
+const PROJECTED: u16 = 1;
+const GEOGRAPHIC: u16 = 2;
+
+/// No compression that is read shrinks zeroes more than so many times: a small file never takes much memory.
+const MOST_SHRUNK: u64 = 4096;
+
+/// Reads a file.
+pub(super) fn read(bytes: &[u8]) -> Result<Dem, DemError> {
+    let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(refused)?;
+    let (width, height) = decoder.dimensions().map_err(refused)?;
+    check_size(width, height)?;
+    let size = u64::from(width) * u64::from(height) * 8;
+    if size > (bytes.len() as u64).saturating_mul(MOST_SHRUNK) {
+        return Err(DemError::Invalid("the file is too short for so many pixels".into()));
+    }
+    let mut limits = Limits::default();
+    limits.decoding_buffer_size = 1 << 30;
+    let mut decoder = decoder.with_limits(limits);
+    if !matches!(decoder.colortype().map_err(refused)?, ColorType::Gray(_)) {
+        return Err(DemError::Invalid("the file has more than one band".into()));
+    }
+    let (pixel_m, centre) = georeference(&mut decoder, [width, height])?;
+    let void = void(&mut decoder);
+    let values = heights(decoder.read_image().map_err(refused)?, void)?;
+    filled(width, height, values, pixel_m, centre)
+}
+
+fn refused(error: TiffError) -> DemError {
+    DemError::Invalid(error.to_string())
+}
+
+/// Size of a pixel in m, and latitude and longitude of the middle, if they are told.
+fn georeference(
+    decoder: &mut Decoder<Cursor<&[u8]>>,
+    size: [u32; 2],
+) -> Result<([f64; 2], Option<(f64, f64)>), DemError> {
+    let numbers = |decoder: &mut Decoder<_>, tag| decoder.get_tag_f64_vec(tag).ok();
+    let scale = numbers(decoder, Tag::ModelPixelScaleTag).unwrap_or_default();
+    let &[across, down, ..] = scale.as_slice() else {
+        return Err(DemError::Invalid("the file has no ModelPixelScale".into()));
+    };
+    let pixel = [across.abs(), down.abs()];
+    let keys = decoder.get_tag_u16_vec(Tag::GeoKeyDirectoryTag).unwrap_or_default();
+    match short_key(&keys, MODEL_TYPE) {
+        Some(GEOGRAPHIC) => {
+            let tie = numbers(decoder, Tag::ModelTiepointTag).unwrap_or_default();
+            let &[column, row, _, lon, lat, ..] = tie.as_slice() else {
+                return Err(DemError::Invalid("the file has no ModelTiepoint".into()));
+            };
+            let middle = |size: u32, tied: f64| 0.5 * f64::from(size) - tied;
+            let lat = lat - middle(size[1], row) * pixel[1];
+            let lon = lon + middle(size[0], column) * pixel[0];
+            Ok((degrees_to_metres(pixel, lat)?, lon.is_finite().then_some((lat, lon))))
+        }
+        Some(PROJECTED) | None => {
+            let unit = match short_key(&keys, LINEAR_UNITS) {
+                None | Some(9001 | 32_767) => 1.0,
+                Some(9002) => 0.3048,
+                Some(9003) => 1200.0 / 3937.0,
+                Some(other) => return Err(DemError::Invalid(format!("unknown unit of length {other}"))),
+            };
+            Ok((pixel.map(|side| side * unit), None))
+        }
+        Some(other) => Err(DemError::Invalid(format!("coordinates of model type {other} are not read"))),
+    }
+}
+
+/// The value of a key that is a plain number.
+fn short_key(keys: &[u16], id: u16) -> Option<u16> {
+    // After four words of header: key, where its value is (0: here), count, value.
+    keys.chunks_exact(4).skip(1).find(|key| key[0] == id && key[1] == 0).map(|key| key[3])
+}
+
+/// The value that GDAL marks voids with; SRTM's where none is told.
+fn void(decoder: &mut Decoder<Cursor<&[u8]>>) -> f64 {
+    let text = decoder.get_tag_ascii_string(Tag::GdalNodata).unwrap_or_default();
+    text.trim_matches(['\0', ' ']).parse().unwrap_or(-32_768.0)
+}
+
+fn heights(image: DecodingResult, void: f64) -> Result<Vec<f32>, DemError> {
+    fn all<T: Copy + Into<f64>>(values: &[T], void: f64) -> Vec<f32> {
+        let height = |&value: &T| {
+            let z: f64 = value.into();
+            if z == void { f32::NAN } else { z as f32 }
+        };
+        values.iter().map(height).collect()
+    }
+    match image {
+        DecodingResult::I16(values) => Ok(all(&values, void)),
+        DecodingResult::U16(values) => Ok(all(&values, void)),
+        DecodingResult::I32(values) => Ok(all(&values, void)),
+        // A void of -3.4e38 was rounded to an f32 before it was written out.
+        DecodingResult::F32(values) => Ok(all(&values, f64::from(void as f32))),
+        DecodingResult::F64(values) => Ok(all(&values, void)),
+        _ => Err(DemError::Invalid("heights must be i16, u16, i32, f32 or f64".into())),
+    }
+}
