@@ -30,7 +30,11 @@ fn main() {
         Ok(base) => base,
         Err(error) => return println!("{error}"),
     };
-    println!("made ready: {:.0} ms, vertex {} B", start.elapsed().as_secs_f64() * 1e3, size_of_val(&base.vertices[0]));
+    println!(
+        "made ready: {:.0} ms, vertex {} B",
+        start.elapsed().as_secs_f64() * 1e3,
+        size_of_val(&base.vertices[0])
+    );
     let rules = Rules::default();
     let land: Vec<_> = base.vertices.iter().filter(|v| v.height > 0).map(|v| v.direction).collect();
     let mut local = Local::new(&base, &rules);
@@ -48,7 +52,11 @@ fn main() {
             };
             sum += local.leaf(at, 17, None).height_m(at);
         }
-        println!("random point {name}: {:.1} us ({:.0} m)", start.elapsed().as_secs_f64() * 1e6 / f64::from(n), sum / f64::from(n));
+        println!(
+            "random point {name}: {:.1} us ({:.0} m)",
+            start.elapsed().as_secs_f64() * 1e6 / f64::from(n),
+            sum / f64::from(n)
+        );
     }
     let mut times = Vec::new();
     for k in 0..50 {

@@ -44,7 +44,9 @@ impl core::fmt::Display for BadMesh {
     fn fmt(&self, f: &mut core::fmt::Formatter) -> core::fmt::Result {
         match self {
             Self::Radius => write!(f, "the radius of a control mesh must be 50 km to 10,000 km"),
-            Self::Size => write!(f, "a control mesh must have at least four faces, and items that 32 bits can number"),
+            Self::Size => {
+                write!(f, "a control mesh must have at least four faces, and items that 32 bits can number")
+            }
             Self::Face(i) => write!(f, "face {i} of the control mesh does not fit its edges and vertices"),
             Self::Edge(i) => write!(f, "edge {i} of the control mesh does not fit its faces and vertices"),
         }
@@ -143,7 +145,8 @@ fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
 /// Every dry land vertex drains down its steepest edge, which becomes a gully, as does the vertex.
 fn dry_drains(vertices: &mut [Vertex], edges: &mut [Edge]) {
     let mut lowest: Vec<Option<u32>> = vec![None; vertices.len()];
-    let beyond = |edge: &Edge, v: u32| if edge.vertices[0] == v { edge.vertices[1] } else { edge.vertices[0] };
+    let beyond =
+        |edge: &Edge, v: u32| if edge.vertices[0] == v { edge.vertices[1] } else { edge.vertices[0] };
     for (i, edge) in (0..).zip(edges.iter()).filter(|(_, e)| e.kind == EdgeKind::Terrain) {
         for (v, to) in [(edge.vertices[0], edge.vertices[1]), (edge.vertices[1], edge.vertices[0])] {
             let key = |w: u32| (vertices[w as usize].height, w);

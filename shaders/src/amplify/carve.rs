@@ -3,8 +3,8 @@
 //! Reads and writes one vertex; see [`rules::valley`](super::rules::valley) for the profile.
 
 use super::planet::Planet;
-use super::rules::{Rules, valley};
 pub use super::rules::valley::Carved;
+use super::rules::{Rules, valley};
 use super::vertex::Vertex;
 
 /// Final ground and water of a vertex.

@@ -69,7 +69,9 @@ pub fn compact(base: &Base, kept: &[u32]) -> (Vec<Vertex>, Level) {
         faces: kept
             .iter()
             .zip(faces())
-            .map(|(&i, f)| Face::new(f.vertices.map(|v| place(&vertices, v)), f.edges.map(|e| place(&edges, e)), i))
+            .map(|(&i, f)| {
+                Face::new(f.vertices.map(|v| place(&vertices, v)), f.edges.map(|e| place(&edges, e)), i)
+            })
             .collect(),
     };
     (vertices.iter().map(|&v| base.vertices[v as usize]).collect(), level)

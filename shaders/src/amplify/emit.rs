@@ -61,7 +61,11 @@ impl Ground {
             for (f, face) in (0..).zip(&level.faces).filter(|(_, f): &(u32, &Face)| f.mark != Mark::Split) {
                 let mut out = [[0; 3]; 4];
                 let made = emit(face, level, &self.vertices, &mut out);
-                triangles.extend(out[..made].iter().map(|&vertices| Triangle { vertices, level: index, face: f }));
+                triangles.extend(out[..made].iter().map(|&vertices| Triangle {
+                    vertices,
+                    level: index,
+                    face: f,
+                }));
             }
         }
         triangles

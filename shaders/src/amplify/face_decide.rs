@@ -38,8 +38,12 @@ pub fn decide(rules: &Rules, level: u32, sight: &Sight) -> [Inner; 3] {
         let other = (k + 2) % 3;
         let drained = [k, other].map(|e| sight.edges[e].kind != EdgeKind::Terrain);
         *inner = match drained {
-            [true, false] => drain(rules, level, sight, k, k, other, Inner::RiverToFirst, Inner::GullyToFirst),
-            [false, true] => drain(rules, level, sight, k, other, k, Inner::RiverToSecond, Inner::GullyToSecond),
+            [true, false] => {
+                drain(rules, level, sight, k, k, other, Inner::RiverToFirst, Inner::GullyToFirst)
+            }
+            [false, true] => {
+                drain(rules, level, sight, k, other, k, Inner::RiverToSecond, Inner::GullyToSecond)
+            }
             _ => Inner::Terrain,
         };
     }
@@ -80,7 +84,11 @@ fn drain(
     {
         return river;
     }
-    if gully::is_gully(rules, level, off_gully, junction.height, tip.height, seed) { dry } else { Inner::Terrain }
+    if gully::is_gully(rules, level, off_gully, junction.height, tip.height, seed) {
+        dry
+    } else {
+        Inner::Terrain
+    }
 }
 
 /// Whether the draw at a junction falls on the side of `here` rather than that of `beyond`.

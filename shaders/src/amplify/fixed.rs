@@ -72,7 +72,7 @@ pub const fn lift(p: [i32; 3], deficit: u32) -> [i32; 3] {
     // 1/sqrt(1 - e) - 1 = e/2 + 3e²/8 + 5e³/16.
     let second = mul_high(deficit, deficit);
     let third = mul_high(second, deficit);
-    let factor = deficit / 2 + second / 8 * 3 + third / 16 * 5;
+    let factor = deficit / 2 + second * 3 / 8 + third * 5 / 16;
     let mut out = p;
     let mut i = 0;
     while i < 3 {
@@ -116,7 +116,8 @@ mod tests {
             let angle = f64::from(k) * 5e-5;
             let one = f64::from(ONE);
             let a = [one, 0.0, 0.0].map(|x| x.round() as i32);
-            let b = [one * angle.cos(), one * angle.sin() * 0.6, one * angle.sin() * 0.8].map(|x| x.round() as i32);
+            let b = [one * angle.cos(), one * angle.sin() * 0.6, one * angle.sin() * 0.8]
+                .map(|x| x.round() as i32);
             let d = difference(b, a);
             let middle = [a[0] + d[0] / 2, a[1] + d[1] / 2, a[2] + d[2] / 2];
             let p = lift(middle, square_q32(d) / 4).map(f64::from);

@@ -66,7 +66,13 @@ pub fn refine(base: &Base, rules: &Rules, view: &View, caps: &Caps) -> Ground {
 }
 
 /// Marks the faces of a level; returns bounds of the vertices made and the number of faces split.
-fn mark_faces(planet: &Planet, view: &View, index: u32, level: &mut Level, vertices: &[Vertex]) -> (usize, usize) {
+fn mark_faces(
+    planet: &Planet,
+    view: &View,
+    index: u32,
+    level: &mut Level,
+    vertices: &[Vertex],
+) -> (usize, usize) {
     let splits: Vec<bool> = level
         .faces
         .iter()

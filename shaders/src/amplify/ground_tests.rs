@@ -31,7 +31,14 @@ fn on_river(base: &Base, k: u32) -> [i32; 3] {
 }
 
 fn camera(direction: [i32; 3], altitude_m: i32, level: u32) -> View {
-    View { direction, altitude: Some(altitude_m * GRAINS), radius: 0, sharpness: 12 << 8, level, horizon: 100_000 * 16 }
+    View {
+        direction,
+        altitude: Some(altitude_m * GRAINS),
+        radius: 0,
+        sharpness: 12 << 8,
+        level,
+        horizon: 100_000 * 16,
+    }
 }
 
 /// 128-bit names of all vertices by their path from the control mesh.
@@ -98,9 +105,12 @@ fn no_face_turns_over() {
 fn check_facing(ground: &Ground) {
     let (mut worst, mut flipped, mut n) = (f64::MAX, 0, 0);
     for (index, level) in ground.levels.iter().enumerate() {
-        let edge = f64::from(ground.planet.edge_grains(index as u32)) / f64::from(ground.planet.radius_m) / 1024.0;
+        let edge =
+            f64::from(ground.planet.edge_grains(index as u32)) / f64::from(ground.planet.radius_m) / 1024.0;
         for face in &level.faces {
-            let corners = face.vertices.map(|v| ground.vertices[v as usize].direction.map(|x| f64::from(x) / f64::from(ONE)));
+            let corners = face
+                .vertices
+                .map(|v| ground.vertices[v as usize].direction.map(|x| f64::from(x) / f64::from(ONE)));
             let area = facing(corners) / (edge * edge);
             worst = worst.min(area);
             flipped += u32::from(area <= 0.0);
@@ -117,8 +127,12 @@ fn cameras_agree_on_every_vertex() {
     for k in 0..12 {
         let centre = if k % 3 == 0 { direction(k) } else { on_river(&base, k) };
         let near = [0, 1, 2].map(|i| centre[i as usize] + (share(pcg(k + 99), i) - 32_768) * (1 << (k % 6)));
-        let views =
-            [camera(centre, 50, 12), camera(near, 400, 12), View::disc(near, 60, 12), camera(direction(k + 50), 9_000, 8)];
+        let views = [
+            camera(centre, 50, 12),
+            camera(near, 400, 12),
+            View::disc(near, 60, 12),
+            camera(direction(k + 50), 9_000, 8),
+        ];
         let mut known = BTreeMap::new();
         let mut shared = 0;
         for view in views {
@@ -159,10 +173,12 @@ fn water_runs_downhill_and_lakes_are_level() {
                 }
             }
             for level in &ground.levels {
-                for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River && e.mark == Mark::Split) {
+                for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River && e.mark == Mark::Split)
+                {
                     let [up, down] = edge.vertices.map(|v| &ground.vertices[v as usize]);
                     let mid = &ground.vertices[edge.mid as usize];
-                    if mid.kind == VertexKind::River && up.kind == VertexKind::River && up.bed >= down.bed + 2 {
+                    if mid.kind == VertexKind::River && up.kind == VertexKind::River && up.bed >= down.bed + 2
+                    {
                         assert!(up.bed > mid.bed && mid.bed > down.bed, "{up:?} {mid:?} {down:?}");
                     }
                 }
@@ -177,7 +193,12 @@ fn junctions_conserve_discharge() {
     let (_, base) = planet();
     let mut junctions = 0;
     for k in 0..8 {
-        let ground = refine(&base, &Rules::default(), &View { horizon: i32::MAX, ..camera(on_river(&base, k), 100, 10) }, &Caps::default());
+        let ground = refine(
+            &base,
+            &Rules::default(),
+            &View { horizon: i32::MAX, ..camera(on_river(&base, k), 100, 10) },
+            &Caps::default(),
+        );
         for level in &ground.levels {
             let mut arriving = BTreeMap::new();
             for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River) {

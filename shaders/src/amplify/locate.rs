@@ -35,7 +35,13 @@ impl Index {
 /// The cell of a direction of any length.
 fn cell(direction: [i32; 3]) -> usize {
     let size = direction.map(i32::unsigned_abs);
-    let axis = if size[0] >= size[1] && size[0] >= size[2] { 0 } else if size[1] >= size[2] { 1 } else { 2 };
+    let axis = if size[0] >= size[1] && size[0] >= size[2] {
+        0
+    } else if size[1] >= size[2] {
+        1
+    } else {
+        2
+    };
     let depth = f64::from(size[axis].max(1));
     let on = |i: usize| {
         let share = f64::from(direction[i]) / depth * 0.5 + 0.5;
@@ -69,7 +75,8 @@ impl Base {
     /// The face of the control mesh that a direction lies in; `hint` is a face likely to be near.
     pub fn locate(&self, direction: [i32; 3], hint: Option<u32>) -> u32 {
         let faces = &self.level.faces;
-        let start = hint.filter(|&f| (f as usize) < faces.len()).unwrap_or(self.index.starts[cell(direction)]);
+        let start =
+            hint.filter(|&f| (f as usize) < faces.len()).unwrap_or(self.index.starts[cell(direction)]);
         let mut at = start;
         // A walk across whatever edge the direction lies beyond ends in any Delaunay triangulation.
         for _ in 0..4096 {
@@ -93,7 +100,9 @@ impl Base {
         (0..)
             .zip(&self.level.faces)
             .filter(|(_, f)| ahead(corners(f)[0]))
-            .max_by(|(_, f), (_, g)| depth(sides(direction, corners(f))).total_cmp(&depth(sides(direction, corners(g)))))
+            .max_by(|(_, f), (_, g)| {
+                depth(sides(direction, corners(f))).total_cmp(&depth(sides(direction, corners(g))))
+            })
             .map_or(0, |(i, _)| i)
     }
 }

@@ -35,7 +35,14 @@ pub struct View {
 impl View {
     /// The whole planet at one level.
     pub const fn whole(level: u32) -> Self {
-        Self { direction: [0; 3], altitude: None, radius: i32::MAX, sharpness: SHARPNESS.0, level, horizon: i32::MAX }
+        Self {
+            direction: [0; 3],
+            altitude: None,
+            radius: i32::MAX,
+            sharpness: SHARPNESS.0,
+            level,
+            horizon: i32::MAX,
+        }
     }
 
     /// A disc of ground at one level, coarser around it; `radius` in metres.
@@ -51,7 +58,9 @@ impl View {
         let (ab, ac) = (difference(b.direction, a.direction), difference(c.direction, a.direction));
         let centre = [0, 1, 2].map(|i| a.direction[i] + (ab[i] + ac[i]) / 3);
         let ground = planet.chord(centre, self.direction);
-        let above = self.altitude.map_or(0, |altitude| altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3);
+        let above = self
+            .altitude
+            .map_or(0, |altitude| altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3);
         (length(ground, above.clamp(-(1 << 28), 1 << 28), 0) - self.radius).max(0)
     }
 

@@ -12,20 +12,21 @@ pub mod geometry;
 pub mod planet;
 pub mod topology;
 
+pub mod carve;
 pub mod cull;
+pub mod demand;
+pub mod edge_split;
+pub mod emit;
+pub mod face_decide;
+pub mod face_split;
+pub mod ground;
+pub mod local;
+pub mod locate;
 pub mod mark;
 pub mod scan;
-pub mod edge_split;
-pub mod face_decide;
-pub mod vertex_resolve;
-pub mod face_split;
 pub mod step;
-pub mod carve;
-pub mod emit;
-pub mod ground;
-pub mod locate;
-pub mod local;
 pub mod synthetic;
+pub mod vertex_resolve;
 
 pub mod rules;
 

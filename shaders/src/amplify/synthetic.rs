@@ -13,7 +13,8 @@ pub fn control_mesh(radius_m: u32, depth: u32, seed: u32) -> ControlMesh {
     let (points, triangles) = icosphere(depth);
     let points = jitter(&points, &triangles, seed);
     let (edges, faces) = connect(&triangles);
-    let vertices = points.iter().enumerate().map(|(i, &p)| vertex(p, pcg(seed ^ pcg(i as u32)), seed)).collect();
+    let vertices =
+        points.iter().enumerate().map(|(i, &p)| vertex(p, pcg(seed ^ pcg(i as u32)), seed)).collect();
     let mut mesh = ControlMesh { radius_m, vertices, edges, faces };
     drain(&mut mesh);
     mesh
@@ -39,7 +40,11 @@ fn icosphere(depth: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
             for k in j + 1..12 {
                 if distance(i, j) < 1.2 && distance(j, k) < 1.2 && distance(k, i) < 1.2 {
                     let t = [i as u32, j as u32, k as u32];
-                    triangles.push(if facing(t.map(|v| points[v as usize])) > 0.0 { t } else { [t[0], t[2], t[1]] });
+                    triangles.push(if facing(t.map(|v| points[v as usize])) > 0.0 {
+                        t
+                    } else {
+                        [t[0], t[2], t[1]]
+                    });
                 }
             }
         }
@@ -91,9 +96,9 @@ fn jitter(points: &[Point], triangles: &[[u32; 3]], seed: u32) -> Vec<Point> {
                 let random = |i| f64::from(share(pcg(seed ^ t[k]), i)) / 65_536.0 - 0.5;
                 let (a, b) = (points[t[(k + 1) % 3] as usize], points[t[(k + 2) % 3] as usize]);
                 let (x, y) = (random(1) * 0.45, random(2) * 0.45);
-                moved[v] = unit([0, 1, 2].map(|i| {
-                    points[v][i] + x * (a[i] - points[v][i]) + y * (b[i] - points[v][i])
-                }));
+                moved[v] = unit(
+                    [0, 1, 2].map(|i| points[v][i] + x * (a[i] - points[v][i]) + y * (b[i] - points[v][i])),
+                );
             }
         }
     }

@@ -140,7 +140,8 @@ fn inherit(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings, nea
             continue;
         }
         seen[i] = Some(&from.river);
-        let moved = if from.river.level >= STRAIGHT_LEVEL { 0 } else { planet.edge_grains(from.river.level) / 3 };
+        let moved =
+            if from.river.level >= STRAIGHT_LEVEL { 0 } else { planet.edge_grains(from.river.level) / 3 };
         nearest.offer(planet, new.direction, &from.river, moved);
     }
 }
