@@ -5,7 +5,7 @@
 
 use super::control::VertexKind;
 use super::fixed::{Q16, difference, lift, mul_high, square_q32, weigh};
-use super::geometry::stands_over;
+use super::geometry::{is_tall, overhang, stands_over};
 use super::planet::Planet;
 use super::rules::{self, EdgeKind, Rules, shift::Shift};
 use super::seed::between;
@@ -15,6 +15,9 @@ use super::vertex::{EdgeContext, FAR, Segment, Vertex};
 /// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from its parents alone,
 /// but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
 pub const STRAIGHT_LEVEL: u32 = 11;
+
+/// Share of its displacement that an edge takes beside a flat or leaning triangle, Q16.
+const LEANING: i32 = 30_000;
 
 /// The vertex that halves an edge of a level. `ends` are those of the edge, in its order.
 pub fn split(
@@ -47,7 +50,7 @@ fn gathered(up: &Vertex, edge: &Edge) -> u32 {
 /// Keeps lakes level and water from rising downstream, whatever the graph says.
 fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
     let same_lake =
-        a.is_wet() && b.is_wet() && a.water == b.water && (a.lake == b.lake || a.lake * b.lake == 0);
+        a.is_wet() && b.is_wet() && a.water == b.water && (a.lake == b.lake || a.lake == 0 || b.lake == 0);
     if same_lake && (a.lake | b.lake) != 0 {
         let bed = a.bed + (b.bed - a.bed) / 2;
         (new.kind, new.height, new.bed, new.water) = (VertexKind::Lake, bed, bed, a.water);
@@ -141,7 +144,12 @@ fn place(
     {
         let shift = rules::shift::shift(rules, kind, [a.kind, b.kind], level, new.seed, new.wetness);
         let (ax, ay) = (difference(x.direction, a.direction), difference(y.direction, a.direction));
-        if shift.weight > 0 && stands_over(ab, ax) && stands_over(ab, ay) {
+        let mut shift = shift;
+        if !(stands_over(ab, ax) && stands_over(ab, ay)) {
+            let tall = is_tall(ab, ax, 2) && is_tall(ab, ay, 2);
+            shift.weight = if tall { weigh(shift.weight, LEANING) } else { 0 };
+        }
+        if shift.weight > 0 {
             return displaced(&shift, a.direction, ab, if shift.second { ay } else { ax });
         }
     }
@@ -154,8 +162,9 @@ fn place(
 fn displaced(shift: &Shift, a: [i32; 3], ab: [i32; 3], ax: [i32; 3]) -> [i32; 3] {
     let third = shift.inward / 3;
     let along = weigh(Q16 - shift.inward, shift.along) + third;
-    let wb = Q16 / 2 + weigh(shift.weight, along - Q16 / 2);
     let wx = weigh(shift.weight, third);
+    // A corner that leans over an end of the edge draws upwards only, not along.
+    let wb = Q16 / 2 + weigh(shift.weight, along - Q16 / 2) - weigh(wx, overhang(ab, ax));
     let wa = Q16 - wb - wx;
     let point = [0, 1, 2].map(|i| a[i] + weigh(wb, ab[i]) + weigh(wx, ax[i]));
     let squares = [square_q32(ab), square_q32(ax), square_q32(difference(ax, ab))];

@@ -16,30 +16,45 @@ pub fn halve(rules: &Rules, level: u32, edge: &Edge, faces: &[Face], vertices: &
             _ => NONE,
         })
     };
-    let (up, mid) = (&vertices[a as usize], &vertices[edge.mid as usize]);
-    let mut halves = [
-        Edge { birth: edge.birth, ..Edge::new(edge.kind, [a, edge.mid], child(a)) },
-        Edge { birth: edge.birth, arriving: edge.arriving, ..Edge::new(edge.kind, [edge.mid, b], child(b)) },
-    ];
-    if edge.kind == EdgeKind::River {
-        // R4b: above its spring a tributary's edge is ground. R1: what a tributary brings does not come down the river.
-        if up.is_wet() {
-            halves[0].arriving = mid.discharge - if mid.branched { tributary(mid, up) } else { 0 };
-        } else {
-            halves[0].kind = EdgeKind::Terrain;
-            halves[0].birth = 0;
+    let [up, mid, down] = [a, edge.mid, b].map(|v| &vertices[v as usize]);
+    let mut halves =
+        [Edge::new(edge.kind, [a, edge.mid], child(a)), Edge::new(edge.kind, [edge.mid, b], child(b))];
+    for (slot, half) in halves.iter_mut().enumerate() {
+        let (kind, reversed) = half_kind(rules, level, edge.kind, slot, [up, mid, down]);
+        half.kind = kind;
+        if reversed {
+            half.vertices.swap(0, 1);
+            half.faces.swap(0, 1);
         }
-    }
-    if edge.kind == EdgeKind::Terrain {
-        let low = &vertices[b as usize];
-        if gully::drains(rules, level, mid, up, low) {
-            let [mine, beyond] = halves[0].faces;
-            halves[0] = Edge::new(EdgeKind::Gully, [edge.mid, a], [beyond, mine]);
-        } else if gully::drains(rules, level, mid, low, up) {
-            halves[1].kind = EdgeKind::Gully;
+        if kind == EdgeKind::River {
+            half.birth = edge.birth;
+            half.arriving = if slot == 0 { arriving_at(mid, up) } else { edge.arriving };
         }
     }
     halves
+}
+
+/// What a half of an edge is, and whether it runs against the edge. `along` are the edge's ends and its middle.
+///
+/// R4b: above its spring a tributary's edge is ground. New dry land drains along one half of its edge.
+pub fn half_kind(
+    rules: &Rules,
+    level: u32,
+    edge: EdgeKind,
+    slot: usize,
+    [up, mid, down]: [&Vertex; 3],
+) -> (EdgeKind, bool) {
+    match (edge, slot) {
+        (EdgeKind::River, 0) if !up.is_wet() => (EdgeKind::Terrain, false),
+        (EdgeKind::Terrain, 0) if gully::drains(rules, level, mid, up, down) => (EdgeKind::Gully, true),
+        (EdgeKind::Terrain, 1) if gully::drains(rules, level, mid, down, up) => (EdgeKind::Gully, false),
+        _ => (edge, false),
+    }
+}
+
+/// Discharge that arrives at a new river vertex from upstream: all but what its tributary brings.
+pub fn arriving_at(mid: &Vertex, up: &Vertex) -> u32 {
+    mid.discharge - if mid.branched { tributary(mid, up) } else { 0 }
 }
 
 /// The inner edge of a split face at a corner. `first` is the index of the face's first inner edge.

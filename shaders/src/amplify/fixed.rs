@@ -72,7 +72,7 @@ pub const fn lift(p: [i32; 3], deficit: u32) -> [i32; 3] {
     // 1/sqrt(1 - e) - 1 = e/2 + 3e²/8 + 5e³/16.
     let second = mul_high(deficit, deficit);
     let third = mul_high(second, deficit);
-    let factor = deficit / 2 + second / 8 * 3 + third / 16 * 5;
+    let factor = deficit / 2 + second * 3 / 8 + third * 5 / 16;
     let mut out = p;
     let mut i = 0;
     while i < 3 {

@@ -62,8 +62,30 @@ pub const fn stands_over(edge: [i32; 3], corner: [i32; 3]) -> bool {
     if part < -square / 10 || part > square + square / 10 {
         return false;
     }
+    is_tall(edge, corner, 3)
+}
+
+/// Whether a corner is away from the line of its edge by so many tenths of the edge.
+pub const fn is_tall(edge: [i32; 3], corner: [i32; 3], tenths: i32) -> bool {
+    let shift = common_shift(edge, corner);
+    let (u, v) = (shifted(edge, shift), shifted(corner, shift));
     let cross = length(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-    cross >= square / 10 * 3
+    cross >= product(u, u) / 10 * tenths
+}
+
+/// How far beyond its edge a corner projects, in lengths of the edge, Q16: negative before its start, positive
+/// beyond its end, 0 over it; at most 1.
+pub const fn overhang(edge: [i32; 3], corner: [i32; 3]) -> i32 {
+    let shift = common_shift(edge, corner);
+    let (u, v) = (shifted(edge, shift), shifted(corner, shift));
+    let (square, part) = (product(u, u), product(u, v));
+    if part < 0 {
+        -ratio(-part, square)
+    } else if part > square {
+        ratio(part - square, square)
+    } else {
+        0
+    }
 }
 
 #[cfg(test)]

@@ -1,25 +1,22 @@
 //! The ground at a direction without a view: the leaf of a level that contains it, with the bits that any view gives.
 //!
-//! Per level only a patch is kept: the faces around a target face. Splitting the target and all faces that touch it
-//! (13 or so) makes every child's next patch, exactly: a vertex depends on its edge's two faces, those faces' decisions
-//! on all their new vertices, and these on the faces beyond. Children leave their parent's outline, so the child that
-//! contains the direction may belong to a neighbour of the target; the patch then moves there, from as far up as
-//! needed. From [`STRAIGHT_LEVEL`] on a face far from rivers needs no neighbours at all.
+//! From the face of the control mesh down, the child that contains the direction is taken. Children leave their
+//! parent's outline when its edges' middles move sideways, so the child may belong to one of the three neighbours;
+//! never to a face farther off, because a middle stays within the two faces of its edge.
 //!
-//! The stack of patches stays: a query nearby begins where its way parts from the last one's.
+//! What was computed stays until it passes a cap, so a query near earlier ones is quick.
 
 use super::base::Base;
 use super::carve::{Carved, carve};
-use super::cull::compact;
-use super::edge_split::STRAIGHT_LEVEL;
+use super::demand::Demand;
 use super::ground::FINEST;
 use super::locate::{depth, sides};
-use super::mark::halo;
-use super::rules::{EdgeKind, Rules};
-use super::step::step;
-use super::topology::{Face, Level, Mark, NONE};
+use super::rules::Rules;
 use super::vertex::Vertex;
 use core::ops::Deref;
+
+/// Vertices kept between queries: 200,000, about 60 MB with what joins them.
+const KEPT: usize = 200_000;
 
 /// A leaf of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,185 +47,86 @@ impl Leaf {
     }
 }
 
-/// Answers queries about one planet's ground; keeps the patches of the last one. `B` is a reference to the planet's
-/// level 0, or an `Arc` of it.
+/// Answers queries about one planet's ground. Not shared between threads: each takes its own. `B` is a reference to
+/// the planet's level 0, or an `Arc` of it.
 #[derive(Clone, Debug)]
 pub struct Local<B> {
-    base: B,
-    rules: Rules,
-    vertices: Vec<Vertex>,
-    levels: Vec<Level>,
-    /// Vertices before the step of each level.
-    counts: [usize; FINEST as usize],
-    /// The face around which each level was split.
-    targets: [u32; FINEST as usize],
-    /// Whether a level was split at its target alone.
-    alone: [bool; FINEST as usize],
-    /// Levels that are split.
-    depth: usize,
-    /// The face of the control mesh in the middle of level 0.
-    centre: u32,
+    demand: Demand<B>,
+    /// The face of the control mesh where the last query was.
+    last: Option<u32>,
 }
 
 impl<B: Deref<Target = Base>> Local<B> {
     /// An engine that has answered nothing yet.
     pub fn new(base: B, rules: &Rules) -> Self {
-        Self {
-            base,
-            rules: *rules,
-            vertices: Vec::new(),
-            levels: vec![Level::default(); FINEST as usize + 1],
-            counts: [0; FINEST as usize],
-            targets: [NONE; FINEST as usize],
-            alone: [false; FINEST as usize],
-            depth: 0,
-            centre: NONE,
-        }
+        Self { demand: Demand::new(base, rules), last: None }
     }
 
     /// The planet's level 0.
     pub fn base(&self) -> &Base {
-        &self.base
+        self.demand.base()
     }
 
     /// The leaf of a level, at most [`FINEST`], that contains a direction. `hint` is a face of the control mesh near
-    /// it, if the caller knows one.
+    /// it, if the caller knows one. The answer depends on neither the hint nor earlier queries.
     pub fn leaf(&mut self, direction: [i32; 3], level: u32, hint: Option<u32>) -> Leaf {
-        let last = Some(self.centre).filter(|&f| f != NONE);
-        let face = self.base.locate(direction, hint.or(last));
-        if face != self.centre {
-            self.recentre(face);
+        if self.demand.len() > KEPT {
+            self.demand.clear();
         }
+        let mut base_face = self.base().locate(direction, hint.or(self.last));
+        self.last = Some(base_face);
         let level = level.min(FINEST) as usize;
-        let mut at = 0;
-        let mut target = self.centre_index();
-        // Each turn descends a level or moves a patch to a neighbour; far more turns than that never come.
-        for _ in 0..16 * FINEST {
-            if at >= level {
-                break;
-            }
-            if self.depth <= at || self.targets[at] != target {
-                self.split(at, target);
-            }
-            let child = self.containing(at + 1, direction, target);
-            let parent = self.levels[at + 1].faces[child as usize].parent;
-            if parent == target {
-                target = child;
-                at += 1;
-            } else {
-                target = self.retarget(at, parent);
-            }
+        let mut face = self.demand.base_face(base_face);
+        for above in 0..level {
+            face = self.child(above, face, direction);
         }
-        self.result(at, target)
-    }
-
-    /// The leaf as its caller sees it.
-    fn result(&self, level: usize, face: u32) -> Leaf {
-        let vertices = self.levels[level].faces[face as usize].vertices.map(|v| self.vertices[v as usize]);
-        let carved = vertices.map(|v| carve(&self.base.planet, &self.rules, &v));
+        let vertices = self.demand.face(level, face).vertices.map(|v| {
+            self.demand.ensure(v);
+            *self.demand.vertex(v)
+        });
         let mut at = face;
-        for above in (1..=level).rev() {
-            at = self.levels[above].faces[at as usize].parent;
+        for above in (0..=level).rev() {
+            at = self.demand.face(above, at).parent;
+            base_face = at;
         }
-        let base_face = self.levels[0].faces[at as usize].parent;
+        let carved = vertices.map(|v| carve(&self.base().planet, self.demand.rules(), &v));
         Leaf { vertices, carved, level: level as u32, base_face }
     }
 
-    /// Makes level 0 the patch around a face of the control mesh: two rings of faces.
-    fn recentre(&mut self, face: u32) {
-        let ring = |faces: &[u32]| {
-            let corners = faces.iter().flat_map(|&f| self.base.level.faces[f as usize].vertices);
-            let mut ring: Vec<u32> =
-                corners.flat_map(|v| self.base.faces_around(v).iter().copied()).collect();
-            ring.sort_unstable();
-            ring.dedup();
-            ring
-        };
-        let kept = ring(&ring(&[face]));
-        (self.vertices, self.levels[0]) = compact(&self.base, &kept);
-        (self.centre, self.depth) = (face, 0);
-    }
-
-    /// Where the centre lies in level 0.
-    fn centre_index(&self) -> u32 {
-        let faces = &self.levels[0].faces;
-        faces.binary_search_by_key(&self.centre, |f| f.parent).map_or(0, |i| i as u32)
-    }
-
-    /// Splits a level around a face: the face and all that touch it, or the face alone where that is enough.
-    fn split(&mut self, at: usize, target: u32) {
-        if self.depth > at {
-            self.vertices.truncate(self.counts[at]);
+    /// The face of the next level that contains a direction: a child of `face`, or of a neighbour.
+    fn child(&mut self, level: usize, face: u32, direction: [i32; 3]) -> u32 {
+        let own = self.deepest(level, face, direction);
+        if own.1 >= 0.0 {
+            return own.0;
         }
-        let (before, after) = self.levels.split_at_mut(at + 1);
-        let (level, next) = (&mut before[at], &mut after[0]);
-        let alone = at as u32 >= STRAIGHT_LEVEL && is_dry(level, target);
-        mark(level, target, alone, at as u32);
-        (self.counts[at], self.targets[at], self.alone[at]) = (self.vertices.len(), target, alone);
-        self.depth = at + 1;
-        step(&self.base.planet, &self.rules, at as u32, level, next, &mut self.vertices);
-    }
-
-    /// The face of a split level that contains a direction, its target's children first.
-    fn containing(&self, at: usize, direction: [i32; 3], target: u32) -> u32 {
-        let faces = &self.levels[at].faces;
-        let own = self.levels[at - 1].faces[target as usize].child;
-        let inside = |f: &Face| depth(sides(direction, f.vertices.map(|v| &self.vertices[v as usize])));
-        let mut best = (own, f64::MIN);
-        let order = (own..own + 4).chain((0..faces.len() as u32).filter(|&i| i < own || i >= own + 4));
-        for i in order {
-            let depth = inside(&faces[i as usize]);
-            if depth >= 0.0 {
-                return i;
-            }
-            if depth > best.1 {
-                best = (i, depth);
+        let mut best = own;
+        for edge in self.demand.face(level, face).edges {
+            for neighbour in self.demand.faces(level, edge) {
+                if neighbour != face {
+                    let found = self.deepest(level, neighbour, direction);
+                    if found.1 > best.1 {
+                        best = found;
+                    }
+                }
             }
         }
         best.0
     }
 
-    /// Makes a face the target of its level, moving the patches above where it is not in the middle; returns where the
-    /// face is then.
-    fn retarget(&mut self, at: usize, face: u32) -> u32 {
-        if at == 0 {
-            let centre = self.levels[0].faces[face as usize].parent;
-            self.recentre(centre);
-            return self.centre_index();
+    /// The child of a face in which a direction lies deepest, and how deep; below 0 it lies in none.
+    fn deepest(&mut self, level: usize, face: u32, direction: [i32; 3]) -> (u32, f64) {
+        let first = self.demand.quarter(level, face);
+        let mut best = (first, f64::MIN);
+        for child in first..first + 4 {
+            let corners = self.demand.face(level + 1, child).vertices;
+            for v in corners {
+                self.demand.ensure_place(v);
+            }
+            let inside = depth(sides(direction, corners.map(|v| self.demand.vertex(v))));
+            if inside > best.1 {
+                best = (child, inside);
+            }
         }
-        let parent = self.levels[at].faces[face as usize].parent;
-        let slot = face - self.levels[at - 1].faces[parent as usize].child;
-        let mut above = parent;
-        if parent != self.targets[at - 1] {
-            above = self.retarget(at - 1, parent);
-            self.split(at - 1, above);
-        }
-        self.levels[at - 1].faces[above as usize].child + slot
-    }
-}
-
-/// Whether no river or gully runs along the edges of a face and of those beside it, all of which must exist.
-fn is_dry(level: &Level, face: u32) -> bool {
-    let dry = |f: &Face| f.edges.iter().all(|&e| level.edges[e as usize].kind == EdgeKind::Terrain);
-    level.faces[face as usize].edges.iter().all(|&e| {
-        let edge = &level.edges[e as usize];
-        edge.faces.iter().all(|&f| level.faces.get(f as usize).is_none_or(dry))
-    })
-}
-
-/// Marks a target, the faces that touch it unless it is alone, and their halo.
-fn mark(level: &mut Level, target: u32, alone: bool, at: u32) {
-    let corners = level.faces[target as usize].vertices;
-    for (i, face) in (0..).zip(&mut level.faces) {
-        let touches = i == target || (!alone && face.vertices.iter().any(|v| corners.contains(v)));
-        face.mark = if touches { Mark::Split } else { Mark::Leaf };
-    }
-    if at >= STRAIGHT_LEVEL {
-        return;
-    }
-    for i in 0..level.faces.len() {
-        let faces = &level.faces;
-        let mark = halo(&faces[i], i as u32, &level.edges, |f| faces[f as usize].mark == Mark::Split);
-        level.faces[i].mark = mark;
+        best
     }
 }

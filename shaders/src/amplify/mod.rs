@@ -14,6 +14,7 @@ pub mod topology;
 
 pub mod carve;
 pub mod cull;
+pub mod demand;
 pub mod edge_split;
 pub mod emit;
 pub mod face_decide;

@@ -29,5 +29,5 @@ fn height(rules: &Rules, context: &EdgeContext, least: i32) -> i32 {
         let floor = top + rise.min(least);
         return floor.max(mul_q16(rise.min(new.crust), Q16 - mul_q16(square(xi), 62_259)));
     }
-    rise::height(rules, context, Q16)
+    rise::height(rules, context, 90_000)
 }

@@ -33,6 +33,6 @@ pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     }
     let base = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, 16_384));
     let toss = share(new.seed, 1) + share(new.seed, 2) - Q16;
-    let slope = steepness(rules, new, context.level);
+    let slope = steepness(rules, new);
     base + mul_q16(mul_q16(context.length, slope + 1_311), toss) / (6 + 2 * (level - 9).max(0))
 }

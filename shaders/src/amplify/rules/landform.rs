@@ -4,7 +4,7 @@
 //! subduction near 25°, old belts near 12°, and it falls with the crust's height above the sea, which is all the relief
 //! that rivers have to cut.
 
-use super::super::arith::{linear_step, mix, mul_q16, ratio, smoothstep};
+use super::super::arith::{mix, mul_q16, ratio, smoothstep, square};
 use super::super::fixed::{GRAINS, Q16};
 use super::super::vertex::Vertex;
 use super::preset::Rules;
@@ -16,7 +16,7 @@ pub struct Landform {
     pub old: i32,
     /// 1 where rock is bare of water and soil.
     pub dry: i32,
-    /// Tangent of its slopes at the level asked for.
+    /// Tangent of its slopes.
     pub steep: i32,
 }
 
@@ -30,27 +30,25 @@ pub const fn dryness(wetness: u16) -> i32 {
 }
 
 impl Landform {
-    /// Character at a vertex for an edge of a level.
-    pub fn of(rules: &Rules, vertex: &Vertex, level: u32) -> Self {
+    /// Character of the land at a vertex.
+    pub fn of(rules: &Rules, vertex: &Vertex) -> Self {
         let dry = dryness(vertex.wetness);
         let aged = smoothstep(0, OLD_AGE, i32::from(vertex.age)) + mul_q16(dry, 24_904);
         let old = if aged < Q16 { aged } else { Q16 };
-        Self { old, dry, steep: steepness(rules, vertex, level) }
+        Self { old, dry, steep: steepness(rules, vertex) }
     }
 }
 
-/// Tangent of the land's slopes on edges of a level, Q16.
-pub fn steepness(rules: &Rules, vertex: &Vertex, level: u32) -> i32 {
+/// Tangent of the land's slopes, Q16.
+pub fn steepness(rules: &Rules, vertex: &Vertex) -> i32 {
     if !rules.landforms {
         return rules.steep_old;
     }
     let age = smoothstep(0, OLD_AGE, i32::from(vertex.age));
     let young = mix(rules.steep_subduction, rules.steep_collision, i32::from(vertex.collision));
     let steep = mix(young, rules.steep_old, age);
-    // Old land is smoother at large than at small: its spectrum falls with an exponent of 2.7 against 3.
-    let trend = mix(0, 2_600, age) * (level.min(9) as i32 - 3);
+    // Low land has little to cut: a plain at 0.2 km is a tenth as steep as a belt at 1.5 km.
     let crust = vertex.crust.max(0);
-    let rise = ratio(crust, crust + 1_000 * GRAINS);
-    let flat = mul_q16(Q16 - linear_step(0, Q16, i32::from(vertex.plateau)) / 2, rise);
-    mul_q16(steep + mul_q16(steep, trend), flat)
+    let rise = square(ratio(crust, crust + 1_000 * GRAINS));
+    mul_q16(mul_q16(steep, rise), Q16 - i32::from(vertex.plateau) / 2)
 }

@@ -6,7 +6,6 @@
 //! and no closed hollow is made.
 
 use super::super::arith::{mix, mul_q16, ratio};
-use super::super::fixed::Q16;
 use super::super::seed::share;
 use super::super::vertex::EdgeContext;
 use super::landform::steepness;
@@ -17,21 +16,35 @@ use super::terrain::ordered;
 pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let new = context.new;
     let (low, high) = ordered(context.a.height, context.b.height);
-    let slope = mul_q16(context.length / 2, steepness(rules, new, context.level));
+    let slope = mul_q16(context.length / 2, steepness(rules, new));
     let (xi, chi) = (share(new.seed, 0), share(new.seed, 1));
     let room = (new.crust - high).max(0);
     let free = mul_q16(mul_q16(mul_q16(slope, bulge), fading(context.level)), 8_000 + mul_q16(xi, 80_000));
     // Saturates at a third of the room: half-way there where the two are equal, so that summits stay apart.
     let gain = mul_q16(room, ratio(free, free + free + room + 1));
     // Without a bulge the ground lies between its ends.
-    let hang = mix(low, high, 30_000 + mul_q16(xi, 16_000));
+    let hang = mix(low, high, hollow(context.level) + mul_q16(xi, 16_000));
     let crest = if gain > 0 && bulge >= 49_152 { high + gain } else { hang + gain };
     let steepest = low + mul_q16(slope, 62_000 + mul_q16(chi, 30_000));
     let least = mix(low, high, 21_000) + (context.length >> 12).max(1);
     crest.min(steepest).max(least)
 }
 
-/// Bulges fade below the spacing of valleys, 1.5 km: hillslopes are smooth.
+/// Bulges fade below the spacing of valleys, some 6 km: hillslopes are cut by shallow gullies only. Q16.
 const fn fading(level: u32) -> i32 {
-    if level < 4 { 75_000 } else { Q16 - 9_000 * (if level < 9 { level as i32 - 3 } else { 6 }) }
+    match level {
+        0..=2 => 90_000,
+        3 => 78_000,
+        4 => 50_000,
+        5 => 32_000,
+        6 => 24_000,
+        7 => 18_000,
+        _ => 14_000,
+    }
+}
+
+/// Least share of the rise that the middle of a hanging edge takes: at coarse levels little, so that valleys are wide
+/// and crests stand out, at fine ones nearly half, so that slopes are even. Q16.
+const fn hollow(level: u32) -> i32 {
+    if level < 6 { 18_000 + 1_500 * level as i32 } else { 26_000 }
 }

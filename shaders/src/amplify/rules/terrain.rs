@@ -27,9 +27,9 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
 pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     let new = context.new;
     if rules.landforms {
-        return rise::height(rules, context, 44_000);
+        return rise::height(rules, context, 36_000);
     }
-    let form = Landform::of(rules, new, context.level);
+    let form = Landform::of(rules, new);
     let (low, high) = ordered(context.a.height, context.b.height);
     let mountain = mountain(rules, context, form, low, high);
     let terraced = terraced(new, form, context.level, mountain);
