@@ -175,3 +175,82 @@ fn water_m(leaf: &Leaf, at: [i32; 3]) -> f64 {
     let sum: f64 = (0..3).map(|k| weights[k] * f64::from(leaf.carved[k].water)).sum();
     sum / f64::from(GRAINS)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::query::sample;
+    use crate::random::{Purpose, Stream};
+    use pangaea_shaders::amplify::synthetic::control_mesh;
+
+    fn ground() -> PlanetGround {
+        PlanetGround::new(&control_mesh(6_370_000, 3, 7), Rules::default()).unwrap()
+    }
+
+    fn directions(n: u64) -> Vec<DVec3> {
+        let stream = Stream::new(1, Purpose::ReliefSites, 0);
+        (0..n).map(|i| stream.direction(2 * i)).collect()
+    }
+
+    #[test]
+    fn a_batch_has_the_bits_of_single_questions_in_any_order() {
+        let (batch, single) = (ground(), ground());
+        let directions = directions(1500);
+        let mut heights = vec![0.0; directions.len()];
+        batch.heights(&directions, 6, &mut heights).unwrap();
+        for (direction, height) in directions.iter().zip(&heights).rev().step_by(7) {
+            assert_eq!(single.height(*direction * 3.5, 6).unwrap().to_bits(), height.to_bits());
+        }
+        assert_eq!(single.clone().height(directions[0], 6), batch.height(directions[0], 6));
+    }
+
+    #[test]
+    fn water_is_never_below_the_ground_and_the_ground_is_within_its_bounds() {
+        let ground = ground();
+        let [low, high] = ground.bounds_m();
+        for direction in directions(300) {
+            let here = sample(&ground, direction, 9).unwrap();
+            assert!(here.water_m >= here.height_m);
+            assert!((low..=high).contains(&f64::from(here.height_m)), "{} m", here.height_m);
+            assert!(here.normal.dot(direction) > 0.0);
+        }
+    }
+
+    #[test]
+    fn fine_levels_refine_what_coarse_ones_say() {
+        let ground = ground();
+        for direction in directions(40) {
+            let [coarse, fine, finest] = [12, 15, 17].map(|level| ground.height(direction, level).unwrap());
+            // Triangles of 13 m and of 0.4 m on the same slope.
+            assert!((coarse - fine).abs() < 30.0 && (fine - finest).abs() < 5.0, "{coarse} {fine} {finest}");
+        }
+    }
+
+    #[test]
+    fn temperature_follows_height_from_what_the_control_mesh_has() {
+        let control = control_mesh(6_370_000, 3, 7);
+        let heights = control.vertices.iter().map(|v| (v.height.max(0) / GRAINS) as f32);
+        let temperature: Vec<f32> = heights.map(|height| 20.0 - LAPSE * height).collect();
+        let ground = ground().with_temperature(&temperature).unwrap();
+        for direction in directions(20) {
+            let found = ground.climate(direction, 1000.0).unwrap();
+            assert!((found.temperature_c - 13.5).abs() < 1e-3 && (0.0..=1.0).contains(&found.wetness));
+        }
+        assert!(matches!(ground.with_temperature(&temperature[1..]), Err(GroundError::Count { .. })));
+    }
+
+    #[test]
+    fn bad_questions_and_meshes_are_errors() {
+        let ground = ground();
+        assert_eq!(ground.height(DVec3::X, 18), Err(GroundError::Level(18)));
+        assert_eq!(
+            ground.heights(&[DVec3::X, DVec3::NAN], 3, &mut [0.0; 2]),
+            Err(GroundError::NotADirection)
+        );
+        let mut broken = control_mesh(6_370_000, 2, 7);
+        broken.faces.pop();
+        assert!(matches!(PlanetGround::new(&broken, Rules::default()), Err(GroundError::Unavailable(_))));
+        let none = ControlMesh { radius_m: 0, ..broken };
+        assert!(matches!(PlanetGround::new(&none, Rules::default()), Err(GroundError::Unavailable(_))));
+    }
+}

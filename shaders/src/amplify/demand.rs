@@ -13,8 +13,8 @@ use super::ground::FINEST;
 use super::rules::{EdgeKind, Rules};
 use super::topology::{Edge, Face, Inner, NONE};
 use super::vertex::Vertex;
-use core::ops::Deref;
 use super::vertex_resolve::{Beside, Surroundings, asks, resolve, tributary};
+use core::ops::Deref;
 
 /// How far a vertex has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
