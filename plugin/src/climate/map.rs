@@ -116,6 +116,9 @@ mod tests {
         assert_eq!(EquirectMap::new(3, 2, vec![0.0; 6]), Err(MapError::Shape(3, 2)));
         assert_eq!(EquirectMap::new(2, 1, vec![0.0]), Err(MapError::Count { given: 1, wanted: 2 }));
         assert_eq!(EquirectMap::new(2, 1, vec![0.0, f32::NAN]), Err(MapError::NotFinite(1)));
-        assert!(EquirectMap::from_fn(0, |_, _| 0.0).is_err() && EquirectMap::from_fn(1 << 20, |_, _| 0.0).is_err());
+        assert!(
+            EquirectMap::from_fn(0, |_, _| 0.0).is_err()
+                && EquirectMap::from_fn(1 << 20, |_, _| 0.0).is_err()
+        );
     }
 }

@@ -35,6 +35,8 @@ const CONDENSATION: f32 = 0.3;
 const MIXING: f32 = 300.0;
 /// From the model's units of water per km to mm per year.
 const SCALE: f32 = 7.4e6;
+/// What no rain over a whole vertex exceeds, mm per year: steep walls turn part of the air aside.
+const HEAVIEST: f32 = 6000.0;
 /// Sweeps: the first two carry moisture around the planet, the third settles what was mixed against the wind.
 const SWEEPS: usize = 3;
 
@@ -49,7 +51,10 @@ pub(super) fn rain(
     let smoothed = smooth(mesh, temperature);
     let season = |belts: &Belts| season(mesh, belts, &smoothed, height);
     let (north, south) = rayon::join(|| season(&winds.seasons[0]), || season(&winds.seasons[1]));
-    let rain = per_sample(mesh, |i| 0.5 * (north[i as usize] + south[i as usize]));
+    let rain = per_sample(mesh, |i| {
+        let sum = 0.5 * (north[i as usize] + south[i as usize]);
+        sum / (1.0 + (sum / HEAVIEST) * (sum / HEAVIEST)).sqrt()
+    });
     smooth(mesh, &smooth(mesh, &rain))
 }
 
@@ -106,7 +111,8 @@ impl Column {
     fn new(sin_latitude: f64, temperature: f32, is_sea: bool, shift: f64) -> Self {
         let latitude = math::asin(sin_latitude).to_degrees();
         let beyond = (latitude - shift).abs();
-        let bell = |centre: f64, width: f64| math::exp(-((beyond - centre) / width) * ((beyond - centre) / width));
+        let bell =
+            |centre: f64, width: f64| math::exp(-((beyond - centre) / width) * ((beyond - centre) / width));
         let storms = math::smoothstep((beyond - 27.0) / 30.0);
         // Summers are warmer, on land more so.
         let swing = if is_sea { 3.0 } else { 9.0 };

@@ -23,7 +23,9 @@ mod tests {
 
     #[test]
     fn zonal_means_are_those_of_the_earth() {
-        for (latitude, low, high) in [(0.0_f64, 26.0, 29.0), (30.0, 17.0, 22.0), (50.0, 2.0, 8.0), (90.0, -25.0, -12.0)] {
+        for (latitude, low, high) in
+            [(0.0_f64, 26.0, 29.0), (30.0, 17.0, 22.0), (50.0, 2.0, 8.0), (90.0, -25.0, -12.0)]
+        {
             let t = temperature(latitude.to_radians().sin(), -3.0);
             assert!((low..=high).contains(&t), "{latitude}: {t}");
         }

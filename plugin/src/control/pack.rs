@@ -118,7 +118,8 @@ impl Rivers {
                 mouths.push(to);
             }
         }
-        let mut rivers = Self { is_river: Vec::new(), next, mouth_bed: vec![i32::MAX; n], mouth_flow: vec![0.0; n] };
+        let mut rivers =
+            Self { is_river: Vec::new(), next, mouth_bed: vec![i32::MAX; n], mouth_flow: vec![0.0; n] };
         for i in mouths {
             is_river[i as usize] = true;
             rivers.reach_sea(input, i);
@@ -199,7 +200,7 @@ fn valley(terrain: &Terrain, climate: &Climate, i: usize) -> u8 {
 
 /// A share in 65536ths, at most 65535 of them.
 fn q16(share: f32) -> u16 {
-    (share.clamp(0.0, 1.0) * 65_536.0).round().min(65_535.0) as u16
+    ((share.clamp(0.0, 1.0) * 65_536.0).round() as u32).min(65_535) as u16
 }
 
 /// An age in 64ths of a My; `u16::MAX` is kept for "never".

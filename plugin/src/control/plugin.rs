@@ -78,7 +78,11 @@ fn pool() -> Option<&'static rayon::ThreadPool> {
     POOL.get_or_init(|| {
         let cores = std::thread::available_parallelism().map_or(1, core::num::NonZero::get);
         let name = |k| format!("bake {k}");
-        rayon::ThreadPoolBuilder::new().num_threads(cores.min(2).max(cores / 2)).thread_name(name).build().ok()
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(cores.min(2).max(cores / 2))
+            .thread_name(name)
+            .build()
+            .ok()
     })
     .as_ref()
 }
@@ -101,14 +105,14 @@ fn start(
             let same = frame.spacing == settings.spacing && frame.base.seed == planet.seed;
             same && frame.transfer.as_ref().is_some_and(|transfer| transfer.samples() == lattice.len())
         });
-        let (planet, lattice, surface, settings) = (*planet, lattice.0.clone(), surface.clone(), settings.clone());
+        let (planet, lattice, surface, settings) =
+            (*planet, lattice.0.clone(), surface.clone(), settings.clone());
         let outcome = Arc::new(Mutex::new(None));
         let result = outcome.clone();
         pool.spawn(move || {
             let began = std::time::Instant::now();
-            let frame = frame.or_else(|| {
-                BakeFrame::new(planet.seed, settings.spacing, Some(&lattice)).map(Arc::new).ok()
-            });
+            let frame = frame
+                .or_else(|| BakeFrame::new(planet.seed, settings.spacing, Some(&lattice)).map(Arc::new).ok());
             let source = BakeSource::Surface(&surface);
             let bake = frame.map(|frame| Bake::new(&frame, planet.radius, &source, &settings.rules));
             let milliseconds = began.elapsed().as_secs_f64() * 1e3;

@@ -42,7 +42,8 @@ impl Topology {
             .triangles()
             .iter()
             .map(|&vertices| {
-                let edge = |k: usize| topology.edge(mesh, vertices[k], vertices[(k + 1) % 3]).unwrap_or(u32::MAX);
+                let edge =
+                    |k: usize| topology.edge(mesh, vertices[k], vertices[(k + 1) % 3]).unwrap_or(u32::MAX);
                 ControlFace { vertices, edges: [edge(0), edge(1), edge(2)] }
             })
             .collect();

@@ -33,7 +33,8 @@ pub fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<Site> {
     let inland = per_sample(mesh, |i| !is_sea[i as usize] && !meets(i, true));
     let gives_way = per_sample(mesh, |i| {
         let low = ground[i as usize];
-        let seaward = || mesh.ring(i).iter().filter(|&&j| is_sea[j as usize]).map(|&j| i64::from(ground[j as usize]));
+        let seaward =
+            || mesh.ring(i).iter().filter(|&&j| is_sea[j as usize]).map(|&j| i64::from(ground[j as usize]));
         let count = seaward().count() as i64;
         !is_sea[i as usize]
             && count > 0
@@ -99,7 +100,8 @@ mod tests {
         let mesh = SphereMesh::from_points(crate::sphere::poisson_disk(2, 0.02)).unwrap();
         let noise = Noise::new(8, Purpose::Relief, 0);
         let mut ground = per_sample(&mesh, |i| (4e6 * noise.fractal(mesh.point(i), 2.0, 5)) as i32);
-        let before: f64 = (0..mesh.len() as u32).filter(|&i| ground[i as usize] >= 0).map(|i| mesh.area(i)).sum();
+        let before: f64 =
+            (0..mesh.len() as u32).filter(|&i| ground[i as usize] >= 0).map(|i| mesh.area(i)).sum();
         let sites = regularise(&mesh, &mut ground);
         let mut coast = 0.0;
         let mut land = 0.0;

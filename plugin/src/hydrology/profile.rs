@@ -148,7 +148,6 @@ fn beds(
     })
 }
 
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -99,7 +99,8 @@ impl Balance<'_> {
         let is_member = |j: u32| inside.binary_search(&j);
         let mut reached = vec![false; inside.len()];
         let sink = members.iter().copied().min_by_key(|&i| (self.ground[i as usize], i)).unwrap_or(NONE);
-        let mut heap = BinaryHeap::from([Reverse((self.ground[sink as usize], self.ground[sink as usize], sink))]);
+        let mut heap =
+            BinaryHeap::from([Reverse((self.ground[sink as usize], self.ground[sink as usize], sink))]);
         let mut order = Vec::with_capacity(inside.len());
         routes.receiver[sink as usize] = NONE;
         if let Ok(place) = is_member(sink) {
@@ -144,7 +145,7 @@ mod tests {
     use crate::hydrology::flow::accumulate;
     use crate::math;
 
-    /// Land north of the equator with a bowl 2 km deep, its rim 0.25 rad wide; sea in the south.
+    /// Land north of the equator with a bowl 1.3 km deep, its rim 0.25 rad wide; sea in the south.
     fn bowl() -> (SphereMesh, Vec<Site>, Vec<i32>) {
         let mesh = SphereMesh::fibonacci(5000).unwrap();
         let centre = math::direction(50.0, 20.0);
@@ -155,7 +156,7 @@ mod tests {
                     return -1_000_000;
                 }
                 let r = math::angle_between(p, centre) / 0.25;
-                ((0.2 + p.z + if r < 1.0 { -2.0 * (1.0 - r * r) } else { 0.0 }) * 1_024_000.0) as i32
+                ((1.2 + p.z + if r < 1.0 { -1.5 * (1.0 - r * r) } else { 0.0 }) * 1_024_000.0) as i32
             })
             .collect();
         let mut ground = ground;
@@ -168,7 +169,8 @@ mod tests {
         let mut routes = flood(&mesh, &sites, &ground);
         let supply: Vec<u64> = sites.iter().map(|s| if *s == Site::Land { 1_000_000 } else { 0 }).collect();
         let losses = vec![loss; mesh.len()];
-        let balance = Balance { mesh: &mesh, radius: 6370.0, ground: &ground, supply: &supply, loss: &losses };
+        let balance =
+            Balance { mesh: &mesh, radius: 6370.0, ground: &ground, supply: &supply, loss: &losses };
         let closed = close_basins(&balance, &mut routes);
         let discharge = accumulate(&routes, &supply);
         (mesh, sites, ground, routes, closed, discharge)
@@ -178,7 +180,8 @@ mod tests {
     fn a_wet_basin_spills() {
         let (_, _, _, routes, closed, discharge) = run(-900_000);
         assert!(closed.is_empty());
-        let to_sea: u64 = routes.receiver.iter().zip(&discharge).filter(|(r, _)| **r == NONE).map(|(_, d)| d).sum();
+        let to_sea: u64 =
+            routes.receiver.iter().zip(&discharge).filter(|(r, _)| **r == NONE).map(|(_, d)| d).sum();
         assert_eq!(to_sea, routes.order.len() as u64 * 1_000_000);
     }
 
@@ -198,7 +201,9 @@ mod tests {
         routes.order.iter().enumerate().for_each(|(k, &i)| rank[i as usize] = k);
         for &i in &routes.order {
             let to = routes.receiver[i as usize];
-            assert!(to == NONE || routes.receiver[to as usize] == NONE || rank[to as usize] < rank[i as usize]);
+            assert!(
+                to == NONE || routes.receiver[to as usize] == NONE || rank[to as usize] < rank[i as usize]
+            );
         }
     }
 }

@@ -168,7 +168,8 @@ pub fn to_grains(km: f32) -> i32 {
 impl Crustal {
     fn between(surface: &Surface, (corners, weights): ([usize; 3], [f32; 3])) -> Self {
         let crust = &surface.crust;
-        let total = |value: &dyn Fn(usize) -> f32| (0..3).map(|k| weights[k] * value(corners[k])).sum::<f32>();
+        let total =
+            |value: &dyn Fn(usize) -> f32| (0..3).map(|k| weights[k] * value(corners[k])).sum::<f32>();
         let mean_of = |weight: &dyn Fn(usize) -> f32, value: &dyn Fn(usize) -> f32| {
             let sum = total(weight);
             if sum > 0.0 { total(&|i| weight(i) * value(i)) / sum } else { 0.0 }

@@ -88,8 +88,7 @@ impl Bands {
             let least = narrow(k.saturating_sub(2)).min(narrow(k + 3));
             let half_chord = 0.5 * distance / least.max(1e-12);
             let reach = if half_chord >= 1.0 { 0.5 } else { 2.0 * math::asin(half_chord) / math::TAU };
-            let first =
-                if k.is_multiple_of(BLOCK) { 0 } else { rows[k - 1].first + rows[k - 1].cells };
+            let first = if k.is_multiple_of(BLOCK) { 0 } else { rows[k - 1].first + rows[k - 1].cells };
             let cells = ((math::TAU * widest / side).ceil() as usize).max(3);
             rows.push(Row { cells, first, reach: reach * 1.0001, borders: [north, south] });
         }
@@ -145,7 +144,15 @@ impl Bands {
     }
 
     /// Whether no point lies within the distance of a dart thrown at `turn` (of a whole one) in band `k`.
-    fn is_free(&self, k: usize, turn: f64, dart: DVec3, b: usize, own: &[DVec3], done: &[Vec<DVec3>]) -> bool {
+    fn is_free(
+        &self,
+        k: usize,
+        turn: f64,
+        dart: DVec3,
+        b: usize,
+        own: &[DVec3],
+        done: &[Vec<DVec3>],
+    ) -> bool {
         let reach = self.rows[k].reach;
         for near in k.saturating_sub(2)..(k + 3).min(self.rows.len()) {
             let row = &self.rows[near];
