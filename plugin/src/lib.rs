@@ -24,6 +24,12 @@ pub mod process;
 
 pub mod resample;
 
+pub mod climate;
+
+pub mod hydrology;
+
+pub mod control;
+
 pub mod authoring;
 
 pub mod events;

@@ -29,6 +29,14 @@ pub enum Purpose {
     RiftWarp,
     /// Coherent noise of the relief (paper 000 §4.5).
     Relief,
+    /// Points of the base mesh (paper 002 §4).
+    BaseMesh,
+    /// Relief of the base mesh between the samples of the crust.
+    BaseRelief,
+    /// The growth of rivers from the coasts (paper 002 §4).
+    RiverGrowth,
+    /// Seeds of the vertices of the control mesh.
+    Control,
     /// Places whose relief is measured.
     ReliefSites = 100,
 }

@@ -3,6 +3,7 @@
 //! ```text
 //! cube            the sphere as six squares: order along a curve, cells of a grid
 //! sampling        Fibonacci points, ordered along a space-filling curve
+//! poisson         Poisson-disk points, for the base mesh of the ground
 //! triangulation   spherical Delaunay triangulation (planar Delaunay of a stereographic projection)
 //! rings           neighbours of every sample, in order around it
 //! area            spherical Voronoi cells
@@ -27,6 +28,7 @@ mod cube;
 mod locate;
 mod mesh;
 mod nearest;
+mod poisson;
 mod rings;
 mod sampling;
 pub mod spread;
@@ -34,6 +36,7 @@ mod triangulation;
 
 pub use locate::Location;
 pub use mesh::SphereMesh;
+pub use poisson::poisson_disk;
 
 /// Why a [`SphereMesh`] could not be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

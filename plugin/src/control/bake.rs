@@ -1,0 +1,108 @@
+//! A bake: from the crust as it is now, or from a user's maps, to the control mesh.
+
+use super::pack::{ControlInput, RiverRule, control_mesh};
+use super::topology::Topology;
+use crate::climate::{Climate, ClimateMaps};
+use crate::crust::Surface;
+use crate::hydrology::{BaseMesh, Drainage, RiverNetwork, Terrain, TerrainMaps, Transfer};
+use crate::sphere::{SphereError, SphereMesh};
+use pangaea_shaders::amplify::control::ControlMesh;
+use std::sync::Arc;
+
+/// What all bakes of a planet have in common: it depends on the seed, the spacing and the lattice alone.
+#[derive(Clone, Debug)]
+pub struct BakeFrame {
+    /// The base mesh.
+    pub base: BaseMesh,
+    /// Its edges and faces.
+    pub topology: Topology,
+    /// Where its vertices lie in the lattice of the crust; none for planets of maps.
+    pub transfer: Option<Transfer>,
+    /// Smallest distance of vertices in radians.
+    pub spacing: f64,
+}
+
+impl BakeFrame {
+    /// The frame of a planet with this seed; `lattice` holds the samples of its crust.
+    ///
+    /// # Errors
+    /// [`SphereError`] if the spacing leaves too few vertices.
+    pub fn new(seed: u64, spacing: f64, lattice: Option<&SphereMesh>) -> Result<Self, SphereError> {
+        let base = BaseMesh::new(seed, spacing)?;
+        let topology = Topology::new(&base.mesh, seed);
+        let transfer = lattice.map(|lattice| Transfer::new(lattice, &base.mesh));
+        Ok(Self { base, topology, transfer, spacing })
+    }
+}
+
+/// Where the terrain comes from.
+pub enum BakeSource<'a> {
+    /// The crust of a simulated planet.
+    Surface(&'a Surface),
+    /// A user's maps.
+    Maps(&'a TerrainMaps),
+}
+
+/// Climate, drainage and control maps of a planet at one moment.
+#[derive(Clone, Debug)]
+pub struct Bake {
+    /// [`Surface::version`] that it was made from.
+    pub version: u64,
+    /// Geological time in My.
+    pub time: f64,
+    /// The base mesh and what belongs to it.
+    pub frame: Arc<BakeFrame>,
+    /// Ground and landforms.
+    pub terrain: Terrain,
+    /// Climate.
+    pub climate: Climate,
+    /// Rivers and lakes.
+    pub drainage: Drainage,
+    /// What the amplifier reads.
+    pub control: ControlMesh,
+}
+
+/// How a bake is made.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BakeRules {
+    /// Maps that replace fields of the climate.
+    pub climate: ClimateMaps,
+    /// How the network of rivers is found.
+    pub network: RiverNetwork,
+    /// Which vertices are rivers.
+    pub rivers: RiverRule,
+}
+
+impl Bake {
+    /// Bakes a planet of `radius` km.
+    pub fn new(frame: &Arc<BakeFrame>, radius: f64, source: &BakeSource, rules: &BakeRules) -> Self {
+        let base = &frame.base;
+        let (version, time) = match source {
+            BakeSource::Surface(surface) => (surface.version, surface.time),
+            BakeSource::Maps(_) => (0, 0.0),
+        };
+        let terrain = match (source, &frame.transfer) {
+            (BakeSource::Surface(surface), Some(transfer)) => Terrain::from_surface(base, transfer, surface),
+            (BakeSource::Maps(maps), _) => Terrain::from_maps(base, maps),
+            // Without a lattice there is no crust to read: an ocean.
+            (BakeSource::Surface(_), None) => Terrain::ocean(base.mesh.len()),
+        };
+        let climate = Climate::new(&base.mesh, &base.winds, &terrain.elevation_km(), &rules.climate);
+        let drainage = Drainage::new(base, radius, &terrain, &climate, rules.network);
+        let input = ControlInput {
+            mesh: &base.mesh,
+            topology: &frame.topology,
+            terrain: &terrain,
+            climate: &climate,
+            drainage: &drainage,
+            rule: rules.rivers,
+        };
+        let control = control_mesh(&input);
+        Self { version, time, frame: frame.clone(), terrain, climate, drainage, control }
+    }
+
+    /// The base mesh.
+    pub fn mesh(&self) -> &SphereMesh {
+        &self.frame.base.mesh
+    }
+}

@@ -1,0 +1,144 @@
+//! A bake that follows a running planet in the background.
+//!
+//! A planet with [`BakeSettings`] is baked whenever its [`Surface`] has changed and no bake of it is under way. Bakes
+//! run on a thread pool of their own: they share the processors with the simulation, but a frame never waits for
+//! them. The finished bake is the component [`PlanetBake`], and [`BakeFinished`] is triggered on the planet. The
+//! planet's state and its digest are not touched.
+
+use super::bake::{Bake, BakeFrame, BakeRules, BakeSource};
+use crate::crust::Surface;
+use crate::hydrology::base::SPACING;
+use crate::planet::{Lattice, Planet};
+use bevy::prelude::*;
+use core::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, OnceLock};
+
+/// Follows planets with bakes; see the module.
+pub struct BakePlugin;
+
+impl Plugin for BakePlugin {
+    fn build(&self, app: &mut App) {
+        app.add_systems(Update, (collect, start).chain());
+    }
+}
+
+/// Asks for bakes of a planet, and says how.
+#[derive(Component, Clone, Debug, PartialEq)]
+pub struct BakeSettings {
+    /// Smallest distance of the base mesh's vertices in radians.
+    pub spacing: f64,
+    /// Maps, network and rivers.
+    pub rules: BakeRules,
+}
+
+impl Default for BakeSettings {
+    fn default() -> Self {
+        Self { spacing: SPACING, rules: BakeRules::default() }
+    }
+}
+
+/// The last finished bake of a planet.
+#[derive(Component, Clone, Deref)]
+pub struct PlanetBake(pub Arc<Bake>);
+
+/// A bake is finished; the planet's [`PlanetBake`] is new.
+#[derive(EntityEvent, Clone, Debug)]
+pub struct BakeFinished {
+    /// The planet.
+    #[event_target]
+    pub planet: Entity,
+    /// [`Surface::version`] that it was made from.
+    pub version: u64,
+    /// Geological time in My.
+    pub time: f64,
+    /// Wall-clock time that it took in ms.
+    pub milliseconds: f64,
+}
+
+/// A bake under way.
+#[derive(Component)]
+struct BakeJob {
+    serial: u64,
+    outcome: Arc<Mutex<Option<Outcome>>>,
+}
+
+/// The bake, if there could be one, and its wall-clock time in ms.
+type Outcome = (Option<Bake>, f64);
+
+/// What a planet was last baked from, so that a failure is not tried again and again.
+#[derive(Component, PartialEq)]
+struct Baked {
+    version: u64,
+    settings: BakeSettings,
+}
+
+/// The pool of all bakes: two threads, or the half of a large machine's.
+fn pool() -> Option<&'static rayon::ThreadPool> {
+    static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
+    POOL.get_or_init(|| {
+        let cores = std::thread::available_parallelism().map_or(1, core::num::NonZero::get);
+        let name = |k| format!("bake {k}");
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(cores.min(2).max(cores / 2))
+            .thread_name(name)
+            .build()
+            .ok()
+    })
+    .as_ref()
+}
+
+fn start(
+    mut commands: Commands,
+    planets: Query<
+        (Entity, &Planet, &Lattice, &Surface, &BakeSettings, Option<&PlanetBake>, Option<&Baked>),
+        Without<BakeJob>,
+    >,
+) {
+    static SERIAL: AtomicU64 = AtomicU64::new(0);
+    for (entity, planet, lattice, surface, settings, last, baked) in &planets {
+        let wanted = Baked { version: surface.version, settings: settings.clone() };
+        if surface.is_empty() || baked == Some(&wanted) {
+            continue;
+        }
+        let Some(pool) = pool() else { return };
+        let frame = last.map(|bake| bake.frame.clone()).filter(|frame| {
+            let same = frame.spacing == settings.spacing && frame.base.seed == planet.seed;
+            same && frame.transfer.as_ref().is_some_and(|transfer| transfer.samples() == lattice.len())
+        });
+        let (planet, lattice, surface, settings) =
+            (*planet, lattice.0.clone(), surface.clone(), settings.clone());
+        let outcome = Arc::new(Mutex::new(None));
+        let result = outcome.clone();
+        pool.spawn(move || {
+            let began = std::time::Instant::now();
+            let frame = frame
+                .or_else(|| BakeFrame::new(planet.seed, settings.spacing, Some(&lattice)).map(Arc::new).ok());
+            let source = BakeSource::Surface(&surface);
+            let bake = frame.map(|frame| Bake::new(&frame, planet.radius, &source, &settings.rules));
+            let milliseconds = began.elapsed().as_secs_f64() * 1e3;
+            if let Ok(mut slot) = result.lock() {
+                *slot = Some((bake, milliseconds));
+            }
+        });
+        let serial = SERIAL.fetch_add(1, Ordering::Relaxed);
+        commands.entity(entity).insert((BakeJob { serial, outcome }, wanted));
+    }
+}
+
+fn collect(mut commands: Commands, jobs: Query<(Entity, &BakeJob)>) {
+    let mut jobs: Vec<_> = jobs.iter().collect();
+    jobs.sort_by_key(|(_, job)| job.serial);
+    for (planet, job) in jobs {
+        let Some((bake, milliseconds)) = job.outcome.try_lock().ok().and_then(|mut slot| slot.take()) else {
+            continue;
+        };
+        commands.entity(planet).remove::<BakeJob>();
+        let Some(bake) = bake else {
+            warn!("the planet has too few vertices for a bake");
+            continue;
+        };
+        let (version, time) = (bake.version, bake.time);
+        commands.entity(planet).insert(PlanetBake(Arc::new(bake)));
+        commands.trigger(BakeFinished { planet, version, time, milliseconds });
+    }
+}

@@ -1,0 +1,72 @@
+//! The base mesh: an irregular triangulation with edges of about 52 km on an Earth-sized planet (paper 002 §4).
+//!
+//! It depends on the seed alone and is built once. Its spacing is an angle: a planet of any radius has the same
+//! number of vertices, about 230,000.
+
+use crate::climate::Winds;
+use crate::noise::Noise;
+use crate::overlay::relief::per_sample;
+use crate::random::Purpose;
+use crate::sphere::{Location, SphereError, SphereMesh, poisson_disk};
+
+/// Smallest distance of vertices in radians that gives edges of 52 km in the mean on an Earth-sized planet.
+pub const SPACING: f64 = 0.005_83;
+
+/// Frequency in periods per radian, and octaves, of the relief between samples: 300, 150 and 75 km on Earth.
+const RELIEF: (f64, u32) = (21.0, 3);
+
+/// Vertices, triangles, and what follows from them and the seed.
+#[derive(Clone, Debug)]
+pub struct BaseMesh {
+    /// Seed of the planet.
+    pub seed: u64,
+    /// Vertices and triangles.
+    pub mesh: SphereMesh,
+    /// What lies upwind of each vertex.
+    pub winds: Winds,
+    /// Coherent noise of the relief that the crust's samples are too far apart to show, about -1..1.
+    pub noise: Vec<f32>,
+}
+
+impl BaseMesh {
+    /// The base mesh of a planet; `spacing` is the smallest distance of vertices in radians, [`SPACING`] for a
+    /// planet as the paper has it.
+    ///
+    /// # Errors
+    /// [`SphereError`] if so few points come out that they do not surround the centre.
+    pub fn new(seed: u64, spacing: f64) -> Result<Self, SphereError> {
+        let mesh = SphereMesh::from_points(poisson_disk(seed, spacing))?;
+        let winds = Winds::new(&mesh);
+        let noise = Noise::new(seed, Purpose::BaseRelief, 0);
+        let noise = per_sample(&mesh, |i| noise.fractal(mesh.point(i), RELIEF.0, RELIEF.1) as f32);
+        Ok(Self { seed, mesh, winds, noise })
+    }
+}
+
+/// Where each vertex of the base mesh lies between the samples of another mesh.
+#[derive(Clone, Debug)]
+pub struct Transfer {
+    samples: usize,
+    corners: Vec<([u32; 3], [f32; 3])>,
+}
+
+impl Transfer {
+    /// Looks up the vertices of `base` in `lattice`.
+    pub fn new(lattice: &SphereMesh, base: &SphereMesh) -> Self {
+        let short = |at: Location| (at.vertices, at.weights.map(|w| w as f32));
+        let corners = per_sample(base, |i| short(lattice.locate(base.point(i))));
+        Self { samples: lattice.len(), corners }
+    }
+
+    /// Number of samples of the other mesh.
+    pub fn samples(&self) -> usize {
+        self.samples
+    }
+
+    /// Samples around vertex `i` and their weights.
+    #[inline]
+    pub fn corners(&self, i: usize) -> ([usize; 3], [f32; 3]) {
+        let (vertices, weights) = self.corners[i];
+        (vertices.map(|v| v as usize), weights)
+    }
+}

@@ -1,0 +1,82 @@
+//! Discharge: the runoff of all that lies upstream, in whole cubic metres per year, so that not a unit is lost.
+
+use super::flood::{NONE, Routes};
+use crate::climate::{Climate, EARTH_RADIUS};
+use crate::overlay::relief::per_sample;
+use crate::sphere::SphereMesh;
+
+/// Seconds in a year of 365.25 days.
+pub const YEAR: f64 = 31_557_600.0;
+
+/// Discharge in m³/s of a number of m³ per year.
+pub fn per_second(discharge: u64) -> f64 {
+    discharge as f64 / YEAR
+}
+
+/// What the same rain on an Earth-sized planet would discharge, in m³/s: laws of rivers go by that, so that small
+/// planets have rivers, too.
+pub fn earth_like(discharge: u64, radius: f64) -> f64 {
+    let scale = EARTH_RADIUS / radius;
+    per_second(discharge) * scale * scale
+}
+
+/// Water in m³ per year that a depth in mm per year makes on the cell of every vertex.
+pub(super) fn volumes(mesh: &SphereMesh, radius: f64, depth: &[f32]) -> Vec<i64> {
+    // A millimetre on a square kilometre is 1000 m³.
+    let unit = 1000.0 * radius * radius;
+    per_sample(mesh, |i| {
+        let depth = depth.get(i as usize).copied().unwrap_or(0.0);
+        (f64::from(depth) * mesh.area(i) * unit).round() as i64
+    })
+}
+
+/// Runoff of every vertex on land, in m³ per year; 0 elsewhere.
+pub(super) fn supply(mesh: &SphereMesh, radius: f64, climate: &Climate, routes: &Routes) -> Vec<u64> {
+    let all = volumes(mesh, radius, &climate.runoff);
+    let mut supply = vec![0; mesh.len()];
+    for &i in &routes.order {
+        supply[i as usize] = all[i as usize].max(0) as u64;
+    }
+    supply
+}
+
+/// Discharge of every vertex: its own supply and all from upstream. Coasts hold what reaches them.
+pub fn accumulate(routes: &Routes, supply: &[u64]) -> Vec<u64> {
+    let mut discharge = supply.to_vec();
+    for &i in routes.order.iter().rev() {
+        let to = routes.receiver[i as usize];
+        if to != NONE {
+            discharge[to as usize] += discharge[i as usize];
+        }
+    }
+    discharge
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn not_a_unit_is_lost_at_confluences() {
+        // 1 and 2 meet in 3, which with 4 runs to the coast 0; 5 is a sink.
+        let routes = Routes {
+            order: vec![3, 4, 1, 2, 5],
+            receiver: vec![NONE, 3, 3, 0, 0, NONE],
+            depressions: vec![],
+        };
+        let supply = [0, 7, 11, 13, 17, 19];
+        assert_eq!(accumulate(&routes, &supply), [48, 7, 11, 31, 17, 19]);
+    }
+
+    #[test]
+    fn rivers_of_small_planets_count_as_those_of_large_ones() {
+        let mesh = SphereMesh::fibonacci(1000).unwrap();
+        let of = |radius: f64| {
+            let water: i64 = volumes(&mesh, radius, &[500.0; 1000]).iter().sum();
+            earth_like(water as u64, radius)
+        };
+        assert!((of(6370.0) / of(200.0) - 1.0).abs() < 1e-3);
+        // Half a metre of runoff on all of the Earth.
+        assert!((of(6370.0) - 0.5 * 5.099e14 / YEAR).abs() < 1e4, "{}", of(6370.0));
+    }
+}
