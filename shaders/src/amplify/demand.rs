@@ -13,6 +13,7 @@ use super::ground::FINEST;
 use super::rules::{EdgeKind, Rules};
 use super::topology::{Edge, Face, Inner, NONE};
 use super::vertex::Vertex;
+use core::ops::Deref;
 use super::vertex_resolve::{Beside, Surroundings, asks, resolve, tributary};
 
 /// How far a vertex has come.
@@ -74,8 +75,8 @@ struct Layer {
 
 /// Everything computed so far.
 #[derive(Clone, Debug)]
-pub struct Demand<'a> {
-    base: &'a Base,
+pub struct Demand<B> {
+    base: B,
     rules: Rules,
     vertices: Vec<Vertex>,
     /// Level and edge that each vertex halves; level 255 for a vertex of the control mesh.
@@ -85,9 +86,9 @@ pub struct Demand<'a> {
     placed: [Vec<u32>; 3],
 }
 
-impl<'a> Demand<'a> {
+impl<B: Deref<Target = Base>> Demand<B> {
     /// Nothing computed yet.
-    pub fn new(base: &'a Base, rules: &Rules) -> Self {
+    pub fn new(base: B, rules: &Rules) -> Self {
         let sizes = [base.vertices.len(), base.level.edges.len(), base.level.faces.len()];
         Self {
             base,
@@ -100,8 +101,8 @@ impl<'a> Demand<'a> {
     }
 
     /// The planet's level 0.
-    pub fn base(&self) -> &'a Base {
-        self.base
+    pub fn base(&self) -> &Base {
+        &self.base
     }
 
     /// The rules.

@@ -13,6 +13,7 @@ use super::ground::FINEST;
 use super::locate::{depth, sides};
 use super::rules::Rules;
 use super::vertex::Vertex;
+use core::ops::Deref;
 
 /// Vertices kept between queries: 200,000, about 60 MB with what joins them.
 const KEPT: usize = 200_000;
@@ -46,22 +47,23 @@ impl Leaf {
     }
 }
 
-/// Answers queries about one planet's ground. Not shared between threads: each takes its own.
+/// Answers queries about one planet's ground. Not shared between threads: each takes its own. `B` is a reference to
+/// the planet's level 0, or an `Arc` of it.
 #[derive(Clone, Debug)]
-pub struct Local<'a> {
-    demand: Demand<'a>,
+pub struct Local<B> {
+    demand: Demand<B>,
     /// The face of the control mesh where the last query was.
     last: Option<u32>,
 }
 
-impl<'a> Local<'a> {
+impl<B: Deref<Target = Base>> Local<B> {
     /// An engine that has answered nothing yet.
-    pub fn new(base: &'a Base, rules: &Rules) -> Self {
+    pub fn new(base: B, rules: &Rules) -> Self {
         Self { demand: Demand::new(base, rules), last: None }
     }
 
     /// The planet's level 0.
-    pub fn base(&self) -> &'a Base {
+    pub fn base(&self) -> &Base {
         self.demand.base()
     }
 
