@@ -120,6 +120,15 @@ impl<B: Deref<Target = Base>> Demand<B> {
         self.vertices.is_empty()
     }
 
+    /// How many vertices are named only, have their place, are settled.
+    pub fn counts(&self) -> [usize; 3] {
+        let mut counts = [0; 3];
+        for known in self.layers.iter().flat_map(|l| &l.edges).filter(|k| k.edge.mid != NONE) {
+            counts[known.stage as usize] += 1;
+        }
+        counts
+    }
+
     /// Forgets everything.
     pub fn clear(&mut self) {
         // What was placed is found through the faces' own corners and edges.
