@@ -13,8 +13,8 @@ use super::ground::FINEST;
 use super::rules::{EdgeKind, Rules};
 use super::topology::{Edge, Face, Inner, NONE};
 use super::vertex::Vertex;
-use core::ops::Deref;
 use super::vertex_resolve::{Beside, Surroundings, asks, resolve, tributary};
+use core::ops::Deref;
 
 /// How far a vertex has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,6 +44,7 @@ struct Known {
 }
 
 impl Known {
+    #[inline]
     const fn new(edge: Edge, parent: u32, slot: u8) -> Self {
         Self {
             edge,
@@ -415,15 +416,12 @@ impl<B: Deref<Target = Base>> Demand<B> {
                     self.ensure(beyond[k]);
                 }
             }
-            let as_split = edges.map(|e| {
-                let known = self.edge(level, e);
-                Vertex { kind: known.split_kind, ..self.vertices[known.edge.mid as usize] }
-            });
             let sight = Sight {
                 corners: vertices,
                 vertices: vertices.map(|v| &self.vertices[v as usize]),
                 edges: edges.map(|e| &self.edge(level, e).edge),
-                mids: as_split.each_ref(),
+                mids: edges.map(|e| &self.vertices[self.edge(level, e).edge.mid as usize]),
+                kinds: edges.map(|e| self.edge(level, e).split_kind),
                 beyond: beyond.map(|v| self.vertices.get(v as usize)),
             };
             inner = face_decide::decide(&self.rules, level as u32, &sight);

@@ -37,6 +37,7 @@ pub const fn dot(u: [i32; 3], v: [i32; 3]) -> i32 {
 }
 
 /// Where the point of a segment nearest to `p` lies: share of the way in Q16, and the vector from there to `p`.
+#[inline]
 pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
     let along = difference(ends[1], ends[0]);
     let to = difference(p, ends[0]);
@@ -55,6 +56,7 @@ pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
 
 /// Whether a corner stands well over its edge: it projects on the edge, a tenth beyond it at most, and is at least
 /// 0.3 edges away. Only between two such corners may the edge's middle move sideways.
+#[inline]
 pub const fn stands_over(edge: [i32; 3], corner: [i32; 3]) -> bool {
     let shift = common_shift(edge, corner);
     let (u, v) = (shifted(edge, shift), shifted(corner, shift));
@@ -66,6 +68,7 @@ pub const fn stands_over(edge: [i32; 3], corner: [i32; 3]) -> bool {
 }
 
 /// Whether a corner is away from the line of its edge by so many tenths of the edge.
+#[inline]
 pub const fn is_tall(edge: [i32; 3], corner: [i32; 3], tenths: i32) -> bool {
     let shift = common_shift(edge, corner);
     let (u, v) = (shifted(edge, shift), shifted(corner, shift));
@@ -75,6 +78,7 @@ pub const fn is_tall(edge: [i32; 3], corner: [i32; 3], tenths: i32) -> bool {
 
 /// How far beyond its edge a corner projects, in lengths of the edge, Q16: negative before its start, positive
 /// beyond its end, 0 over it; at most 1.
+#[inline]
 pub const fn overhang(edge: [i32; 3], corner: [i32; 3]) -> i32 {
     let shift = common_shift(edge, corner);
     let (u, v) = (shifted(edge, shift), shifted(corner, shift));
