@@ -69,22 +69,10 @@ pub const fn smoothstep(low: i32, high: i32, x: i32) -> i32 {
     smooth(linear_step(low, high, x))
 }
 
-/// ⌊√x⌋.
+/// ⌊√x⌋; any way of computing it gives the same bits.
 #[inline]
 pub const fn isqrt(x: u32) -> u32 {
-    let mut rest = x;
-    let mut root = 0_u32;
-    let mut bit = 1_u32 << 30;
-    while bit != 0 {
-        let trial = root | bit;
-        root >>= 1;
-        if rest >= trial {
-            rest -= trial;
-            root |= bit;
-        }
-        bit >>= 2;
-    }
-    root
+    x.isqrt()
 }
 
 /// √t of a share in Q16, rounded down to a multiple of 2⁻¹⁶.

@@ -10,7 +10,7 @@ use super::vertex::Vertex;
 /// Final ground and water of a vertex.
 #[inline]
 pub fn carve(planet: &Planet, rules: &Rules, vertex: &Vertex) -> Carved {
-    valley::carve(rules, vertex, planet.radius_m)
+    valley::carve(rules, vertex, planet.edge_grains(0))
 }
 
 /// Final ground and water of a column of vertices.

@@ -44,6 +44,7 @@ struct Known {
 }
 
 impl Known {
+    #[inline]
     const fn new(edge: Edge, parent: u32, slot: u8) -> Self {
         Self {
             edge,
@@ -118,6 +119,15 @@ impl<B: Deref<Target = Base>> Demand<B> {
     /// Whether nothing is held.
     pub fn is_empty(&self) -> bool {
         self.vertices.is_empty()
+    }
+
+    /// How many vertices are named only, have their place, are settled.
+    pub fn counts(&self) -> [usize; 3] {
+        let mut counts = [0; 3];
+        for known in self.layers.iter().flat_map(|l| &l.edges).filter(|k| k.edge.mid != NONE) {
+            counts[known.stage as usize] += 1;
+        }
+        counts
     }
 
     /// Forgets everything.
@@ -406,15 +416,12 @@ impl<B: Deref<Target = Base>> Demand<B> {
                     self.ensure(beyond[k]);
                 }
             }
-            let as_split = edges.map(|e| {
-                let known = self.edge(level, e);
-                Vertex { kind: known.split_kind, ..self.vertices[known.edge.mid as usize] }
-            });
             let sight = Sight {
                 corners: vertices,
                 vertices: vertices.map(|v| &self.vertices[v as usize]),
                 edges: edges.map(|e| &self.edge(level, e).edge),
-                mids: as_split.each_ref(),
+                mids: edges.map(|e| &self.vertices[self.edge(level, e).edge.mid as usize]),
+                kinds: edges.map(|e| self.edge(level, e).split_kind),
                 beyond: beyond.map(|v| self.vertices.get(v as usize)),
             };
             inner = face_decide::decide(&self.rules, level as u32, &sight);

@@ -3,9 +3,10 @@
 //! Reads the edge, its ends and the corners opposite to it on both sides; writes one vertex. The vertex's kind may
 //! still change to a gully ([`vertex_resolve`](super::vertex_resolve)), and its distances are estimates until then.
 
+use super::arith::{linear_step, ratio};
 use super::control::VertexKind;
 use super::fixed::{Q16, difference, lift, mul_high, square_q32, weigh};
-use super::geometry::{is_tall, overhang, stands_over};
+use super::geometry::{Q12, Stance};
 use super::planet::Planet;
 use super::rules::{self, EdgeKind, Rules, shift::Shift};
 use super::seed::between;
@@ -16,8 +17,11 @@ use super::vertex::{EdgeContext, FAR, Segment, Vertex};
 /// but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
 pub const STRAIGHT_LEVEL: u32 = 11;
 
-/// Share of its displacement that an edge takes beside a flat or leaning triangle, Q16.
-const LEANING: i32 = 30_000;
+/// Most of a far corner that a displaced vertex may have or owe, Q16: 0.17.
+const DEPTH: i32 = 11_141;
+
+/// What a displaced vertex may lose of an end from its half, Q16: a sixth less what rounding may take.
+const SLACK: i32 = 10_267;
 
 /// The vertex that halves an edge of a level. `ends` are those of the edge, in its order.
 pub fn split(
@@ -143,14 +147,11 @@ fn place(
         && let [Some(x), Some(y)] = opposite
     {
         let shift = rules::shift::shift(rules, kind, [a.kind, b.kind], level, new.seed, new.wetness);
-        let (ax, ay) = (difference(x.direction, a.direction), difference(y.direction, a.direction));
-        let mut shift = shift;
-        if !(stands_over(ab, ax) && stands_over(ab, ay)) {
-            let tall = is_tall(ab, ax, 2) && is_tall(ab, ay, 2);
-            shift.weight = if tall { weigh(shift.weight, LEANING) } else { 0 };
-        }
         if shift.weight > 0 {
-            return displaced(&shift, a.direction, ab, if shift.second { ay } else { ax });
+            let (x, y) = if shift.second { (y, x) } else { (x, y) };
+            let to = [x, y].map(|v| difference(v.direction, a.direction));
+            let [wb, wx] = weights(&shift, to.map(|corner| Stance::of(ab, corner)));
+            return displaced(a.direction, ab, to[0], wb, wx);
         }
     }
     // Halves round to either side by the seed, so that no direction is favoured.
@@ -158,17 +159,101 @@ fn place(
     lift([0, 1, 2].map(|i| a.direction[i] + ((ab[i] + odd) >> 1)), square_q32(ab) / 4)
 }
 
-/// The point a + w_b·ab + w_x·ax, lifted to the sphere by its exact deficit Σ wᵢwⱼ|pᵢ - pⱼ|².
-fn displaced(shift: &Shift, a: [i32; 3], ab: [i32; 3], ax: [i32; 3]) -> [i32; 3] {
+/// Shares of the edge's end and of the corner `x` that the new vertex is drawn to; that of the start is the rest.
+///
+/// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least a third of both
+/// ends and at most [`DEPTH`] of the far corner. Whatever their edges' vertices do within such bounds, all four children
+/// of a face keep at least 0.05 of its area (least determinant over the corners of the bounds): none turns over.
+fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
+    // Flat triangles would get flatter.
+    let low = x.height.min(y.height);
+    let weight = weigh(shift.weight, linear_step(Q12 / 6, Q12 / 2, low));
     let third = shift.inward / 3;
+    let wx = weigh(weight, third);
     let along = weigh(Q16 - shift.inward, shift.along) + third;
-    let wx = weigh(shift.weight, third);
     // A corner that leans over an end of the edge draws upwards only, not along.
-    let wb = Q16 / 2 + weigh(shift.weight, along - Q16 / 2) - weigh(wx, overhang(ab, ax));
+    let towards_b = weigh(weight, along - Q16 / 2) - (wx * (x.overhang() >> 4) >> 8);
+    // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
+    let depth = (wx * (x.height >> 3) / (y.height >> 3).max(1)).min(Q16);
+    let in_beyond = towards_b + (wx * (x.along >> 4) >> 8) + (depth * (y.along >> 4) >> 8);
+    let loss = (-towards_b).max(towards_b + wx).max(-in_beyond).max(in_beyond - depth);
+    let kept = ratio(SLACK, loss).min(ratio(DEPTH, wx)).min(ratio(DEPTH, depth));
+    [Q16 / 2 + weigh(kept, towards_b), weigh(kept, wx)]
+}
+
+/// The point a + w_b·ab + w_x·ax, lifted to the sphere by its exact deficit Σ wᵢwⱼ|pᵢ - pⱼ|².
+fn displaced(a: [i32; 3], ab: [i32; 3], ax: [i32; 3], wb: i32, wx: i32) -> [i32; 3] {
     let wa = Q16 - wb - wx;
     let point = [0, 1, 2].map(|i| a[i] + weigh(wb, ab[i]) + weigh(wx, ax[i]));
     let squares = [square_q32(ab), square_q32(ax), square_q32(difference(ax, ab))];
     // Shares below 1 in Q16, their products in Q32.
     let part = |u: i32, v: i32, square: u32| mul_high((u as u32) * (v as u32), square);
     lift(point, part(wa, wb, squares[0]) + part(wa, wx, squares[1]) + part(wb, wx, squares[2]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::amplify::seed::pcg;
+
+    type Shares = [f64; 3];
+
+    /// Corners of the polygon of barycentric coordinates (start, end, far corner) that a vertex on an edge may have.
+    fn bounds() -> [Shares; 4] {
+        let (third, depth) = (1.0 / 3.0, f64::from(DEPTH) / 65_536.0);
+        let at = |far: f64| [[third, 1.0 - far - third, far], [1.0 - far - third, third, far]];
+        let [[a, b], [c, d]] = [at(depth), at(-depth)];
+        [a, b, c, d]
+    }
+
+    fn determinant(p: Shares, q: Shares, r: Shares) -> f64 {
+        p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0])
+            + p[2] * (q[0] * r[1] - q[1] * r[0])
+    }
+
+    #[test]
+    fn no_child_turns_over_within_the_bounds() {
+        // The areas are linear in each vertex, so their least values lie at corners of the bounds.
+        let mut least = f64::MAX;
+        for p in bounds() {
+            for q in bounds().map(|[b, c, a]| [a, b, c]) {
+                for r in bounds().map(|[c, a, b]| [a, b, c]) {
+                    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+                    least = least
+                        .min(determinant(corners[0], p, r))
+                        .min(determinant(corners[1], q, p))
+                        .min(determinant(corners[2], r, q))
+                        .min(determinant(p, q, r));
+                }
+            }
+        }
+        assert!(least > 0.05, "{least}");
+    }
+
+    #[test]
+    fn displaced_vertices_keep_the_bounds_in_both_faces() {
+        for k in 0..200_000_u32 {
+            let random = |i: u32, low: i32, high: i32| low + (pcg(pcg(k) ^ i) % (high - low) as u32) as i32;
+            let [x, y] = [0, 2]
+                .map(|i| Stance { along: random(i, -8192, 12_288), height: random(i + 1, 300, 12_288) });
+            let shift = Shift {
+                along: random(4, 21_627, 43_254),
+                inward: random(5, 21_627, 43_254),
+                second: false,
+                weight: random(6, 0, 65_537),
+            };
+            let [wb, wx] = weights(&shift, [x, y]).map(|w| f64::from(w) / 65_536.0);
+            let q12 = |v: i32| f64::from(v) / 4096.0;
+            // In the face beyond: x = s·a + t·b - ρ·y.
+            let ratio = q12(x.height) / q12(y.height);
+            let (far, end) = (-wx * ratio, wb + wx * (q12(x.along) + ratio * q12(y.along)));
+            for shares in [[1.0 - wb - wx, wb, wx], [1.0 - end - far, end, far]] {
+                let least = 1.0 / 3.0;
+                assert!(
+                    shares[0] > least && shares[1] > least && shares[2].abs() < 0.171,
+                    "{k} {shares:?} {x:?} {y:?}"
+                );
+            }
+        }
+    }
 }

@@ -22,8 +22,10 @@ pub struct Sight<'a> {
     pub vertices: [&'a Vertex; 3],
     /// The edges.
     pub edges: [&'a Edge; 3],
-    /// The new vertices on the edges, before any change of kind.
+    /// The new vertices on the edges.
     pub mids: [&'a Vertex; 3],
+    /// Their kinds before any face changed them.
+    pub kinds: [VertexKind; 3],
     /// The corners beyond the edges.
     pub beyond: [Option<&'a Vertex>; 3],
 }
@@ -62,9 +64,10 @@ fn drain(
     dry: Inner,
 ) -> Inner {
     let (edge, junction, tip) = (sight.edges[low], sight.mids[low], sight.mids[high]);
-    let drains = matches!(junction.kind, VertexKind::River | VertexKind::Gully);
+    let (junction_kind, tip_kind) = (sight.kinds[low], sight.kinds[high]);
+    let drains = matches!(junction_kind, VertexKind::River | VertexKind::Gully);
     // Only at the upstream corner can a tributary meet its river at an acute angle.
-    if !drains || tip.kind != VertexKind::Terrain || sight.corners[corner] != edge.vertices[0] {
+    if !drains || tip_kind != VertexKind::Terrain || sight.corners[corner] != edge.vertices[0] {
         return Inner::Terrain;
     }
     let next = (low + 1) % 3;
@@ -74,7 +77,7 @@ fn drain(
         return Inner::Terrain;
     }
     let seed = pcg(junction.seed ^ pcg(tip.seed));
-    let off_gully = junction.kind == VertexKind::Gully;
+    let off_gully = junction_kind == VertexKind::Gully;
     let chosen = chosen(junction, sight.vertices[(low + 2) % 3], sight.beyond[low]);
     let gains = junction.discharge > sight.vertices[corner].discharge + 1 && sight.vertices[corner].is_wet();
     if !off_gully

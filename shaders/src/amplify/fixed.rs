@@ -56,7 +56,7 @@ pub const fn square_q32(d: [i32; 3]) -> u32 {
     while i < 3 {
         // 2^32 / ONE = 2 + 0.10526; the product of 0.10526 has 32 bits after the point.
         let x = d[i].unsigned_abs();
-        let x = 2 * x + mul_high(x, 452_115_914);
+        let x = 2 * x + mul_high(x, 452_101_823);
         sum += mul_high(x, x);
         i += 1;
     }

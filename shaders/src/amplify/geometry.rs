@@ -37,6 +37,7 @@ pub const fn dot(u: [i32; 3], v: [i32; 3]) -> i32 {
 }
 
 /// Where the point of a segment nearest to `p` lies: share of the way in Q16, and the vector from there to `p`.
+#[inline]
 pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
     let along = difference(ends[1], ends[0]);
     let to = difference(p, ends[0]);
@@ -53,38 +54,49 @@ pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
     (t, off)
 }
 
-/// Whether a corner stands well over its edge: it projects on the edge, a tenth beyond it at most, and is at least
-/// 0.3 edges away. Only between two such corners may the edge's middle move sideways.
-pub const fn stands_over(edge: [i32; 3], corner: [i32; 3]) -> bool {
-    let shift = common_shift(edge, corner);
-    let (u, v) = (shifted(edge, shift), shifted(corner, shift));
-    let (square, part) = (product(u, u), product(u, v));
-    if part < -square / 10 || part > square + square / 10 {
-        return false;
+/// How a corner of a triangle stands over the opposite edge, in lengths of the edge, Q12, each at most 7.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stance {
+    /// Where it projects: 0 at the edge's start, 1 at its end.
+    pub along: i32,
+    /// Its height over the edge's line, at least 1/64.
+    pub height: i32,
+}
+
+/// 1 in Q12.
+pub const Q12: i32 = 1 << 12;
+
+impl Stance {
+    /// The stance of a corner, both vectors from the edge's start.
+    pub const fn of(edge: [i32; 3], corner: [i32; 3]) -> Self {
+        let shift = common_shift(edge, corner);
+        let (u, v) = (shifted(edge, shift), shifted(corner, shift));
+        let unit = product(u, u) >> 12;
+        let unit = if unit < 1 { 1 } else { unit };
+        let cross = length(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+        let (along, height) = (product(u, v) / unit, cross / unit);
+        let along = if along < -7 * Q12 { -7 * Q12 } else { along };
+        Self {
+            along: if along > 7 * Q12 { 7 * Q12 } else { along },
+            height: if height < Q12 / 64 {
+                Q12 / 64
+            } else if height > 7 * Q12 {
+                7 * Q12
+            } else {
+                height
+            },
+        }
     }
-    is_tall(edge, corner, 3)
-}
 
-/// Whether a corner is away from the line of its edge by so many tenths of the edge.
-pub const fn is_tall(edge: [i32; 3], corner: [i32; 3], tenths: i32) -> bool {
-    let shift = common_shift(edge, corner);
-    let (u, v) = (shifted(edge, shift), shifted(corner, shift));
-    let cross = length(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-    cross >= product(u, u) / 10 * tenths
-}
-
-/// How far beyond its edge a corner projects, in lengths of the edge, Q16: negative before its start, positive
-/// beyond its end, 0 over it; at most 1.
-pub const fn overhang(edge: [i32; 3], corner: [i32; 3]) -> i32 {
-    let shift = common_shift(edge, corner);
-    let (u, v) = (shifted(edge, shift), shifted(corner, shift));
-    let (square, part) = (product(u, u), product(u, v));
-    if part < 0 {
-        -ratio(-part, square)
-    } else if part > square {
-        ratio(part - square, square)
-    } else {
-        0
+    /// How far beyond the edge it projects: negative before the start, positive beyond the end, 0 over it; Q12.
+    pub const fn overhang(self) -> i32 {
+        if self.along < 0 {
+            self.along
+        } else if self.along > Q12 {
+            self.along - Q12
+        } else {
+            0
+        }
     }
 }
 

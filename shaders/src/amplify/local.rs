@@ -52,14 +52,17 @@ impl Leaf {
 #[derive(Clone, Debug)]
 pub struct Local<B> {
     demand: Demand<B>,
-    /// The face of the control mesh where the last query was.
-    last: Option<u32>,
 }
 
 impl<B: Deref<Target = Base>> Local<B> {
     /// An engine that has answered nothing yet.
     pub fn new(base: B, rules: &Rules) -> Self {
-        Self { demand: Demand::new(base, rules), last: None }
+        Self { demand: Demand::new(base, rules) }
+    }
+
+    /// What was computed so far.
+    pub fn demand(&self) -> &Demand<B> {
+        &self.demand
     }
 
     /// The planet's level 0.
@@ -73,8 +76,7 @@ impl<B: Deref<Target = Base>> Local<B> {
         if self.demand.len() > KEPT {
             self.demand.clear();
         }
-        let mut base_face = self.base().locate(direction, hint.or(self.last));
-        self.last = Some(base_face);
+        let mut base_face = self.base().locate(direction, hint);
         let level = level.min(FINEST) as usize;
         let mut face = self.demand.base_face(base_face);
         for above in 0..level {

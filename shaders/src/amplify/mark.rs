@@ -1,7 +1,7 @@
 //! Pass: a face decides whether it is split for a view.
 //!
 //! A face of level L is split where its centre is nearer than c·ℓ_L to what is looked at, ℓ_L the theoretical edge.
-//! The bound halves with the level while neighbours are about ℓ_L apart, so where c is at least 8 every face within
+//! The bound halves with the level while neighbours are about ℓ_L apart, so where c is at least 6 every face within
 //! three rings of a split one exists at its level: neighbours differ by one level at most, and no pass has to spread
 //! splits. A split face's neighbours are its halo: see [`Mark::Halo`].
 
@@ -11,8 +11,11 @@ use super::planet::Planet;
 use super::topology::{Edge, Face, Mark, NONE};
 use super::vertex::Vertex;
 
-/// Least and greatest [`View::sharpness`] that keep neighbours within a level: 8 and 250, Q8.
-pub const SHARPNESS: (u32, u32) = (8 << 8, 250 << 8);
+/// Least and greatest [`View::sharpness`] that keep neighbours within a level: 6 and 250, Q8.
+pub const SHARPNESS: (u32, u32) = (6 << 8, 250 << 8);
+
+/// Sharpness of a disc's finest level: nothing finer follows, so it needs no margin but a face's own size. Q8.
+const RIM: u32 = 3 << 7;
 
 /// What the ground is refined for: a camera, or a disc of ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,7 +70,9 @@ impl View {
     /// Distance within which a face of a level is split, sixteenths of a metre.
     #[inline]
     pub fn bound(&self, planet: &Planet, level: u32) -> i32 {
-        mul_shift(planet.edge, self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1), 8 + level)
+        let finest = self.radius > 0 && level + 1 == self.level;
+        let sharpness = if finest { RIM } else { self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1) };
+        mul_shift(planet.edge, sharpness, 8 + level)
     }
 
     /// Whether a face of a level is split.

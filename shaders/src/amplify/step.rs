@@ -84,6 +84,7 @@ fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex
             vertices: face.vertices.map(|v| &vertices[v as usize]),
             edges,
             mids: edges.map(|e| &vertices[e.mid as usize]),
+            kinds: edges.map(|e| vertices[e.mid as usize].kind),
             beyond,
         };
         level.faces[f].inner = face_decide::decide(rules, index, &sight);

@@ -46,6 +46,7 @@ pub struct Edge {
 
 impl Edge {
     /// An edge that nothing has happened to.
+    #[inline]
     pub const fn new(kind: EdgeKind, vertices: [u32; 2], faces: [u32; 2]) -> Self {
         Self { vertices, faces, mid: NONE, child: NONE, arriving: 0, kind, birth: 0, mark: Mark::Leaf }
     }
@@ -88,6 +89,7 @@ pub struct Face {
 
 impl Face {
     /// A face that nothing has happened to.
+    #[inline]
     pub const fn new(vertices: [u32; 3], edges: [u32; 3], parent: u32) -> Self {
         Self { vertices, edges, child: NONE, parent, inner: [Inner::Terrain; 3], mark: Mark::Leaf }
     }

@@ -18,16 +18,32 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
     let (a, b) = (context.a, context.b);
     match (a.kind, b.kind) {
         (Coast, Coast) => Ground::dry(Coast, 0),
-        (Sea, Sea) | (Sea, Coast) | (Coast, Sea) => under_water(a.height + (b.height - a.height) / 2),
+        (Sea, Sea) | (Sea, Coast) | (Coast, Sea) => under_water(floor(rules, context)),
         _ => {
             let (low, high) = terrain::ordered(a.height, b.height);
             let xi = share(context.new.seed, 0);
             let spread = if rules.landforms { 26_214 - 1_600 * context.level.min(12) as i32 } else { 0 };
             let height = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, spread));
-            let _ = GRAINS;
             if height <= 0 { under_water(height) } else { Ground::dry(VertexKind::Terrain, height) }
         }
     }
+}
+
+/// Height of the sea floor between two places of it: the mean, and in ours a little to either side, in proportion to the
+/// fall and to the edge, so that no facet of the control mesh shows.
+fn floor(rules: &Rules, context: &EdgeContext) -> i32 {
+    let (a, b) = (context.a.height, context.b.height);
+    if !rules.landforms {
+        return a + (b - a) / 2;
+    }
+    let (low, high) = terrain::ordered(a, b);
+    let xi = share(context.new.seed, 0);
+    let spread = 32_768 - 2_000 * context.level.min(14) as i32;
+    let between = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, spread));
+    let toss = share(context.new.seed, 1) - Q16 / 2;
+    // Up to 0.4 % of the edge either way, less in shallow water.
+    let sway = mul_q16(mul_q16(context.length, 524).min(-low / 6), toss);
+    (between + sway).min(-GRAINS / 4)
 }
 
 /// Sea floor: its water is the sea's.

@@ -15,7 +15,8 @@ use super::terrain::ordered;
 pub fn along(rules: &Rules, context: &EdgeContext) -> Ground {
     let xi = share(context.new.seed, 0);
     let (low, high) = ordered(context.a.height, context.b.height);
-    let lean = if rules.landforms && context.level < 7 { 22_938 } else { 26_214 };
+    let lean =
+        if rules.landforms { (9_000 + 2_900 * context.level.min(6) as i32).min(26_214) } else { 26_214 };
     let height = mix(low, high, lean + mul_q16(xi, 6_554));
     let mouth = if context.b.is_wet() { Some(context.b) } else { context.a.is_wet().then_some(context.a) };
     let height = match mouth {

@@ -21,7 +21,7 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let room = (new.crust - high).max(0);
     let free = mul_q16(mul_q16(mul_q16(slope, bulge), fading(context.level)), 8_000 + mul_q16(xi, 80_000));
     // Saturates at a third of the room: half-way there where the two are equal, so that summits stay apart.
-    let gain = mul_q16(room, ratio(free, free + free + room + 1));
+    let gain = mul_q16(room, mul_q16(ratio(free, free + room + 1), 26_000 + mul_q16(chi, 26_000)));
     // Without a bulge the ground lies between its ends.
     let hang = mix(low, high, hollow(context.level) + mul_q16(xi, 16_000));
     let crest = if gain > 0 && bulge >= 49_152 { high + gain } else { hang + gain };

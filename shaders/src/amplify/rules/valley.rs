@@ -1,6 +1,18 @@
 //! Transverse valleys and river beds, carved once the subdivision is done (paper 002 §6, Fig. 17).
+//!
+//! A vertex knows the nearest piece of river, its distance d and where along it lies. There the bed, the water and the
+//! flow φ are read off. Around the river lies its bed, half as wide as its depth over the slope of its banks; beyond it
+//! the valley rises to half-width D along the archetype e_r's curve, blended into the ground by a cubic Hermite step.
+//! All widths follow √φ: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
+//!
+//! Departures: D is bounded by a share of the control mesh's edge, so that small planets have valleys too; the curve
+//! never raises ground above the land beside it; a bank always overtops its water.
 
-use super::super::vertex::Vertex;
+use super::super::arith::{mix, mul_q16, ratio, saturate, smooth, smoothstep, sqrt_q16, square};
+use super::super::control::VertexKind;
+use super::super::fixed::{GRAINS, Q16};
+use super::super::vertex::{FAR, Vertex};
+use super::ocean;
 use super::preset::Rules;
 
 /// Ground and water after carving.
@@ -8,11 +20,181 @@ use super::preset::Rules;
 pub struct Carved {
     /// Ground, grains.
     pub ground: i32,
-    /// Water surface, grains; at most `ground` where it is dry.
+    /// Water surface, grains; equals `ground` where it is dry.
     pub water: i32,
 }
 
-/// The ground of a vertex after its river has carved it.
-pub fn carve(_rules: &Rules, vertex: &Vertex, _radius_m: u32) -> Carved {
-    Carved { ground: vertex.height, water: vertex.water }
+/// The river at the point of it that is nearest to a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reach {
+    /// Bed, grains.
+    pub bed: i32,
+    /// Water surface, grains.
+    pub water: i32,
+    /// √φ, Q16.
+    pub strength: i32,
+}
+
+impl Reach {
+    /// What a vertex's segment says where the vertex is nearest to it.
+    pub fn of(vertex: &Vertex) -> Self {
+        let (piece, t) = (&vertex.river, saturate(vertex.river_along));
+        let flow = mix(piece.flow[0], piece.flow[1], t);
+        Self {
+            bed: mix(piece.bed[0], piece.bed[1], t),
+            water: mix(piece.water[0], piece.water[1], t),
+            strength: sqrt_q16(flow),
+        }
+    }
+
+    /// Half-width of its bed in grains: the water's depth and a metre, over the tangent of 14° to 5°.
+    pub fn half_bed(&self) -> i32 {
+        let depth = (self.water - self.bed).max(0).saturating_add(GRAINS);
+        // 1 / tan 14° = 4.01, 1 / tan 5° = 11.43.
+        let spread = mix(262_800, 749_000, self.strength);
+        mul_q16(depth.min(200 * GRAINS), spread)
+    }
+
+    /// Half-width of its valley in grains, on a planet whose control mesh has edges of `edge` grains.
+    pub fn half_valley(&self, edge: i32) -> i32 {
+        // 4 km and 50 km on edges of 52 km; never beyond the next river.
+        mul_q16(edge, mix(3_400, 26_000, square(self.strength)))
+    }
+}
+
+/// The four archetypes of a valley's side, height over distance, both 0..1 in Q16; monotone, 0 at 0 and 1 at 1.
+pub const fn archetype(valley: u8, x: i32) -> i32 {
+    let x = saturate(x);
+    match valley & 3 {
+        // V: rivers that cut faster than their slopes retreat.
+        0 => x / 2 + square(x) / 2,
+        // Flat floor, then straight slopes.
+        1 => mul_q16(smoothstep(9_830, 52_429, x), Q16 - x / 4) + square(x) / 4,
+        // U: troughs of ice, flat below and steep above.
+        2 => mul_q16(square(x), x),
+        // Terraced sides: two risers.
+        _ => (smoothstep(3_277, 22_938, x) + smoothstep(36_045, 62_259, x)) / 2,
+    }
+}
+
+/// The ground of a vertex after its river has carved it. `edge` is the mean edge of the control mesh, grains.
+pub fn carve(rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
+    match vertex.kind {
+        VertexKind::Lake => Carved { ground: vertex.bed.min(vertex.water), water: vertex.water },
+        VertexKind::River => Carved { ground: vertex.bed, water: vertex.water.max(vertex.bed) },
+        VertexKind::Sea => {
+            let ground = vertex.height + ocean::relief(vertex, edge);
+            Carved { ground, water: ground.max(0) }
+        }
+        _ if vertex.river_distance >= FAR => dry(vertex.height),
+        _ => beside(rules, vertex, edge),
+    }
+}
+
+/// Dry ground.
+const fn dry(ground: i32) -> Carved {
+    Carved { ground, water: ground }
+}
+
+/// The ground beside a river.
+fn beside(rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
+    let reach = Reach::of(vertex);
+    let (distance, raw) = (vertex.river_distance, vertex.height);
+    let bed = reach.half_bed();
+    if distance < bed {
+        let top = reach.water.max(reach.bed).saturating_add(GRAINS);
+        let ground = mix(reach.bed, top, smooth(ratio(distance, bed)));
+        return Carved { ground, water: reach.water.max(ground) };
+    }
+    let shoulder = reach.water.max(reach.bed).saturating_add(GRAINS);
+    let width = reach.half_valley(edge);
+    let across = distance - bed;
+    if across >= width {
+        return dry(raw.max(shoulder.min(raw.saturating_add(2 * GRAINS))));
+    }
+    let x = ratio(across, width);
+    let shape = if rules.archetypes { archetype(vertex.valley, x) } else { x / 2 + square(x) / 2 };
+    // Slopes of 20° beside brooks, 3.5° beside great rivers; the plain's own height bounds them.
+    let tangent = mix(23_853, 4_008, reach.strength);
+    let rise = mul_q16(mul_q16(width, tangent), shape).min((vertex.crust - shoulder).max(0));
+    let profile = shoulder.saturating_add(rise);
+    let carved = mix(profile.min(raw.max(shoulder)), raw, smoothstep(16_384, Q16, x));
+    dry(carved.max(shoulder))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::vertex::Segment;
+    use super::*;
+
+    fn beside_river(distance_m: f64, height_m: i32, flow: i32, valley: u8) -> Carved {
+        let m = |x: i32| x * GRAINS;
+        let vertex = Vertex {
+            kind: VertexKind::Terrain,
+            height: m(height_m),
+            crust: m(3_000),
+            river: Segment { bed: [m(100); 2], water: [m(105); 2], flow: [flow; 2], ..Segment::default() },
+            river_distance: (distance_m * 1024.0) as i32,
+            river_along: Q16 / 2,
+            valley,
+            ..Vertex::default()
+        };
+        carve(&Rules::default(), &vertex, m(52_000))
+    }
+
+    #[test]
+    fn cross_section_is_continuous_and_above_the_bed() {
+        for valley in 0..4 {
+            for flow in [200, 3_000, 20_000, Q16] {
+                let mut last: Option<Carved> = None;
+                for k in 0..60_000 {
+                    let distance = f64::from(k) * 0.5;
+                    let now = beside_river(distance, 900, flow, valley);
+                    assert!(now.ground >= 100 * GRAINS && now.water >= now.ground);
+                    if let Some(last) = last {
+                        // Half a metre on: no step steeper than 50°.
+                        assert!((now.ground - last.ground).abs() < 600, "{valley} {flow} {distance}");
+                    }
+                    last = Some(now);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn water_fills_the_bed_and_ends_at_its_bank() {
+        let mut wet = true;
+        for k in 0..2_000 {
+            let now = beside_river(f64::from(k) * 0.25, 300, 2_000, 0);
+            let is_wet = now.water > now.ground;
+            assert!(wet || !is_wet, "one river, one shore");
+            assert!(!is_wet || now.water == 105 * GRAINS);
+            wet = is_wet;
+        }
+        assert!(!wet);
+        assert!(beside_river(0.0, 300, 2_000, 0).ground == 100 * GRAINS);
+    }
+
+    #[test]
+    fn archetypes_rise_from_floor_to_rim() {
+        for valley in 0..4 {
+            let mut last = 0;
+            for x in 0..=Q16 {
+                let y = archetype(valley, x);
+                assert!(y + 3 >= last && (0..=Q16 + 3).contains(&y), "{valley} {x} {y} {last}");
+                last = last.max(y);
+            }
+            assert_eq!(archetype(valley, 0), 0);
+            assert!((archetype(valley, Q16) - Q16).abs() <= 2, "{valley}");
+        }
+    }
+
+    #[test]
+    fn more_water_makes_wider_and_gentler_valleys() {
+        let reach = |strength| Reach { bed: 0, water: 10 * GRAINS, strength };
+        let edge = 52_000 * GRAINS;
+        assert!(reach(60_000).half_valley(edge) > 3 * reach(10_000).half_valley(edge));
+        assert!(reach(60_000).half_bed() > reach(0).half_bed());
+        assert!(beside_river(2_000.0, 900, Q16, 0).ground < beside_river(2_000.0, 900, 100, 0).ground);
+    }
 }
