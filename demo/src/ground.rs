@@ -2,11 +2,14 @@
 
 use crate::error::CliError;
 use crate::headless::Headless;
+use bevy_pangaea::control::{Bake, BakeFrame, BakeRules, BakeSource};
 use bevy_pangaea::crust::Surface;
+use bevy_pangaea::hydrology::base::SPACING;
 use bevy_pangaea::io::load;
 use bevy_pangaea::planet::{Lattice, Planet};
-use bevy_pangaea::query::{CoarseGround, Ground};
+use bevy_pangaea::query::{PlanetGround, Rules};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Loads a planet and looks at its surface.
 ///
@@ -18,20 +21,30 @@ pub fn open_planet(path: &Path) -> Result<Headless, CliError> {
     Ok(headless)
 }
 
+/// Climate, rivers and control maps of a planet that was looked at.
+///
+/// # Errors
+/// If the planet has none.
+pub fn bake(headless: &Headless) -> Result<Bake, CliError> {
+    let (lattice, surface) = (headless.get::<Lattice>()?, headless.get::<Surface>()?);
+    let planet = headless.get::<Planet>()?;
+    let frame = BakeFrame::new(planet.seed, SPACING, Some(lattice)).map_err(CliError::input)?;
+    let source = BakeSource::Surface(surface);
+    Ok(Bake::new(&Arc::new(frame), planet.radius, &source, &BakeRules::default()))
+}
+
 /// The ground of a planet that was looked at.
 ///
 /// # Errors
 /// If the planet makes no ground.
-pub fn ground(headless: &Headless) -> Result<impl Ground + use<>, CliError> {
-    let (lattice, surface) = (headless.get::<Lattice>()?, headless.get::<Surface>()?);
-    let heights = (0..surface.len()).map(|i| 1000.0 * surface.elevation(i)).collect();
-    Ok(CoarseGround::new(lattice.0.clone(), heights, 1000.0 * headless.get::<Planet>()?.radius)?)
+pub fn ground(headless: &Headless) -> Result<PlanetGround, CliError> {
+    Ok(PlanetGround::of_bake(&bake(headless)?, Rules::default())?)
 }
 
 /// The ground of the planet in a file.
 ///
 /// # Errors
 /// If the file is refused.
-pub fn open_ground(path: &Path) -> Result<impl Ground + use<>, CliError> {
+pub fn open_ground(path: &Path) -> Result<PlanetGround, CliError> {
     ground(&open_planet(path)?)
 }

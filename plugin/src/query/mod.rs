@@ -35,6 +35,7 @@ mod ray;
 
 pub use coarse::CoarseGround;
 pub use ground::{Ground, LEVELS, checked, direction_at, level_for, spacing};
+pub use pangaea_shaders::amplify::rules::Rules;
 pub(crate) use patch::grid_triangles;
 pub use patch::{Patch, collider_patch};
 pub use planet::PlanetGround;

@@ -6,6 +6,7 @@
 
 use super::ground::same_length;
 use super::{Climate, Ground, GroundError, LAPSE, checked};
+use crate::control::Bake;
 use bevy::math::DVec3;
 use pangaea_shaders::amplify::base::Base;
 use pangaea_shaders::amplify::control::ControlMesh;
@@ -46,6 +47,14 @@ impl PlanetGround {
         let bounds_m = [metres(lowest) - 3000.0, metres(highest) + 3000.0];
         let (temperature, engines) = (Arc::default(), Mutex::default());
         Ok(Self { base: Arc::new(base), rules, temperature, bounds_m, engines })
+    }
+
+    /// The ground of a baked planet, with its climate.
+    ///
+    /// # Errors
+    /// [`GroundError::Unavailable`] if there is no ground for a planet of that radius.
+    pub fn of_bake(bake: &Bake, rules: Rules) -> Result<Self, GroundError> {
+        Self::new(&bake.control, rules)?.with_temperature(&bake.climate.temperature)
     }
 
     /// The same with the temperature at the ground in °C of every control vertex, from which that of all other
