@@ -9,7 +9,7 @@ use super::{Climate, Ground, GroundError, LAPSE, checked};
 use crate::control::Bake;
 use bevy::math::DVec3;
 use pangaea_shaders::amplify::base::Base;
-use pangaea_shaders::amplify::control::ControlMesh;
+use pangaea_shaders::amplify::control::{ControlMesh, ControlVertex};
 use pangaea_shaders::amplify::fixed::{GRAINS, ONE};
 use pangaea_shaders::amplify::local::{Leaf, Local};
 use pangaea_shaders::amplify::rules::Rules;
@@ -54,24 +54,26 @@ impl PlanetGround {
     /// # Errors
     /// [`GroundError::Unavailable`] if there is no ground for a planet of that radius.
     pub fn of_bake(bake: &Bake, rules: Rules) -> Result<Self, GroundError> {
-        Self::new(&bake.control, rules)?.with_temperature(&bake.climate.temperature)
+        Self::new(&bake.control, rules)?.with_temperature(&bake.control, &bake.climate.temperature)
     }
 
-    /// The same with the temperature at the ground in °C of every control vertex, from which that of all other
-    /// heights follows.
+    /// The same with the temperature at the ground in °C of every vertex of its `control` mesh, from which that of all
+    /// other heights follows.
     ///
     /// # Errors
     /// [`GroundError::Count`] if there is not one temperature per vertex.
-    pub fn with_temperature(mut self, temperature: &[f32]) -> Result<Self, GroundError> {
+    pub fn with_temperature(
+        mut self,
+        control: &ControlMesh,
+        temperature: &[f32],
+    ) -> Result<Self, GroundError> {
         let n = self.base.vertices.len();
-        if temperature.len() != n {
+        if temperature.len() != n || control.vertices.len() != n {
             let what = "the number of temperatures";
             return Err(GroundError::Count { what, value: temperature.len(), min: n, max: n });
         }
-        let at_sea_level = |(t, v): (&f32, &pangaea_shaders::amplify::vertex::Vertex)| {
-            t + LAPSE * (v.height.max(0) / GRAINS) as f32
-        };
-        self.temperature = Arc::new(temperature.iter().zip(&self.base.vertices).map(at_sea_level).collect());
+        let at_sea_level = |(t, v): (&f32, &ControlVertex)| t + LAPSE * (v.height.max(0) / GRAINS) as f32;
+        self.temperature = Arc::new(temperature.iter().zip(&control.vertices).map(at_sea_level).collect());
         Ok(self)
     }
 
@@ -240,12 +242,15 @@ mod tests {
         let control = control_mesh(6_370_000, 3, 7);
         let heights = control.vertices.iter().map(|v| (v.height.max(0) / GRAINS) as f32);
         let temperature: Vec<f32> = heights.map(|height| 20.0 - LAPSE * height).collect();
-        let ground = ground().with_temperature(&temperature).unwrap();
+        let ground = ground().with_temperature(&control, &temperature).unwrap();
         for direction in directions(20) {
             let found = ground.climate(direction, 1000.0).unwrap();
             assert!((found.temperature_c - 13.5).abs() < 1e-3 && (0.0..=1.0).contains(&found.wetness));
         }
-        assert!(matches!(ground.with_temperature(&temperature[1..]), Err(GroundError::Count { .. })));
+        assert!(matches!(
+            ground.with_temperature(&control, &temperature[1..]),
+            Err(GroundError::Count { .. })
+        ));
     }
 
     #[test]
