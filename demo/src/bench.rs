@@ -1,6 +1,8 @@
 //! `pangaea bench`: how fast this machine grows planets, also in floors: how often all columns could
 //! have been read and written in the same time.
 
+mod ground;
+
 use crate::cli::BenchArgs;
 use crate::error::CliError;
 use crate::headless::{Headless, set_threads, sprout};
@@ -31,6 +33,8 @@ struct Row {
     /// Mean of each stage in a step.
     stages_ms: Vec<(&'static str, f64)>,
     peak_rss_mb: Option<f64>,
+    /// Climate, rivers and the amplified ground; none for a planet too small or too large for it.
+    ground: Option<ground::GroundRow>,
 }
 
 /// Runs the command.
@@ -84,7 +88,9 @@ fn measure(samples: u32) -> Result<Row, CliError> {
     };
     let steps = stages.steps.max(1) as f64;
     let stages_ms = Stage::ALL.map(|stage| (stage.name(), stages.total_ms[stage as usize] / steps)).to_vec();
-    Ok(Row { samples, plates: plate_count, steps: STEPS, timings_ms, stages_ms, peak_rss_mb })
+    headless.look();
+    let ground = ground::measure(&headless)?;
+    Ok(Row { samples, plates: plate_count, steps: STEPS, timings_ms, stages_ms, peak_rss_mb, ground })
 }
 
 /// Breaks the largest plate that can break.
@@ -140,7 +146,8 @@ fn table(rows: &[Row]) -> String {
             plain(row.peak_rss_mb, 1.0, 0),
         );
     }
-    text + &stage_table(rows)
+    let grounds = rows.iter().filter_map(|row| row.ground.as_ref().map(|ground| (row.samples, ground)));
+    text + &stage_table(rows) + &ground::table(grounds)
 }
 
 /// Mean milliseconds of each stage per step, resamplings and riftings spread over all steps.

@@ -8,7 +8,8 @@
 //! coarse       the ground of the crust alone, interpolated between its samples
 //! projection   azimuthal equidistant squares
 //! raster       heights on such a square
-//! patch        triangles around a point, for a collider
+//! patch        a regular grid of triangles around a point
+//! collider     the ground's own triangles around a point
 //! ray          where a ray meets the ground
 //! ```
 //!
@@ -30,6 +31,8 @@ mod projection;
 mod raster;
 
 mod patch;
+
+mod collider;
 
 mod ray;
 

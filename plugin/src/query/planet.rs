@@ -121,7 +121,7 @@ impl Clone for PlanetGround {
 }
 
 /// A unit vector in the integers of the amplifier.
-fn quantised(unit: DVec3) -> [i32; 3] {
+pub(super) fn quantised(unit: DVec3) -> [i32; 3] {
     (unit * f64::from(ONE)).round().to_array().map(|x| x as i32)
 }
 
@@ -251,6 +251,32 @@ mod tests {
             ground.with_temperature(&control, &temperature[1..]),
             Err(GroundError::Count { .. })
         ));
+    }
+
+    #[test]
+    fn a_collider_is_the_ground_and_covers_its_square() {
+        let ground = ground();
+        for (direction, side, level) in [(DVec3::X, 64.0, 15), (DVec3::new(0.3, -0.2, 0.9), 4000.0, 10)] {
+            let patch = ground.collider(direction, side, level).unwrap();
+            assert!(patch.triangles.len() > 100);
+            let mut area = 0.0;
+            for triangle in &patch.triangles {
+                let [a, b, c] = triangle.map(|i| patch.origin + patch.positions[i as usize].as_dvec3());
+                let normal = (b - a).cross(c - a);
+                area += 0.5 * normal.dot(direction.normalize());
+                assert!(normal.dot(a) > 0.0, "a face is flipped");
+                let middle = (a + b + c) / 3.0;
+                let height = f64::from(ground.height(middle, level).unwrap());
+                assert!(
+                    (middle.length() - 6_370_000.0 - height).abs() < 0.02,
+                    "{}",
+                    middle.length() - 6_370_000.0 - height
+                );
+            }
+            assert!(area > side * side, "{area} m² in triangles for a square of {side} m");
+        }
+        assert!(matches!(ground.collider(DVec3::X, 1e6, 17), Err(GroundError::Length { .. })));
+        assert!(matches!(ground.collider(DVec3::X, f64::NAN, 17), Err(GroundError::Length { .. })));
     }
 
     #[test]

@@ -1,0 +1,74 @@
+//! The ground's own triangles around a point: the collider that fits what is drawn, to the last bit.
+
+use super::ground::east_north;
+use super::patch::Patch;
+use super::planet::quantised;
+use super::{GroundError, PlanetGround, checked, spacing};
+use bevy::math::DVec3;
+use pangaea_shaders::amplify::carve::carve;
+use pangaea_shaders::amplify::fixed::{GRAINS, ONE};
+use pangaea_shaders::amplify::ground::{Caps, Ground as Refined, refine};
+use pangaea_shaders::amplify::mark::View;
+
+/// Most edges of a level along the side of a collider: some ten million triangles.
+const MOST_EDGES: f64 = 2000.0;
+
+impl PlanetGround {
+    /// The triangles of a level that reach into the square of `side_m` around a direction of any length; its sides run
+    /// east and north. Every corner is a vertex of the ground, so colliders of neighbouring squares fit together.
+    ///
+    /// # Errors
+    /// [`GroundError::NotADirection`], [`GroundError::Level`]; [`GroundError::Length`] for a side shorter than 1 mm or
+    /// longer than 2000 edges of the level.
+    pub fn collider(&self, direction: DVec3, side_m: f64, level: u8) -> Result<Patch, GroundError> {
+        let up = checked(direction, level)?;
+        let radius = f64::from(self.base().planet.radius_m);
+        let (min, max) = (1e-3, (MOST_EDGES * spacing(radius, level)).min(0.5 * radius));
+        if !(min..=max).contains(&side_m) {
+            return Err(GroundError::Length { what: "the side of the collider", value: side_m, min, max });
+        }
+        let reach = (side_m * core::f64::consts::FRAC_1_SQRT_2).ceil() as u32;
+        let view = View::disc(quantised(up), reach, u32::from(level));
+        let refined = refine(self.base(), self.rules(), &view, &Caps::default());
+        let origin = up * (radius + self.leaf(up, level)?.height_m(quantised(up)));
+        Ok(self.cut(&refined, origin, side_m, level))
+    }
+
+    /// The finest triangles of a refinement that reach into a square around `origin`, with the corners they use.
+    fn cut(&self, refined: &Refined, origin: DVec3, side_m: f64, level: u8) -> Patch {
+        let radius = f64::from(self.base().planet.radius_m);
+        let (east, north) = east_north(origin.normalize());
+        let place = |v: u32| {
+            let vertex = &refined.vertices[v as usize];
+            let ground = carve(&refined.planet, self.rules(), vertex).ground;
+            let unit = DVec3::from_array(vertex.direction.map(f64::from)) / f64::from(ONE);
+            unit * (radius + f64::from(ground) / f64::from(GRAINS)) - origin
+        };
+        let mut numbers = vec![u32::MAX; refined.vertices.len()];
+        let mut patch = Patch { origin, positions: Vec::new(), triangles: Vec::new() };
+        let Some(finest) = refined.levels.get(usize::from(level)) else { return patch };
+        for face in &finest.faces {
+            let direct = |v: u32| {
+                let unit = DVec3::from_array(refined.vertices[v as usize].direction.map(f64::from));
+                unit * (radius / f64::from(ONE)) - origin
+            };
+            let inside = face.vertices.iter().any(|&v| {
+                let offset = direct(v);
+                offset.dot(east).abs().max(offset.dot(north).abs()) <= 0.5 * side_m
+            });
+            if !inside {
+                continue;
+            }
+            let corners = face.vertices.map(|v| {
+                let number = &mut numbers[v as usize];
+                if *number == u32::MAX {
+                    *number = patch.positions.len() as u32;
+                    patch.positions.push(place(v).as_vec3());
+                }
+                *number
+            });
+            patch.triangles.push(corners);
+        }
+        patch
+    }
+}
