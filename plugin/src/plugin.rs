@@ -1,5 +1,6 @@
 //! The plugin group.
 
+use crate::control::BakePlugin;
 use crate::process::{
     collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
     margin::MarginPlugin, relief::ReliefPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
@@ -25,6 +26,7 @@ use bevy::prelude::*;
 /// | [`MarginPlugin`] | sediment slopes beside continents |
 /// | [`ResamplePlugin`] | even samples again, new ocean crust, the surface for pictures |
 /// | [`CommitPlugin`] | commands, clock, ledger |
+/// | [`BakePlugin`] | climate, rivers and control maps in the background, where asked for |
 /// | [`PresetPlugin`](crate::io::PresetPlugin) | `*.planet.ron` as hot-reloaded assets, where there are assets |
 pub struct PangaeaPlugins;
 
@@ -42,6 +44,7 @@ impl PluginGroup for PangaeaPlugins {
             .add(MarginPlugin)
             .add(ResamplePlugin)
             .add(CommitPlugin)
+            .add(BakePlugin)
             .add(crate::io::PresetPlugin)
     }
 }
