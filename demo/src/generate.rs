@@ -5,6 +5,7 @@ use crate::error::CliError;
 use crate::headless::{Headless, scenario, set_threads, sprout, steps_until};
 use crate::output::{Files, say};
 use crate::progress;
+use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::crust::{Crust, Surface};
 use bevy_pangaea::io::{Stats, Timings, digest, floor, png, save};
 use bevy_pangaea::overlay::{MapProjection, Overlay};
@@ -30,6 +31,7 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     let total = start.elapsed().as_secs_f64() * 1e3;
     bar.finish_and_clear();
     headless.look();
+    headless.bake()?;
 
     let timings = Timings {
         mesh: Some(mesh_ms),
@@ -83,7 +85,7 @@ fn map_name(overlay: Overlay) -> String {
 
 fn figures(headless: &Headless, digest: String, timings: Timings) -> Result<Vec<u8>, CliError> {
     let input = headless.stats_input(headless.plates().rows().len())?;
-    let stats = Stats::new(&input, digest, timings);
+    let stats = Stats::new(&input, digest, timings).with_bake(headless.get::<PlanetBake>()?);
     let mut json =
         serde_json::to_string_pretty(&stats).map_err(|error| CliError::Failed(error.to_string()))?;
     json.push('\n');

@@ -6,6 +6,7 @@ use crate::progress;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::authoring::Scenario;
+use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::crust::{Ledger, Surface};
 use bevy_pangaea::events::CommandRejected;
 use bevy_pangaea::io::stats::StatsInput;
@@ -62,6 +63,14 @@ impl Headless {
         project_now(self.app.world_mut(), self.planet);
     }
 
+    /// Bakes the climate, the rivers and the control maps of the surface as it was last looked at.
+    ///
+    /// # Errors
+    /// If the planet cannot be baked.
+    pub fn bake(&mut self) -> Result<(), CliError> {
+        bake_now(self.app.world_mut(), self.planet).map_err(|error| CliError::Failed(error.to_string()))
+    }
+
     /// Takes `count` steps; `seen` hears of each.
     ///
     /// # Errors
@@ -102,6 +111,7 @@ impl Headless {
             surface: self.get::<Surface>()?,
             plates,
             params: self.get::<TectonicParams>()?,
+            bake: self.app.world().get::<PlanetBake>(self.planet).map(|bake| &*bake.0),
         })
     }
 

@@ -26,7 +26,7 @@ use bevy::prelude::*;
 /// | [`MarginPlugin`] | sediment slopes beside continents |
 /// | [`ResamplePlugin`] | even samples again, new ocean crust, the surface for pictures |
 /// | [`CommitPlugin`] | commands, clock, ledger |
-/// | [`BakePlugin`] | climate, rivers and control maps in the background, of planets with [`BakeSettings`](crate::control::BakeSettings) |
+/// | [`BakePlugin`] | climate, rivers and control maps in the background, where asked for |
 /// | [`PresetPlugin`](crate::io::PresetPlugin) | `*.planet.ron` as hot-reloaded assets, where there are assets |
 pub struct PangaeaPlugins;
 

@@ -138,6 +138,7 @@ impl View<'_> {
             surface: self.surface,
             plates: &self.plates,
             params: self.params,
+            bake: None,
         }
     }
 }

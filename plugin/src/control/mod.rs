@@ -20,5 +20,5 @@ pub mod plugin;
 
 pub use bake::{Bake, BakeFrame, BakeRules, BakeSource};
 pub use pack::{RiverRule, control_mesh};
-pub use plugin::{BakeFinished, BakePlugin, BakeSettings, PlanetBake};
+pub use plugin::{BakeFinished, BakePlugin, BakeSettings, PlanetBake, bake_now};
 pub use topology::Topology;

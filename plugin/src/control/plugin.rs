@@ -9,6 +9,7 @@ use super::bake::{Bake, BakeFrame, BakeRules, BakeSource};
 use crate::crust::Surface;
 use crate::hydrology::base::SPACING;
 use crate::planet::{Lattice, Planet};
+use crate::sphere::SphereError;
 use bevy::prelude::*;
 use core::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
@@ -40,6 +41,40 @@ impl Default for BakeSettings {
 /// The last finished bake of a planet.
 #[derive(Component, Clone, Deref)]
 pub struct PlanetBake(pub Arc<Bake>);
+
+/// Bakes a planet as its [`Surface`] is now, and waits for it: for tools and tests. Uses its [`BakeSettings`], or the
+/// default ones.
+///
+/// # Errors
+/// [`SphereError`] if the spacing leaves too few vertices; the planet keeps its last bake.
+pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), SphereError> {
+    let settings = world.get::<BakeSettings>(planet).cloned().unwrap_or_default();
+    let (Some(own), Some(lattice), Some(surface)) =
+        (world.get::<Planet>(planet), world.get::<Lattice>(planet), world.get::<Surface>(planet))
+    else {
+        return Ok(());
+    };
+    let frame = match reusable(world.get::<PlanetBake>(planet), own, lattice, &settings) {
+        Some(frame) => frame,
+        None => Arc::new(BakeFrame::new(own.seed, settings.spacing, Some(&lattice.0))?),
+    };
+    let bake = Bake::new(&frame, own.radius, &BakeSource::Surface(surface), &settings.rules);
+    world.entity_mut(planet).insert(PlanetBake(Arc::new(bake)));
+    Ok(())
+}
+
+/// The frame of the last bake, if it serves the next one.
+fn reusable(
+    last: Option<&PlanetBake>,
+    planet: &Planet,
+    lattice: &Lattice,
+    settings: &BakeSettings,
+) -> Option<Arc<BakeFrame>> {
+    let frame = last?.frame.clone();
+    let same = frame.spacing == settings.spacing && frame.base.seed == planet.seed;
+    let fits = frame.transfer.as_ref().is_some_and(|transfer| transfer.samples() == lattice.len());
+    (same && fits).then_some(frame)
+}
 
 /// A bake is finished; the planet's [`PlanetBake`] is new.
 #[derive(EntityEvent, Clone, Debug)]
@@ -101,10 +136,7 @@ fn start(
             continue;
         }
         let Some(pool) = pool() else { return };
-        let frame = last.map(|bake| bake.frame.clone()).filter(|frame| {
-            let same = frame.spacing == settings.spacing && frame.base.seed == planet.seed;
-            same && frame.transfer.as_ref().is_some_and(|transfer| transfer.samples() == lattice.len())
-        });
+        let frame = reusable(last, planet, lattice, settings);
         let (planet, lattice, surface, settings) =
             (*planet, lattice.0.clone(), surface.clone(), settings.clone());
         let outcome = Arc::new(Mutex::new(None));

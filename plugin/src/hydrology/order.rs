@@ -7,11 +7,16 @@ use super::flood::{NONE, Routes};
 
 /// Horton–Strahler order of every vertex on land; 0 elsewhere.
 pub fn strahler(routes: &Routes) -> Vec<u8> {
+    strahler_of(routes, |_| true)
+}
+
+/// Horton–Strahler order of those vertices that are channels, 0 elsewhere. What is downstream of a channel must be one.
+pub fn strahler_of(routes: &Routes, is_channel: impl Fn(u32) -> bool) -> Vec<u8> {
     let n = routes.receiver.len();
     // Highest order from upstream, and whether it came more than once.
     let mut highest = vec![(0u8, false); n];
     let mut order = vec![0u8; n];
-    for &i in routes.order.iter().rev() {
+    for &i in routes.order.iter().rev().filter(|&&i| is_channel(i)) {
         let (top, twice) = highest[i as usize];
         let own = if twice { top.saturating_add(1) } else { top.max(1) };
         order[i as usize] = own;

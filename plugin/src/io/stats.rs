@@ -37,6 +37,9 @@ pub struct Stats {
     pub orogeny_fraction: OrogenyFraction,
     /// What changed the area of continental crust.
     pub ledger: LedgerShares,
+    /// Figures of rivers and lakes, where the ground was baked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hydrology: Option<crate::hydrology::HydrologyStats>,
     /// Wall-clock times.
     pub timings_ms: Timings,
     /// Highest memory use of the process in MB (10^6 bytes), where the system tells.
@@ -183,9 +186,17 @@ impl Stats {
                 himalayan: share(&|i| crust.orogeny[i] == Orogeny::Himalayan),
             },
             ledger: shares(ledger, sphere * radius * radius),
+            hydrology: None,
             timings_ms,
             peak_rss_mb: peak_rss_mb(),
         }
+    }
+
+    /// The figures with those of a bake's rivers and lakes.
+    pub fn with_bake(mut self, bake: &crate::control::Bake) -> Self {
+        self.hydrology =
+            Some(crate::hydrology::HydrologyStats::new(bake.mesh(), &bake.climate, &bake.drainage));
+        self
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::palette::{self, Ramp, Rgba};
 use super::relief::{azimuth, laplacians, per_sample, slopes};
-use super::{Overlay, OverlayInput};
+use super::{Overlay, OverlayInput, ground};
 use crate::crust::{CrustKind, Orogeny};
 use crate::math;
 use crate::noise::Noise;
@@ -55,7 +55,7 @@ const NOISE: (f64, u32) = (1.6, 5);
 impl Field {
     /// The field that `overlay` shows.
     pub(super) fn new(overlay: Overlay, input: &OverlayInput) -> Self {
-        let OverlayInput { planet, mesh, surface, plates, params } = *input;
+        let OverlayInput { planet, mesh, surface, plates, params, bake } = *input;
         let crust = &surface.crust;
         let scalar = |ramp, low, high, value: &(dyn Fn(usize) -> f32 + Sync)| Self::Scalar {
             values: per_sample(mesh, |i| value(i as usize)),
@@ -66,6 +66,10 @@ impl Field {
         let classes =
             |color: &(dyn Fn(usize) -> Rgba + Sync)| Self::Classes(per_sample(mesh, |i| color(i as usize)));
         match overlay {
+            baked if ground::is_baked(baked) => match bake {
+                Some(bake) => Self::Colors(ground::colors(baked, bake, mesh)),
+                None => classes(&|_| NO_VALUE_LAND),
+            },
             Overlay::Elevation => scalar(palette::HYPSOMETRIC, 0.0, 1.0, &|i| surface.elevation(i)),
             Overlay::Plates => classes(&|i| plate_color(surface.plate[i].0, crust.kind[i])),
             Overlay::CrustType => classes(&|i| crust_color(crust.kind[i], surface.elevation(i))),
@@ -94,7 +98,7 @@ impl Field {
                 let noise = Noise::new(planet.seed, Purpose::BorderWarp, 0);
                 Self::Colors(per_sample(mesh, |i| noise_color(&noise, mesh.point(i))))
             }
-            Overlay::Mesh => classes(&|i| {
+            _ => classes(&|i| {
                 let tint =
                     palette::mix(palette::HYPSOMETRIC.at(surface.elevation(i)), [150, 150, 150, 255], 0.45);
                 palette::scaled(tint, [0.86, 0.95, 1.04, 1.12][(mix(i as u64) & 3) as usize])

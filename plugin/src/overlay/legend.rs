@@ -3,7 +3,7 @@
 use super::boundary::BoundaryKind;
 use super::field::{self, LAPLACIAN_MAX, OCEAN_AGE_MAX, SLOPE_MAX, THICKNESS_MAX};
 use super::palette::{self, Ramp, Rgba};
-use super::{Overlay, OverlayInput};
+use super::{Overlay, OverlayInput, ground};
 
 /// Title, unit and key of an overlay.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +64,23 @@ pub(super) fn legend(overlay: Overlay, input: &OverlayInput) -> Legend {
                 ("z of the warp", [128, 128, 230, 255]),
             ]),
         ),
+        Overlay::Temperature => {
+            let (low, high) = ground::TEMPERATURE;
+            let stops = palette::TEMPERATURE.0;
+            let stop = |&(x, color): &(f32, [u8; 3])| (low + x * (high - low), palette::opaque(color));
+            ("°C", LegendEntries::Gradient { stops: stops.iter().map(stop).collect() })
+        }
+        Overlay::Rain => ("mm/year", gradient(palette::RAIN, ground::RAIN_MAX)),
+        Overlay::Wetness => ("", gradient(palette::RAIN, 1.0)),
+        Overlay::Rivers => ("order", rivers()),
+        Overlay::Basins => (
+            "",
+            classes(&[
+                ("one colour per mouth; reddish: never reaches the sea", [150, 150, 150, 255]),
+                ("sea", ground::SEA),
+            ]),
+        ),
+        Overlay::Lakes => ("", classes(&LAKES)),
         Overlay::Mesh => ("", classes(&[("one shade per sample", [150, 150, 150, 255])])),
     };
     Legend { title: overlay.label(), unit, entries }
@@ -85,6 +102,19 @@ fn plates() -> LegendEntries {
     entries.push(("ocean floor of a plate".into(), shade(crate::crust::CrustKind::Oceanic)));
     entries.push(("continent of the plate".into(), shade(crate::crust::CrustKind::Continental)));
     LegendEntries::Classes(entries)
+}
+
+/// Classes of lakes.
+const LAKES: [(&str, Rgba); 3] = [
+    ("lake that drains to the sea", ground::LAKE[0]),
+    ("lake without an outlet", ground::LAKE[1]),
+    ("sea", ground::SEA),
+];
+
+fn rivers() -> LegendEntries {
+    let orders = (2..=7).map(|order| (format!("order {order}"), ground::order_color(order)));
+    let lakes = LAKES.iter().map(|&(name, color)| (name.to_string(), color));
+    LegendEntries::Classes(orders.chain(lakes).collect())
 }
 
 fn axes() -> LegendEntries {

@@ -7,7 +7,7 @@ use super::boundary::{BoundaryKind, boundaries};
 use super::field::{Field, majority};
 use super::palette::{self, Rgba};
 use super::relief::{gradients_of, shade};
-use super::{Overlay, OverlayInput};
+use super::{Overlay, OverlayInput, ground};
 use crate::crust::{CrustKind, Surface};
 use crate::math;
 use crate::plate::PlateId;
@@ -107,8 +107,11 @@ impl MapProjection {
     }
 
     /// The map of `overlay`: elevation with shaded relief, plates with their boundaries, the mesh with
-    /// its edges. Black if the surface does not belong to the mesh of this projection.
+    /// its edges, rivers as lines. Black if the surface does not belong to the mesh of this projection.
     pub fn draw(&self, overlay: Overlay, input: &OverlayInput) -> Raster {
+        if let (Some(bake), true) = (input.bake, ground::is_baked(overlay)) {
+            return ground::draw(overlay, bake, self.width, self.height);
+        }
         let mut rgb = vec![0; 3 * self.pixels.len()];
         if input.surface.len() == self.samples {
             let brush = Brush::new(overlay, input, self);

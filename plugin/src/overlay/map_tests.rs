@@ -45,7 +45,7 @@ fn small(omega: f64) -> Small {
 impl Small {
     fn input(&self) -> OverlayInput<'_> {
         let Self { planet, mesh, surface, plates, params } = self;
-        OverlayInput { planet, mesh, surface, plates, params }
+        OverlayInput { planet, mesh, surface, plates, params, bake: None }
     }
 }
 

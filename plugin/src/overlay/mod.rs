@@ -8,6 +8,7 @@
 //! relief      gradient, slope, Laplacian and shading of the elevation
 //! boundary    kinds of plate boundaries
 //! field       the quantity that an overlay shows, and how it becomes a colour
+//! ground      climate, rivers, basins and lakes of a bake
 //! legend      title, unit and key of an overlay
 //! map         equirectangular rasters
 //! ```
@@ -20,6 +21,8 @@ pub mod boundary;
 
 mod field;
 
+mod ground;
+
 pub mod legend;
 
 pub mod colorize;
@@ -31,6 +34,7 @@ pub use colorize::colorize;
 pub use legend::{Legend, LegendEntries};
 pub use map::{MapProjection, Raster};
 
+use crate::control::Bake;
 use crate::crust::Surface;
 use crate::params::TectonicParams;
 use crate::planet::Planet;
@@ -71,11 +75,23 @@ pub enum Overlay {
     VectorNoise,
     /// The samples and their triangles.
     Mesh,
+    /// Mean temperature of a year at the ground; this and what follows needs a [`Bake`].
+    Temperature,
+    /// Rain of a year.
+    Rain,
+    /// Wetness W of paper 002.
+    Wetness,
+    /// Rivers by their Horton–Strahler order, and lakes.
+    Rivers,
+    /// What drains to the same mouth.
+    Basins,
+    /// Lakes, with and without an outlet.
+    Lakes,
 }
 
 impl Overlay {
     /// All overlays, in the order in which menus list them.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 20] = [
         Self::Elevation,
         Self::Plates,
         Self::CrustType,
@@ -90,6 +106,12 @@ impl Overlay {
         Self::Laplacian,
         Self::VectorNoise,
         Self::Mesh,
+        Self::Temperature,
+        Self::Rain,
+        Self::Wetness,
+        Self::Rivers,
+        Self::Basins,
+        Self::Lakes,
     ];
 
     /// Name in files and commands, in snake case.
@@ -109,6 +131,12 @@ impl Overlay {
             Self::Laplacian => "laplacian",
             Self::VectorNoise => "vector_noise",
             Self::Mesh => "mesh",
+            Self::Temperature => "temperature",
+            Self::Rain => "rain",
+            Self::Wetness => "wetness",
+            Self::Rivers => "rivers",
+            Self::Basins => "basins",
+            Self::Lakes => "lakes",
         }
     }
 
@@ -134,7 +162,18 @@ impl Overlay {
             Self::Laplacian => "Laplacian",
             Self::VectorNoise => "Border noise",
             Self::Mesh => "Mesh",
+            Self::Temperature => "Temperature",
+            Self::Rain => "Rain",
+            Self::Wetness => "Wetness",
+            Self::Rivers => "Rivers by order",
+            Self::Basins => "Drainage basins",
+            Self::Lakes => "Lakes",
         }
+    }
+
+    /// Whether the overlay shows a bake, and is grey without one.
+    pub fn needs_bake(self) -> bool {
+        ground::is_baked(self)
     }
 
     /// Title, unit and key of the overlay on the planet as it is now.
@@ -156,6 +195,8 @@ pub struct OverlayInput<'a> {
     pub plates: &'a PlateTable,
     /// Parameters of the model.
     pub params: &'a TectonicParams,
+    /// The last bake of the ground, where there is one: for climate and rivers.
+    pub bake: Option<&'a Bake>,
 }
 
 #[cfg(test)]

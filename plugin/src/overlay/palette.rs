@@ -84,6 +84,30 @@ pub const DIVERGING: Ramp = Ramp(&[
     (1.0, [104, 26, 40]),
 ]);
 
+/// From frost (blue) over mild (pale) to heat (red); 8/15 is 0 °C.
+pub const TEMPERATURE: Ramp = Ramp(&[
+    (0.0, [52, 34, 92]),
+    (0.2, [58, 84, 160]),
+    (0.4, [120, 174, 214]),
+    (0.533, [226, 236, 236]),
+    (0.65, [206, 220, 156]),
+    (0.78, [242, 204, 104]),
+    (0.9, [222, 120, 66]),
+    (1.0, [140, 32, 44]),
+]);
+
+/// From dry (sand) over moist (green) to wet (blue and violet).
+pub const RAIN: Ramp = Ramp(&[
+    (0.0, [248, 238, 206]),
+    (0.03, [236, 216, 156]),
+    (0.08, [214, 204, 118]),
+    (0.15, [166, 196, 110]),
+    (0.28, [88, 164, 110]),
+    (0.5, [34, 122, 132]),
+    (0.75, [26, 72, 132]),
+    (1.0, [52, 20, 92]),
+]);
+
 impl Ramp {
     /// The colour at position `x`; beyond the ends, that of the end. Not a number: that of the start.
     pub fn at(&self, x: f32) -> Rgba {
@@ -171,7 +195,7 @@ mod tests {
 
     #[test]
     fn ramps_ascend_and_pass_through_their_stops() {
-        for ramp in [HYPSOMETRIC, AGE, AMOUNT, STEEPNESS, DIVERGING] {
+        for ramp in [HYPSOMETRIC, AGE, AMOUNT, STEEPNESS, DIVERGING, TEMPERATURE, RAIN] {
             assert!(ramp.0.windows(2).all(|w| w[0].0 <= w[1].0));
             for (i, &(x, color)) in ramp.0.iter().enumerate() {
                 let last_of_step = ramp.0.get(i + 1).is_none_or(|next| next.0 > x);

@@ -38,7 +38,7 @@ impl World {
 
     fn lines(&self, globe: &Globe) -> Lines {
         let Self { planet, mesh, surface, plates, params } = self;
-        collect(&OverlayInput { planet, mesh, surface, plates, params }, globe)
+        collect(&OverlayInput { planet, mesh, surface, plates, params, bake: None }, globe)
     }
 }
 

@@ -8,6 +8,7 @@ use super::columns::{self, Shape};
 use super::horizon::hide_far_side;
 use super::parts::{Shell, build_parts, shade, show_pictures};
 use super::{Globe, GlobePicker, lines, mesh};
+use crate::control::{Bake, PlanetBake};
 use crate::crust::{Crust, Surface};
 use crate::math;
 use crate::overlay::{Overlay, OverlayInput, colorize};
@@ -58,6 +59,8 @@ struct Subject {
     sea: bool,
     boundaries: bool,
     selected: Option<PlateId>,
+    /// [`Surface::version`] of the bake, if the overlay shows one.
+    bake: Option<u64>,
 }
 
 impl Subject {
@@ -69,6 +72,7 @@ impl Subject {
             sea: globe.sea,
             boundaries: globe.boundaries,
             selected: globe.selected,
+            bake: None,
         }
     }
 }
@@ -98,6 +102,7 @@ struct Job {
     globe: Globe,
     subject: Subject,
     fresh: bool,
+    bake: Option<Arc<Bake>>,
 }
 
 /// A painted picture.
@@ -129,11 +134,17 @@ fn attach(
 
 /// Begins a picture of every planet that has changed and is not being painted.
 fn begin_pictures(
-    mut planets: Query<(&Planet, &Lattice, &Surface, &TectonicParams, &Globe, Option<&Plates>, &mut Easel)>,
+    mut planets: Query<(
+        (&Planet, &Lattice, &Surface, &TectonicParams, &Globe),
+        (Option<&Plates>, Option<&PlanetBake>, &mut Easel),
+    )>,
     plates: Query<(Entity, &PlateId, &PlateMotion, &PlateStats, &Plate)>,
 ) {
-    for (planet, lattice, surface, params, globe, members, mut easel) in &mut planets {
-        let subject = Subject::new(surface.version, globe, planet.radius);
+    for ((planet, lattice, surface, params, globe), (members, bake, mut easel)) in &mut planets {
+        let mut subject = Subject::new(surface.version, globe, planet.radius);
+        if globe.overlay.needs_bake() {
+            subject.bake = bake.map(|bake| bake.version);
+        }
         let busy = easel.task.is_some() || easel.finished.is_some();
         if busy || easel.subject.as_ref() == Some(&subject) || surface.len() != lattice.len() {
             continue;
@@ -152,6 +163,7 @@ fn begin_pictures(
             globe: globe.clone(),
             subject: subject.clone(),
             fresh,
+            bake: bake.map(|bake| bake.0.clone()),
         };
         easel.subject = Some(subject);
         easel.lattice = Some(lattice.0.clone());
@@ -200,13 +212,14 @@ fn aside<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 }
 
 fn paint(job: Job) -> Picture {
-    let Job { planet, mesh, mut surface, plates, params, globe, subject, fresh } = job;
+    let Job { planet, mesh, mut surface, plates, params, globe, subject, fresh, bake } = job;
     // The elevation is tinted by the shader, which knows it between the samples too.
     let colors = match globe.overlay {
         Overlay::Elevation => Vec::new(),
         overlay => {
             let (planet, mesh, surface) = (&planet, &mesh, &surface);
-            colorize(overlay, &OverlayInput { planet, mesh, surface, plates: &plates, params: &params })
+            let bake = bake.as_deref();
+            colorize(overlay, &OverlayInput { planet, mesh, surface, plates: &plates, params: &params, bake })
         }
     };
     let shape = Shape::new(&mesh, &surface, globe.sea);
@@ -217,8 +230,14 @@ fn paint(job: Job) -> Picture {
         *elevation = shape.elevation(i);
     }
     surface.trench.fill(0.0);
-    let input =
-        OverlayInput { planet: &planet, mesh: &mesh, surface: &surface, plates: &plates, params: &params };
+    let input = OverlayInput {
+        planet: &planet,
+        mesh: &mesh,
+        surface: &surface,
+        plates: &plates,
+        params: &params,
+        bake: None,
+    };
     let radius = |i| globe.drawn_radius(surface.elevation(i), subject.relief);
     let radii: Vec<f32> = (0..mesh.len()).map(radius).collect();
     let range =
