@@ -66,7 +66,7 @@ mod tests {
         assert!((dem.grid.pixel_m[1] - 92.66).abs() < 0.01 && (dem.grid.pixel_m[0] - 66.09).abs() < 0.01);
         assert_eq!(read("N44W072", &bytes[1..]), Err(DemError::HgtSize(2_884_801)));
         assert_eq!(read("Matterhorn", &bytes), Err(DemError::HgtName));
-        let void = vec![0x80, 0x00].repeat(1201 * 1201);
+        let void = [0x80, 0x00].repeat(1201 * 1201);
         assert_eq!(read("N44W072", &void), Err(DemError::OnlyVoids));
     }
 }

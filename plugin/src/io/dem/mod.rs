@@ -177,7 +177,7 @@ fn filled(
     }
     // No ground is that high; beyond it, f32 loses metres.
     for z in &mut values {
-        if !(z.abs() <= 1e6) {
+        if z.is_infinite() || z.abs() > 1e6 {
             *z = f32::NAN;
         }
     }

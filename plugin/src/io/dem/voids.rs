@@ -4,37 +4,41 @@
 /// Fills all values that are not a number in rows of `width`. Returns how many there were; `None` if there is nothing
 /// else.
 pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
-    let mut missing: Vec<usize> = (0..values.len()).filter(|&i| values[i].is_nan()).collect();
-    let count = missing.len();
-    if count == values.len() {
+    let missing: Vec<usize> = (0..values.len()).filter(|&i| values[i].is_nan()).collect();
+    if missing.len() == values.len() {
         return None;
     }
-    while !missing.is_empty() {
-        let found: Vec<Option<f32>> = missing.iter().map(|&i| mean_around(width, values, i)).collect();
-        for (&i, mean) in missing.iter().zip(&found) {
-            if let Some(mean) = mean {
-                values[i] = *mean;
-            }
+    let mut ring: Vec<(usize, f32)> =
+        missing.iter().filter_map(|&i| Some((i, mean_around(width, values, i)?))).collect();
+    while !ring.is_empty() {
+        for &(i, mean) in &ring {
+            values[i] = mean;
         }
-        let mut known = found.iter().map(Option::is_some);
-        missing.retain(|_| !known.next().unwrap_or(true));
+        // The next ring is what lies around this one: every void is looked at a few times, however deep the hole.
+        let mut next: Vec<usize> = ring
+            .iter()
+            .flat_map(|&(i, _)| around(width, values.len(), i))
+            .filter(|&i| values[i].is_nan())
+            .collect();
+        next.sort_unstable();
+        next.dedup();
+        ring = next.into_iter().filter_map(|i| Some((i, mean_around(width, values, i)?))).collect();
     }
-    Some(count)
+    Some(missing.len())
+}
+
+/// The pixels around pixel `i`, itself included.
+fn around(width: usize, len: usize, i: usize) -> impl Iterator<Item = usize> {
+    let (x, y) = (i % width, i / width);
+    let rows = y.saturating_sub(1)..=(y + 1).min(len / width - 1);
+    rows.flat_map(move |row| (row * width + x.saturating_sub(1))..=(row * width + (x + 1).min(width - 1)))
 }
 
 /// Mean of the known values among the eight around `i`.
 fn mean_around(width: usize, values: &[f32], i: usize) -> Option<f32> {
-    let (x, y) = (i % width, i / width);
-    let (mut sum, mut count) = (0.0_f64, 0);
-    for row in y.saturating_sub(1)..=(y + 1).min(values.len() / width - 1) {
-        for z in &values[row * width + x.saturating_sub(1)..=row * width + (x + 1).min(width - 1)] {
-            if !z.is_nan() {
-                sum += f64::from(*z);
-                count += 1;
-            }
-        }
-    }
-    (count > 0).then(|| (sum / f64::from(count)) as f32)
+    let known = around(width, values.len(), i).map(|j| f64::from(values[j])).filter(|z| !z.is_nan());
+    let (sum, count) = known.fold((0.0, 0.0), |(sum, count), z| (sum + z, count + 1.0));
+    (count > 0.0).then(|| (sum / count) as f32)
 }
 
 #[cfg(test)]
@@ -53,6 +57,14 @@ mod tests {
         assert!((plane[24] - 3.0).abs() < 1e-6);
         assert!(plane.iter().all(|&z| (0.0..=6.0).contains(&z)));
         assert_eq!(plane[8], 1.0, "known values stay");
+    }
+
+    #[test]
+    fn one_height_fills_a_plain() {
+        let mut plain = vec![f32::NAN; 300 * 200];
+        plain[17] = 5.0;
+        assert_eq!(fill(300, &mut plain), Some(300 * 200 - 1));
+        assert!(plain.iter().all(|&z| z == 5.0));
     }
 
     #[test]

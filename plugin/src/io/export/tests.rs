@@ -37,7 +37,8 @@ fn exported(name: &str, pixels: usize) -> (tempfile::TempDir, Vec<PathBuf>) {
     let mut found: Vec<PathBuf> =
         fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path()).collect();
     let mut expected = files.clone();
-    (found.sort(), expected.sort());
+    found.sort();
+    expected.sort();
     assert_eq!(found, expected, "what is said is there, and nothing else");
     (folder, files)
 }
