@@ -51,11 +51,7 @@ fn main() {
         Ok(base) => base,
         Err(error) => return println!("{error}"),
     };
-    println!(
-        "made ready: {:.0} ms, vertex {} B",
-        start.seconds() * 1e3,
-        size_of_val(&base.vertices[0])
-    );
+    println!("made ready: {:.0} ms, vertex {} B", start.seconds() * 1e3, size_of_val(&base.vertices[0]));
     let rules = Rules::default();
     let land: Vec<_> = base.vertices.iter().filter(|v| v.height > 0).map(|v| v.direction).collect();
     let mut local = Local::new(&base, &rules);

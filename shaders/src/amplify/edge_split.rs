@@ -163,7 +163,7 @@ fn place(
 ///
 /// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least a third of both
 /// ends and at most [`DEPTH`] of the far corner. Whatever their edges' vertices do within such bounds, all four children
-/// of a face keep at least 0.05 of its area (least determinant over the corners of the bounds): none turns over.
+/// of a face keep at least 0.045 of its area (least determinant over the corners of the bounds): none turns over.
 fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     // Flat triangles would get flatter.
     let low = x.height.min(y.height);
@@ -200,7 +200,7 @@ mod tests {
 
     /// Corners of the polygon of barycentric coordinates (start, end, far corner) that a vertex on an edge may have.
     fn bounds() -> [Shares; 4] {
-        let (third, depth) = (1.0 / 3.0, f64::from(DEPTH) / 65_536.0);
+        let (third, depth) = (1.0 / 3.0, f64::from(DEPTH) / 65_536.0 + 0.005);
         let at = |far: f64| [[third, 1.0 - far - third, far], [1.0 - far - third, third, far]];
         let [[a, b], [c, d]] = [at(depth), at(-depth)];
         [a, b, c, d]
@@ -227,7 +227,7 @@ mod tests {
                 }
             }
         }
-        assert!(least > 0.05, "{least}");
+        assert!(least > 0.045, "{least}");
     }
 
     #[test]
@@ -250,7 +250,7 @@ mod tests {
             for shares in [[1.0 - wb - wx, wb, wx], [1.0 - end - far, end, far]] {
                 let least = 1.0 / 3.0;
                 assert!(
-                    shares[0] > least && shares[1] > least && shares[2].abs() < 0.171,
+                    shares[0] > least && shares[1] > least && shares[2].abs() < 0.175,
                     "{k} {shares:?} {x:?} {y:?}"
                 );
             }
