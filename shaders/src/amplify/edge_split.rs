@@ -60,7 +60,7 @@ fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
         (new.kind, new.height, new.bed, new.water) = (VertexKind::Lake, bed, bed, a.water);
         new.lake = a.lake | b.lake;
     } else if new.kind == VertexKind::Lake {
-        new.lake = new.seed | 1;
+        new.lake = if (a.lake | b.lake) == 0 { new.seed | 1 } else { a.lake | b.lake };
     } else if kind == EdgeKind::River {
         new.water = new.water.max(new.bed).max(b.water);
     } else if new.kind == VertexKind::Terrain {
@@ -174,7 +174,7 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     // A corner that leans over an end of the edge draws upwards only, not along.
     let towards_b = weigh(weight, along - Q16 / 2) - (wx * (x.overhang() >> 4) >> 8);
     // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
-    let depth = (wx * (x.height >> 3) / (y.height >> 3).max(1)).min(Q16);
+    let depth = wx * (x.height >> 3) / (y.height >> 3).max(1);
     let in_beyond = towards_b + (wx * (x.along >> 4) >> 8) + (depth * (y.along >> 4) >> 8);
     let loss = (-towards_b).max(towards_b + wx).max(-in_beyond).max(in_beyond - depth);
     let kept = ratio(SLACK, loss).min(ratio(DEPTH, wx)).min(ratio(DEPTH, depth));
