@@ -196,10 +196,9 @@ fn dry_drains(vertices: &mut [Vertex], edges: &mut [Edge]) {
 
 /// The nearest river edge of the faces around each vertex.
 fn nearest_rivers(planet: &Planet, vertices: &mut [Vertex], edges: &[Edge], faces: &[Face]) {
-    for i in 0..vertices.len() {
-        if matches!(vertices[i].kind, VertexKind::River | VertexKind::Lake) {
-            let own = segment(planet, 0, 0, &vertices[i], &vertices[i]);
-            let vertex = &mut vertices[i];
+    for vertex in vertices.iter_mut() {
+        if vertex.is_wet() {
+            let own = segment(planet, 0, 0, vertex, vertex);
             (vertex.river, vertex.river_distance, vertex.river_along) = (own, 0, 0);
         }
     }

@@ -172,13 +172,19 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     let wx = weigh(weight, third);
     let along = weigh(Q16 - shift.inward, shift.along) + third;
     // A corner that leans over an end of the edge draws upwards only, not along.
-    let towards_b = weigh(weight, along - Q16 / 2) - (wx * (x.overhang() >> 4) >> 8);
+    let towards_b = weigh(weight, along - Q16 / 2) - q12(wx, x.overhang());
     // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
     let depth = wx * (x.height >> 3) / (y.height >> 3).max(1);
-    let in_beyond = towards_b + (wx * (x.along >> 4) >> 8) + (depth * (y.along >> 4) >> 8);
+    let in_beyond = towards_b + q12(wx, x.along) + q12(depth, y.along);
     let loss = (-towards_b).max(towards_b + wx).max(-in_beyond).max(in_beyond - depth);
     let kept = ratio(SLACK, loss).min(ratio(DEPTH, wx)).min(ratio(DEPTH, depth));
     [Q16 / 2 + weigh(kept, towards_b), weigh(kept, wx)]
+}
+
+/// A share times a number in Q12 of at most 7.
+#[inline]
+const fn q12(share: i32, number: i32) -> i32 {
+    (share * (number >> 4)) >> 8
 }
 
 /// The point a + w_b·ab + w_x·ax, lifted to the sphere by its exact deficit Σ wᵢwⱼ|pᵢ - pⱼ|².
@@ -243,10 +249,10 @@ mod tests {
                 weight: random(6, 0, 65_537),
             };
             let [wb, wx] = weights(&shift, [x, y]).map(|w| f64::from(w) / 65_536.0);
-            let q12 = |v: i32| f64::from(v) / 4096.0;
+            let real = |v: i32| f64::from(v) / 4096.0;
             // In the face beyond: x = s·a + t·b - ρ·y.
-            let ratio = q12(x.height) / q12(y.height);
-            let (far, end) = (-wx * ratio, wb + wx * (q12(x.along) + ratio * q12(y.along)));
+            let ratio = real(x.height) / real(y.height);
+            let (far, end) = (-wx * ratio, wb + wx * (real(x.along) + ratio * real(y.along)));
             for shares in [[1.0 - wb - wx, wb, wx], [1.0 - end - far, end, far]] {
                 let least = 1.0 / 3.0;
                 assert!(
