@@ -3,7 +3,7 @@
 //! A vertex knows the nearest piece of river, its distance d and where along it lies. There the bed, the water and the
 //! flow φ are read off. Around the river lies its bed, half as wide as its depth over the slope of its banks; beyond it
 //! the valley rises to half-width D along the archetype e_r's curve, blended into the ground by a cubic Hermite step.
-//! All widths follow √φ: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
+//! Widths follow φ, the root of the discharge: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
 //!
 //! Departures: D is bounded by a share of the control mesh's edge, so that small planets have valleys too; the curve
 //! never raises ground above the land beside it; a bank always overtops its water.
@@ -57,8 +57,8 @@ impl Reach {
 
     /// Half-width of its valley in grains, on a planet whose control mesh has edges of `edge` grains.
     pub fn half_valley(&self, edge: i32) -> i32 {
-        // 1.6 km to 16 km on edges of 52 km: the plains beyond belong to the control mesh.
-        mul_q16(edge, mix(2_000, 20_000, square(self.strength)))
+        // 200 m to 16 km on edges of 52 km: the slopes beyond are those of the graphs.
+        mul_q16(edge, mix(250, 20_000, square(self.strength)))
     }
 }
 
