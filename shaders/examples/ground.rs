@@ -51,11 +51,7 @@ fn main() {
         Ok(base) => base,
         Err(error) => return println!("{error}"),
     };
-    println!(
-        "made ready: {:.0} ms, vertex {} B",
-        start.seconds() * 1e3,
-        size_of_val(&base.vertices[0])
-    );
+    println!("made ready: {:.0} ms, vertex {} B", start.seconds() * 1e3, size_of_val(&base.vertices[0]));
     let rules = Rules::default();
     let land: Vec<_> = base.vertices.iter().filter(|v| v.height > 0).map(|v| v.direction).collect();
     let mut local = Local::new(&base, &rules);
@@ -87,20 +83,35 @@ fn main() {
         sums = [0, 1, 2].map(|i| sums[i] + counts[i]);
     }
     println!("vertices a fresh point needs: {:?} pending, split, settled", sums.map(|s| s as f64 / 100.0));
-    let mut times = Vec::new();
-    for k in 0..50 {
-        let centre = land[pcg(k) as usize % land.len()];
+    let (mut cold, mut near) = (0.0, 0.0);
+    for k in 0..200 {
+        let centre =
+            land[pcg(k) as usize % land.len()].map(|x| x.wrapping_add((pcg(k) >> 12) as i32 - (1 << 19)));
+        let watch = Watch::start();
         local.leaf(centre, 17, None);
-        let start = Watch::start();
-        for j in 0..200 {
-            let step = direction(1000 + 200 * k + j).map(|x| f64::from(x) * 100.0 / 6_371_000.0);
+        cold += watch.seconds();
+        let watch = Watch::start();
+        for j in 0..500 {
+            let step = direction(1000 + 500 * k + j).map(|x| f64::from(x) * 100.0 / 6_371_000.0);
             let at = unit([0, 1, 2].map(|i| f64::from(centre[i]) + step[i]));
             local.leaf(at, 17, None);
         }
-        times.push(start.seconds() * 1e6 / 200.0);
+        near += watch.seconds();
     }
-    times.sort_by(f64::total_cmp);
-    println!("within 100 m of a centre: median {:.1} us, worst {:.1} us", times[25], times[49]);
+    println!("first at a centre: {:.0} us; then within 100 m of it: {:.2} us", cold * 5e3, near * 10.0);
+    let mut walked = 0.0;
+    for k in 0..20 {
+        let mut at = land[pcg(k + 70) as usize % land.len()];
+        local.leaf(at, 17, None);
+        let watch = Watch::start();
+        for j in 0..500 {
+            let step = direction(1000 + 500 * k + j).map(|x| f64::from(x) * 100.0 / 6_371_000.0);
+            at = unit([0, 1, 2].map(|i| f64::from(at[i]) + step[i]));
+            local.leaf(at, 17, None);
+        }
+        walked += watch.seconds();
+    }
+    println!("random walk of 100 m steps: {:.1} us", walked * 100.0);
     for k in 0..4 {
         let centre = land[pcg(k + 7) as usize % land.len()];
         let start = Watch::start();
@@ -111,7 +122,7 @@ fn main() {
         let finest = ground.levels.last().map_or(0, |l| l.faces.len());
         println!("patch: {} finest faces, {} vertices, {time:.1} ms", finest, carved.len());
     }
-    for (altitude, sharpness) in [(2, 14), (1000, 16), (100_000, 24), (1_000_000, 40)] {
+    for (altitude, sharpness) in [(2, 18), (1000, 24), (100_000, 32), (1_000_000, 48)] {
         let centre = land[pcg(9) as usize % land.len()];
         let height = local.leaf(centre, 17, None).carved[0].ground;
         let horizon = ((2.0 * 6_371_000.0 * (f64::from(altitude) + 9000.0)).sqrt() * 16.0).min(2e9) as i32;

@@ -68,6 +68,7 @@ impl Base {
                 vertex.discharge = 0;
             }
         }
+        accumulate(mesh, &mut vertices);
         let mut edges = edges(mesh, &vertices);
         dry_drains(&mut vertices, &mut edges);
         let faces: Vec<Face> =
@@ -113,6 +114,31 @@ fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
         }
     }
     Ok(())
+}
+
+/// Raises discharges until every vertex carries at least what comes from upstream: squares of rounded flows need not.
+fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
+    let rivers = || mesh.edges.iter().filter(|e| e.river != 0).map(|e| e.vertices.map(|v| v as usize));
+    let mut waiting = vec![0_u32; vertices.len()];
+    let mut below = vec![usize::MAX; vertices.len()];
+    for [up, down] in rivers() {
+        waiting[down] += 1;
+        below[up] = down;
+    }
+    let mut inflow = vec![0_u32; vertices.len()];
+    let mut ready: Vec<usize> =
+        (0..vertices.len()).filter(|&v| waiting[v] == 0 && below[v] != usize::MAX).collect();
+    while let Some(up) = ready.pop() {
+        vertices[up].discharge = vertices[up].discharge.max(inflow[up]);
+        let down = below[up];
+        if down != usize::MAX {
+            inflow[down] = inflow[down].saturating_add(vertices[up].discharge);
+            waiting[down] -= 1;
+            if waiting[down] == 0 {
+                ready.push(down);
+            }
+        }
+    }
 }
 
 /// Edges, with the discharge that arrives at each river edge's lower end: what leaves the upper end, and an equal part
@@ -163,16 +189,16 @@ fn dry_drains(vertices: &mut [Vertex], edges: &mut [Edge]) {
             edge.vertices.swap(0, 1);
             edge.faces.swap(0, 1);
         }
-        vertices[v as usize].kind = VertexKind::Gully;
+        let vertex = &mut vertices[v as usize];
+        (vertex.kind, vertex.gully_distance) = (VertexKind::Gully, 0);
     }
 }
 
 /// The nearest river edge of the faces around each vertex.
 fn nearest_rivers(planet: &Planet, vertices: &mut [Vertex], edges: &[Edge], faces: &[Face]) {
-    for i in 0..vertices.len() {
-        if matches!(vertices[i].kind, VertexKind::River | VertexKind::Lake) {
-            let own = segment(planet, 0, 0, &vertices[i], &vertices[i]);
-            let vertex = &mut vertices[i];
+    for vertex in vertices.iter_mut() {
+        if vertex.is_wet() {
+            let own = segment(planet, 0, 0, vertex, vertex);
             (vertex.river, vertex.river_distance, vertex.river_along) = (own, 0, 0);
         }
     }

@@ -3,6 +3,7 @@
 //! A leaf beside finer ones has midpoints on one, two or three edges and becomes as many triangles more, so that every
 //! interior edge is used exactly twice and none has a vertex inside.
 
+use super::carve::Carved;
 use super::ground::Ground;
 use super::topology::{Face, Level, Mark, NONE};
 use super::vertex::Vertex;
@@ -70,4 +71,11 @@ impl Ground {
         }
         triangles
     }
+}
+
+/// Pass `water`: the triangles of the water's surface, with the ground's topology. A triangle belongs to it where any
+/// corner lies under water; its corners stand at [`Carved::water`], and at the ground where they are dry.
+pub fn water(triangles: &[Triangle], carved: &[Carved]) -> Vec<Triangle> {
+    let wet = |v: u32| carved[v as usize].water > carved[v as usize].ground;
+    triangles.iter().filter(|t| t.vertices.into_iter().any(wet)).copied().collect()
 }

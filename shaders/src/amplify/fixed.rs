@@ -113,16 +113,17 @@ mod tests {
     fn lifted_points_lie_on_the_sphere() {
         for k in 0..2000_u32 {
             // A chord of up to 0.1 rad and its middle.
-            let angle = f64::from(k) * 5e-5;
+            // Cosine and sine of up to 0.1 rad, from a half-angle tangent.
+            let t = f64::from(k) * 2.5e-5;
+            let (cos, sin) = ((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
             let one = f64::from(ONE);
-            let a = [one, 0.0, 0.0].map(|x| x.round() as i32);
-            let b = [one * angle.cos(), one * angle.sin() * 0.6, one * angle.sin() * 0.8]
-                .map(|x| x.round() as i32);
+            let a = [ONE, 0, 0];
+            let b = [one * cos, one * sin * 0.6, one * sin * 0.8].map(|x| x.round() as i32);
             let d = difference(b, a);
             let middle = [a[0] + d[0] / 2, a[1] + d[1] / 2, a[2] + d[2] / 2];
             let p = lift(middle, square_q32(d) / 4).map(f64::from);
             let norm = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
-            assert!((norm - one).abs() < 4.0, "{angle}: {}", norm - one);
+            assert!((norm - one).abs() < 4.0, "{t}: {}", norm - one);
         }
     }
 }

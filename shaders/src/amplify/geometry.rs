@@ -16,7 +16,7 @@ const fn common_shift(u: [i32; 3], v: [i32; 3]) -> u32 {
         i += 1;
     }
     let bits = 32 - all.leading_zeros();
-    if bits > 14 { bits - 14 } else { 0 }
+    bits.saturating_sub(14)
 }
 
 #[inline]

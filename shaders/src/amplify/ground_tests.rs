@@ -209,7 +209,7 @@ fn junctions_conserve_discharge() {
             }
             for (v, (sum, count)) in arriving {
                 let vertex = &ground.vertices[v as usize];
-                if vertex.is_wet() && vertex.level > 0 && closed(level, v) {
+                if vertex.is_wet() && closed(level, v) {
                     assert_eq!(u64::from(vertex.discharge), sum, "{vertex:?}");
                     junctions += u32::from(count > 1);
                 }
@@ -217,6 +217,70 @@ fn junctions_conserve_discharge() {
         }
     }
     assert!(junctions > 10, "{junctions}");
+}
+
+#[test]
+fn any_radius_gives_whole_ground() {
+    for radius in [50_000, 1_000_000, 10_000_000] {
+        let base = Base::new(&control_mesh(radius, 3, 3)).unwrap();
+        for k in 0..3 {
+            let centre = on_river(&base, k);
+            let view = View { altitude: None, horizon: i32::MAX, ..camera(centre, 0, 17) };
+            let ground = refine(&base, &Rules::default(), &view, &Caps::default());
+            assert_eq!(ground.levels.len(), 18);
+            check_facing(&ground);
+            let mut uses = BTreeMap::new();
+            for t in ground.triangles() {
+                for i in 0..3 {
+                    *uses.entry((t.vertices[i], t.vertices[(i + 1) % 3])).or_insert(0) += 1;
+                }
+            }
+            assert!(uses.iter().all(|(&(a, b), &n)| n == 1 && uses.get(&(b, a)) == Some(&1)));
+            let rivers =
+                ground.vertices.iter().filter(|v| v.level > 12 && v.kind == VertexKind::River).count();
+            assert!(rivers > 5, "radius {radius}: {rivers}");
+        }
+    }
+}
+
+/// The precision table: how far integer directions stray, in units of 3 mm on Earth.
+#[test]
+fn directions_stay_on_the_sphere_and_halves_are_halves() {
+    let base = Base::new(&control_mesh(6_371_000, 5, 3)).unwrap();
+    for k in 0..4 {
+        let ground =
+            refine(&base, &Rules::default(), &View::disc(on_river(&base, k), 20, 17), &Caps::default());
+        for (index, level) in ground.levels.iter().enumerate() {
+            let mut worst = [0.0_f64; 2];
+            for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
+                let point = |v: u32| ground.vertices[v as usize].direction.map(f64::from);
+                let [a, b, m] = [edge.vertices[0], edge.vertices[1], edge.mid].map(point);
+                let norm = |p: [f64; 3]| (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
+                worst[0] = worst[0].max((norm(m) - f64::from(ONE)).abs());
+                if index >= 11 {
+                    let half = [0, 1, 2].map(|i| (a[i] + b[i]) / 2.0 - m[i]);
+                    worst[1] = worst[1].max(norm(half));
+                }
+            }
+            // Away from the sphere: 5 cm on Earth. From the middle of the edge: half a unit a component.
+            assert!(worst[0] < 16.0 && worst[1] < 0.9, "level {index}: {worst:?}");
+        }
+    }
+}
+
+#[test]
+fn a_cap_drops_whole_levels() {
+    let (_, base) = planet();
+    let caps = Caps { vertices: 20_000, faces: 9_000 };
+    let view = camera(on_river(&base, 1), 50, 12);
+    let ground = refine(&base, &Rules::default(), &view, &caps);
+    let capped = ground.capped.unwrap();
+    assert_eq!(ground.levels.len() as u32, capped + 1);
+    assert!(
+        ground.vertices.len() <= caps.vertices && ground.levels.iter().all(|l| l.faces.len() <= caps.faces)
+    );
+    let whole = refine(&base, &Rules::default(), &View { level: capped, ..view }, &Caps::default());
+    assert_eq!(whole.vertices, ground.vertices);
 }
 
 /// Whether all faces around a vertex exist in a level.

@@ -1,34 +1,97 @@
 //! Amplification: the planet's ground from 52 km to half a metre, in exact integers (paper 002).
+//!
+//! A control mesh is refined level by level: an edge gets a vertex in its middle, a face becomes four. Rules see the
+//! kinds of an edge's ends (river, lake, gully, coast, sea, ground) and give the new vertex its ground; faces lay
+//! tributaries and gullies along their inner edges. What is not split stays a leaf, and is drawn.
+//!
+//! # The passes
+//!
+//! One file is one pass: a function of one item that reads what it needs and writes that item alone, so any number of
+//! items can be done at once and in any order. Each will have its WGSL twin with the same name and the same bits.
+//!
+//! | pass | once per | reads | writes |
+//! |---|---|---|---|
+//! | [`cull`] | base face | view, control mesh | level 0 of the ground |
+//! | [`mark`] | face | view, corners; then its neighbours | split, halo or leaf |
+//! | [`mark::edge_mark`] | edge | its faces' marks | the same |
+//! | [`scan`] | edge, face | counts | places of vertices, halves, children |
+//! | [`edge_split`] | edge | ends, opposite corners | the new vertex: place, kind, ground, water (R1 to R5, lakes) |
+//! | [`face_decide`] | face | corners, new vertices, corners beyond | its inner edges (Ia to Ic) |
+//! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river, nearest gully |
+//! | [`face_split`] | edge, face | the same level | halves, inner edges, children |
+//! | [`carve`] | vertex | itself | final ground and water |
+//! | [`emit`] | leaf, triangle | split edges; water | triangles of ground and of water |
+//!
+//! [`step`] runs those of one level, [`ground::refine`] those of a view. [`local`] answers for a single direction: it
+//! calls the same functions on [`demand`], for no more vertices than the answer depends on.
+//!
+//! # Why no view changes a bit
+//!
+//! A vertex is named by its path from the control mesh. It depends on its edge, on the two faces beside it, on their
+//! decisions, and these on the faces' new vertices and on the corners beyond. Faces are split within c·ℓ of the camera,
+//! so all of them exist wherever the edge is split ([`mark`]); those that are not split themselves are halo: their
+//! midpoints are made and their inner edges decided as if they were. Nothing reads anything finer than its own level,
+//! and a vertex, once settled, never changes. Buffers are laid out by prefix sums, never by the order of the work.
+//!
+//! # Symbols
+//!
+//! | paper | here | unit |
+//! |---|---|---|
+//! | λ, ℓ | level of an edge 0..=16, [`Planet::edge_grains`](planet::Planet::edge_grains) | ℓ₀ / 2^λ, grains of 1/1024 m |
+//! | p | [`Vertex::direction`](vertex::Vertex::direction) | 1 / [`ONE`](fixed::ONE) of the radius: 3.1 mm on Earth |
+//! | h | `height`, then [`Carved::ground`](carve::Carved::ground) | grains above sea level |
+//! | h_w | `water` | grains |
+//! | h_r, d_r | `river` (a segment), `river_distance`, `river_along` | grains, Q16 |
+//! | s_h, s_d | `gully_bed`, `gully_distance` | grains |
+//! | φ | [`Vertex::flow`](vertex::Vertex::flow), root of `discharge` | Q16; discharge 2⁻³² of 200,000 m³/s |
+//! | e_r | `valley` | archetype 0..4 |
+//! | C, A, W, P, B | `crust`, `age`, `wetness`, `plateau`, `hills` | grains, 1/64 My, Q16 |
+//! | ξ, χ | [`seed::share`] of the vertex's seed | Q16 |
+//! | r, t, l, s, g | [`VertexKind`](control::VertexKind) | |
+//! | 𝓡, 𝓣 | [`EdgeKind`](rules::EdgeKind) | |
+//! | β | [`face_decide`] | |
+//!
+//! # Precision
+//!
+//! Directions leave the sphere by less than 16 units (5 cm on Earth) over 17 levels, nearly all of it at the coarse
+//! ones; the middle of a fine edge is right to half a unit a component. Faces keep their orientation by a bound on the
+//! sideways displacement that is proved in [`edge_split`]'s tests. Heights are right to a grain, 1 mm.
 
 pub mod arith;
 pub mod fixed;
+pub mod geometry;
+pub mod seed;
 
 pub mod control;
-pub mod seed;
-pub mod vertex;
-
-pub mod base;
-pub mod geometry;
 pub mod planet;
 pub mod topology;
-
-pub mod carve;
-pub mod cull;
-pub mod demand;
-pub mod edge_split;
-pub mod emit;
-pub mod face_decide;
-pub mod face_split;
-pub mod ground;
-pub mod local;
-pub mod locate;
-pub mod mark;
-pub mod scan;
-pub mod step;
-pub mod synthetic;
-pub mod vertex_resolve;
+pub mod vertex;
 
 pub mod rules;
+
+pub mod base;
+pub mod locate;
+
+pub mod cull;
+pub mod mark;
+pub mod scan;
+
+pub mod edge_split;
+pub mod face_decide;
+pub mod face_split;
+pub mod vertex_resolve;
+
+pub mod step;
+
+pub mod carve;
+pub mod emit;
+
+pub mod ground;
+
+pub mod demand;
+pub mod local;
+
+pub mod synthetic;
 
 #[cfg(test)]
 mod ground_tests;

@@ -93,7 +93,7 @@ impl Nearest {
     /// Takes a segment if it is nearer; one beyond its reach counts as far.
     fn offer(&mut self, planet: &Planet, p: [i32; 3], segment: &Segment, charge: i32) {
         let (along, off) = nearest_on(segment.ends, p);
-        let distance = planet.grains(off).min(FAR);
+        let distance = planet.grains(off).min(FAR / 4);
         let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
         let cost = distance + charge + beyond;
         if cost < self.cost {

@@ -22,7 +22,8 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
         _ => {
             let (low, high) = terrain::ordered(a.height, b.height);
             let xi = share(context.new.seed, 0);
-            let spread = if rules.landforms { 26_214 - 1_600 * context.level.min(12) as i32 } else { 0 };
+            // Where the shore crosses an edge is drawn anew at every level: no length of coast is straight.
+            let spread = if rules.landforms { 54_000 - 2_000 * context.level.min(16) as i32 } else { 0 };
             let height = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, spread));
             if height <= 0 { under_water(height) } else { Ground::dry(VertexKind::Terrain, height) }
         }

@@ -31,8 +31,8 @@ pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
         let raised = base + mul_q16(context.length, rough) / 7;
         return mix(base, raised, mul_q16(share(new.seed, 3), share(new.seed, 4)));
     }
-    let base = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, 16_384));
+    let base = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, 20_000));
     let toss = share(new.seed, 1) + share(new.seed, 2) - Q16;
-    let slope = steepness(rules, new);
-    base + mul_q16(mul_q16(context.length, slope + 1_311), toss) / (6 + 2 * (level - 9).max(0))
+    let rough = mul_q16(context.length, steepness(rules, new) + 1_311);
+    base + mul_q16(rough, toss) / (4 + 3 * (level - 9).max(0) / 2)
 }

@@ -15,28 +15,41 @@ pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u1
     if level >= rules.lake_levels || river.bed <= 10 * GRAINS || river.branched {
         return 0;
     }
-    let coarse = Q16 - (level.min(4) as i32) * (Q16 / 4);
+    // The release's lakes are as long as 26 km and as thin as a river; ours begin two levels on.
+    let first = if rules.landforms { 2 } else { 0 };
+    if level < first {
+        return 0;
+    }
+    let coarse = Q16 - ((level - first).min(4) as i32) * (Q16 / 4);
     let high = smoothstep(200 * GRAINS, 1_000 * GRAINS, river.bed)
         + 2 * smoothstep(1_500 * GRAINS, 2_500 * GRAINS, crust);
     let wet = Q16 - mul_q16(dryness(wetness), 58_982);
     mul_q16(mul_q16(mul_q16(rules.lake_chance, coarse), high), wet)
 }
 
+/// Chance that a lake reaches half the way to land beside it: on the levels after its birth, so that it is round.
+fn spread(rules: &Rules, level: u32) -> i32 {
+    if rules.landforms && level <= rules.lake_levels + 2 { 26_000 } else { 0 }
+}
+
 /// R3 with a lake: the new vertex lies under the river's water, or nothing where no lake forms.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
     let (river, land) = if context.a.is_wet() { (context.a, context.b) } else { (context.b, context.a) };
-    if river.kind != VertexKind::River
-        || !matches!(land.kind, VertexKind::Terrain | VertexKind::Gully)
-        || river.water <= river.bed
-    {
+    let on_land = matches!(land.kind, VertexKind::Terrain | VertexKind::Gully);
+    // Land lower than the water is the valley below: no lake there.
+    if !on_land || river.water <= river.bed || land.height <= river.water {
         return None;
     }
     let new = context.new;
-    if share(new.seed, 10) >= chance(rules, context.level, river, new.crust, new.wetness) {
+    let chance = match river.kind {
+        VertexKind::River => chance(rules, context.level, river, new.crust, new.wetness),
+        _ => spread(rules, context.level),
+    };
+    if share(new.seed, 10) >= chance {
         return None;
     }
     let depth = 20 * GRAINS + mul_q16(100 * GRAINS, share(new.seed, 11));
-    let bed = river.bed - depth.min(river.bed - GRAINS);
+    let bed = river.bed - depth.min(river.bed - GRAINS).max(0);
     Some(Ground { kind: VertexKind::Lake, height: bed, bed, water: river.water })
 }
 

@@ -51,8 +51,8 @@ impl Default for Rules {
             tributary_levels: [0, 4],
             gully_levels: 9,
             gully_branching: 45_000,
-            lake_levels: 5,
-            lake_chance: 9_000,
+            lake_levels: 6,
+            lake_chance: 4_500,
             spring_slope: 3_435,
             archetypes: true,
         }

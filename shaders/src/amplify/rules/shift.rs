@@ -38,20 +38,21 @@ pub fn shift(
         along: third(12),
         inward: third(14),
         second: side >= Q16 / 2,
-        weight: weight(rules, edge, kinds, level, side, wetness),
+        weight: weight(rules, edge, kinds, level, wetness),
     }
 }
 
 /// How much of the displacement an edge takes.
-fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, xi: i32, wetness: u16) -> i32 {
+fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, wetness: u16) -> i32 {
     use VertexKind::{Coast, Lake, Sea};
     let has = |kind| kinds[0] == kind || kinds[1] == kind;
+    // Ours moves less at the finer levels: what was moved often stretches its triangles.
+    let calm = if rules.landforms && level >= 4 { 46_000 } else { Q16 };
     match edge {
-        EdgeKind::Gully => 40_000,
-        EdgeKind::River if rules.landforms || level > 2 => {
-            // The finest reaches straighten: smoothstep(0, 16, ξλ) in the release fades them in.
-            Q16 - smooth(linear_step(8, 16, level as i32)) / 2
-        }
+        EdgeKind::Gully if rules.landforms => mul_q16(calm, 40_000),
+        EdgeKind::Gully => Q16,
+        // The finest reaches straighten.
+        EdgeKind::River if rules.landforms || level > 2 => Q16 - smooth(linear_step(8, 16, level as i32)) / 2,
         EdgeKind::River => 0,
         EdgeKind::Terrain if has(Lake) => Q16 / 4,
         EdgeKind::Terrain if has(Coast) || has(Sea) => {
@@ -61,10 +62,8 @@ fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, xi:
                 0
             }
         }
-        EdgeKind::Terrain if level < 9 => 28_000 + mul_q16(dryness(wetness), 20_000),
-        EdgeKind::Terrain if rules.landforms => {
-            let _ = xi;
-            20_000
+        EdgeKind::Terrain if level < 9 || rules.landforms => {
+            mul_q16(calm, 28_000 + mul_q16(dryness(wetness), 20_000))
         }
         EdgeKind::Terrain => 0,
     }

@@ -3,7 +3,7 @@
 //! A vertex knows the nearest piece of river, its distance d and where along it lies. There the bed, the water and the
 //! flow φ are read off. Around the river lies its bed, half as wide as its depth over the slope of its banks; beyond it
 //! the valley rises to half-width D along the archetype e_r's curve, blended into the ground by a cubic Hermite step.
-//! All widths follow √φ: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
+//! Widths follow φ, the root of the discharge: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
 //!
 //! Departures: D is bounded by a share of the control mesh's edge, so that small planets have valleys too; the curve
 //! never raises ground above the land beside it; a bank always overtops its water.
@@ -57,8 +57,8 @@ impl Reach {
 
     /// Half-width of its valley in grains, on a planet whose control mesh has edges of `edge` grains.
     pub fn half_valley(&self, edge: i32) -> i32 {
-        // 4 km and 50 km on edges of 52 km; never beyond the next river.
-        mul_q16(edge, mix(3_400, 26_000, square(self.strength)))
+        // 200 m to 16 km on edges of 52 km: the slopes beyond are those of the graphs.
+        mul_q16(edge, mix(250, 20_000, square(self.strength)))
     }
 }
 
@@ -98,6 +98,10 @@ const fn dry(ground: i32) -> Carved {
 
 /// The ground beside a river.
 fn beside(rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
+    if vertex.river.flow == [0, 0] {
+        // A lake's shore: no stream shapes it.
+        return dry(vertex.height);
+    }
     let reach = Reach::of(vertex);
     let (distance, raw) = (vertex.river_distance, vertex.height);
     let bed = reach.half_bed();
@@ -107,7 +111,8 @@ fn beside(rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
         return Carved { ground, water: reach.water.max(ground) };
     }
     let shoulder = reach.water.max(reach.bed).saturating_add(GRAINS);
-    let width = reach.half_valley(edge);
+    // A tributary is known no farther than its reach: its valley ends before.
+    let width = reach.half_valley(edge).min(vertex.river.reach / 8 * 7).max(1);
     let across = distance - bed;
     if across >= width {
         return dry(raw.max(shoulder.min(raw.saturating_add(2 * GRAINS))));
@@ -118,7 +123,7 @@ fn beside(rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
     let tangent = mix(23_853, 4_008, reach.strength);
     let rise = mul_q16(mul_q16(width, tangent), shape).min((vertex.crust - shoulder).max(0));
     let profile = shoulder.saturating_add(rise);
-    let carved = mix(profile.min(raw.max(shoulder)), raw, smoothstep(16_384, Q16, x));
+    let carved = mix(profile.min(raw.max(shoulder)), raw, smoothstep(6_554, 58_982, x));
     dry(carved.max(shoulder))
 }
 
@@ -133,7 +138,13 @@ mod tests {
             kind: VertexKind::Terrain,
             height: m(height_m),
             crust: m(3_000),
-            river: Segment { bed: [m(100); 2], water: [m(105); 2], flow: [flow; 2], ..Segment::default() },
+            river: Segment {
+                bed: [m(100); 2],
+                water: [m(105); 2],
+                flow: [flow; 2],
+                reach: FAR,
+                ..Segment::default()
+            },
             river_distance: (distance_m * 1024.0) as i32,
             river_along: Q16 / 2,
             valley,
@@ -152,8 +163,8 @@ mod tests {
                     let now = beside_river(distance, 900, flow, valley);
                     assert!(now.ground >= 100 * GRAINS && now.water >= now.ground);
                     if let Some(last) = last {
-                        // Half a metre on: no step steeper than 50°.
-                        assert!((now.ground - last.ground).abs() < 600, "{valley} {flow} {distance}");
+                        // 800 m up within 1.6 km at least: nowhere steeper than three times that mean.
+                        assert!((now.ground - last.ground).abs() < 768, "{valley} {flow} {distance}");
                     }
                     last = Some(now);
                 }
