@@ -186,6 +186,7 @@ fn add_update_systems(app: &mut App) {
             state::forget_lost_plates,
             camera::steer,
             state::dress_globe,
+            state::ask_for_bakes,
             marks::draw,
         )
             .chain(),

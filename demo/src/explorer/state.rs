@@ -7,6 +7,7 @@ use super::session::Session;
 use bevy::ecs::system::SystemParam;
 use bevy::math::DVec3;
 use bevy::prelude::*;
+use bevy_pangaea::control::{Bake, BakeSettings, PlanetBake};
 use bevy_pangaea::overlay::{Overlay, OverlayInput};
 use bevy_pangaea::plate::{Plate, PlateRow, PlateStats, PlateTable};
 use bevy_pangaea::prelude::*;
@@ -127,6 +128,8 @@ pub struct View<'a> {
     pub timings: &'a StageTimings,
     /// Plates in order of their numbers.
     pub plates: PlateTable,
+    /// Climate and rivers, as they were when they were last made.
+    pub bake: Option<&'a Bake>,
 }
 
 impl View<'_> {
@@ -138,7 +141,7 @@ impl View<'_> {
             surface: self.surface,
             plates: &self.plates,
             params: self.params,
-            bake: None,
+            bake: self.bake,
         }
     }
 }
@@ -157,6 +160,7 @@ pub struct PlanetReader<'w, 's> {
             &'static GeologicClock,
             &'static TectonicParams,
             &'static StageTimings,
+            Option<&'static PlanetBake>,
         ),
     >,
     plates: Query<
@@ -177,7 +181,7 @@ impl PlanetReader<'_, '_> {
     /// The planet on show; none before the first one has grown.
     pub fn view(&self) -> Option<View<'_>> {
         let entity = self.session.planet?;
-        let (planet, lattice, surface, clock, params, timings) = self.planets.get(entity).ok()?;
+        let (planet, lattice, surface, clock, params, timings, bake) = self.planets.get(entity).ok()?;
         if surface.is_empty() {
             return None;
         }
@@ -189,7 +193,8 @@ impl PlanetReader<'_, '_> {
             stats: *stats,
             born: plate.born,
         }));
-        Some(View { entity, planet, mesh: &lattice.0, surface, clock, params, timings, plates })
+        let bake = bake.map(|bake| &*bake.0);
+        Some(View { entity, planet, mesh: &lattice.0, surface, clock, params, timings, plates, bake })
     }
 }
 
@@ -235,6 +240,24 @@ pub fn share_frames(
     let Some(mut clock) = session.planet.and_then(|planet| clocks.get_mut(planet).ok()) else { return };
     let ms = (0.25 * frames.mean()).clamp(8.0, 60.0);
     clock.frame_budget = Duration::from_secs_f64(ms * 1e-3);
+}
+
+/// Lets climate and rivers follow the planet while the globe shows them: they cost a core a quarter of a second.
+pub fn ask_for_bakes(
+    look: Res<Look>,
+    session: Res<Session>,
+    planets: Query<Has<BakeSettings>>,
+    mut commands: Commands,
+) {
+    let Some((planet, asked)) = session.planet.and_then(|planet| Some((planet, planets.get(planet).ok()?)))
+    else {
+        return;
+    };
+    match (look.overlay.needs_bake(), asked) {
+        (true, false) => drop(commands.entity(planet).insert(BakeSettings::default())),
+        (false, true) => drop(commands.entity(planet).remove::<BakeSettings>()),
+        _ => {}
+    }
 }
 
 /// Gives the globe the chosen look.

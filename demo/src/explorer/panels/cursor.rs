@@ -5,6 +5,8 @@ use crate::explorer::style::{hint, row};
 use crate::explorer::text;
 use bevy::math::DVec3;
 use bevy_egui::egui::Ui;
+use bevy_pangaea::control::Bake;
+use bevy_pangaea::hydrology::flow;
 use bevy_pangaea::overlay::relief::azimuth;
 use bevy_pangaea::prelude::*;
 
@@ -44,6 +46,25 @@ pub fn show(ui: &mut Ui, view: &View, ground: Option<DVec3>) {
         row(ui, "Trench bend", format!("{:.2} km", surface.trench[i]));
     }
     row(ui, "Sample", i.to_string());
+    if let Some(bake) = view.bake {
+        weather(ui, bake, direction);
+    }
+}
+
+/// Climate and water at the nearest vertex of the base mesh.
+fn weather(ui: &mut Ui, bake: &Bake, direction: DVec3) {
+    let i = bake.mesh().nearest(direction) as usize;
+    let (climate, drainage) = (&bake.climate, &bake.drainage);
+    row(ui, "Temperature", format!("{:.1} °C", climate.temperature[i]));
+    row(ui, "Rain", format!("{:.0} mm/y", climate.rain[i]));
+    row(ui, "Wetness", format!("{:.2}", climate.wetness[i]));
+    if drainage.strahler[i] > 0 {
+        row(ui, "River, order", drainage.strahler[i].to_string());
+        row(ui, "Discharge", format!("{:.0} m³/s", flow::per_second(drainage.discharge[i])));
+    }
+    if drainage.is_lake(i) {
+        row(ui, "Lake", if drainage.is_endorheic(i) { "closed" } else { "with an outlet" });
+    }
 }
 
 /// The heading of a tangent vector in degrees from north, or a dash where there is none.
