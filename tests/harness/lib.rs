@@ -8,6 +8,7 @@
 //! probe      what every stage of a step does to the state
 //! ```
 
+pub mod earth;
 pub mod measure;
 pub mod probe;
 pub mod shape;

@@ -1,8 +1,10 @@
 //! Laws: closed forms, conservation, and what the design says of each process.
 
+mod climate;
 mod collision;
 mod convergence;
 mod drift;
+mod hydrology;
 mod islands;
 mod ledger;
 mod ocean;

@@ -12,8 +12,8 @@ use crate::sphere::{Location, SphereError, SphereMesh, poisson_disk};
 /// Smallest distance of vertices in radians that gives edges of 52 km in the mean on an Earth-sized planet.
 pub const SPACING: f64 = 0.005_83;
 
-/// Frequency in periods per radian, and octaves, of the relief between samples: 300, 150 and 75 km on Earth.
-const RELIEF: (f64, u32) = (21.0, 3);
+/// Frequency in periods per radian, and octaves, of the relief between samples: 150 and 75 km on Earth.
+const RELIEF: (f64, u32) = (42.0, 2);
 
 /// Vertices, triangles, and what follows from them and the seed.
 #[derive(Clone, Debug)]

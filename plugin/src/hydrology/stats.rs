@@ -17,6 +17,9 @@ use crate::sphere::SphereMesh;
 /// Vertices that must drain together to make a channel.
 const SUPPORT: u32 = 5;
 
+/// Order that a basin must reach to count as a network.
+const NETWORK: u8 = 3;
+
 /// Figures of the hydrology of a planet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct HydrologyStats {
@@ -134,7 +137,13 @@ impl Upstream {
     fn horton(&self, drainage: &Drainage) -> Horton {
         // Number, sum of lengths and sum of areas of the streams of each order.
         let mut orders = [(0.0, 0.0, 0.0); 256];
+        // The laws are those of networks: a brook that reaches the sea by itself is none.
+        let mut top = vec![0; self.order.len()];
         for i in self.mouths(drainage) {
+            let basin = &mut top[drainage.basin[i] as usize];
+            *basin = self.order[i].max(*basin);
+        }
+        for i in self.mouths(drainage).filter(|&i| top[drainage.basin[i] as usize] >= NETWORK) {
             let (count, length, area) = &mut orders[usize::from(self.order[i])];
             (*count, *length, *area) = (*count + 1.0, *length + self.stream[i], *area + self.area[i]);
         }

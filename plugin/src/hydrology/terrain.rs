@@ -27,6 +27,9 @@ const OLD: f32 = 220.0;
 /// Share of the relief that lies below the mean elevation.
 const BELOW: f32 = 0.35;
 
+/// Roughness of slopes in km per unit of steepness: the height that they gain within an edge.
+const SLOPE_ROUGHNESS: f32 = 45.0;
+
 /// Ground and landforms per vertex of a base mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Terrain {
@@ -76,6 +79,8 @@ struct Crustal {
     ocean_age: f32,
     fold: Vec3,
     ridge: Vec3,
+    /// Share of the noise between samples that is added: none to maps, which bring relief of their own.
+    noise: f32,
 }
 
 impl Terrain {
@@ -98,6 +103,7 @@ impl Terrain {
                 collision: 0.5,
                 oceanic: if elevation < -2.0 { 1.0 } else { 0.0 },
                 ocean_age: 80.0,
+                noise: 0.0,
                 ..Crustal::default()
             }
         });
@@ -131,10 +137,11 @@ impl Terrain {
         let given = |map: Option<&EquirectMap>, i: u32| map.map(|m| m.at(mesh.point(i)).clamp(0.0, 1.0));
         let forms: Vec<[f32; 4]> = per_sample(mesh, |i| {
             let own = &crustal[i as usize];
-            let plateau = given(plateau, i).unwrap_or_else(|| own.plateau(steepness(base, crustal, i)));
+            let steepness = steepness(base, crustal, i);
+            let plateau = given(plateau, i).unwrap_or_else(|| own.plateau(steepness));
             let hills = given(hills, i).unwrap_or_else(|| own.hills() * (1.0 - plateau));
             let relief = own.relief(plateau);
-            let ground = own.ground(relief, base.noise[i as usize]);
+            let ground = own.ground(relief, steepness, base.noise[i as usize]);
             [ground, own.elevation.max(ground) + (1.0 - BELOW) * relief, plateau, hills]
         });
         let column = |k: usize| forms.iter().map(|f| f[k]).collect::<Vec<f32>>();
@@ -196,6 +203,7 @@ impl Crustal {
             ocean_age: mean_of(&oceanic, &|i| crust.ocean_age[i]),
             fold: axis(&crust.fold),
             ridge: axis(&crust.ridge),
+            noise: 1.0,
         }
     }
 
@@ -214,12 +222,14 @@ impl Crustal {
         relief * (1.0 - 0.75 * plateau) * smooth((z + 0.3) / 0.4)
     }
 
-    /// Base ground in km: valleys lie below the mean, and the noise of the base mesh makes them wind.
-    fn ground(&self, relief: f32, noise: f32) -> f32 {
+    /// Base ground in km: valleys lie below the mean, and the noise of the base mesh makes them wind. On slopes it
+    /// must be stronger, or rivers would run down side by side and never meet.
+    fn ground(&self, relief: f32, steepness: f32, noise: f32) -> f32 {
         let z = self.elevation;
         let low = if z > 0.0 { (z - BELOW * relief).max(0.4 * z) } else { z };
         // Deep floor is the amplifier's alone.
-        low + noise * (0.06 + 0.25 * relief) * smooth((z + 1.5) / 1.3)
+        let rough = 0.06 + 0.2 * relief + SLOPE_ROUGHNESS * steepness.min(0.02);
+        low + self.noise * noise * rough * smooth((z + 1.5) / 1.3)
     }
 
     fn plateau(&self, steepness: f32) -> f32 {

@@ -1,0 +1,32 @@
+//! Earth's relief, where it is present: averaged ETOPO at 20 minutes.
+
+use bevy_pangaea::climate::EquirectMap;
+use flate2::read::GzDecoder;
+use std::io::Read;
+use std::path::PathBuf;
+
+/// Rows and columns of the file: cell centres, latitude from -89.83, longitude from 20.17, one column twice.
+const SIZE: (usize, usize) = (540, 1081);
+
+/// Elevation of the Earth in km, or none where the file is missing, which is said on stderr. The folder is
+/// `PANGAEA_DATA`, or `../shared/data` beside the workspace.
+pub fn earth() -> Option<EquirectMap> {
+    let beside = || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data");
+    let folder = std::env::var_os("PANGAEA_DATA").map_or_else(beside, PathBuf::from);
+    let path = folder.join("earth/etopo20data.gz");
+    let Ok(file) = std::fs::File::open(&path) else {
+        eprintln!("skipped: {} is missing", path.display());
+        return None;
+    };
+    let mut text = String::new();
+    GzDecoder::new(file).read_to_string(&mut text).expect("the relief is gzipped text");
+    let metres: Vec<f32> = text.split_ascii_whitespace().map(|x| x.parse().expect("a number")).collect();
+    assert_eq!(metres.len(), SIZE.0 * SIZE.1);
+    let height = |lat: f64, lon: f64| {
+        let row = ((lat + 90.0) * 3.0 - 0.5).round() as usize;
+        // The map's pixel centres are those of the file.
+        let column = ((lon - 20.0).rem_euclid(360.0) * 3.0 - 0.5).round() as usize;
+        metres[row.min(SIZE.0 - 1) * SIZE.1 + column.min(SIZE.1 - 1)] / 1000.0
+    };
+    Some(EquirectMap::from_fn(SIZE.0 as u32, height).expect("540 rows"))
+}
