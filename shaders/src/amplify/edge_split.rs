@@ -131,7 +131,7 @@ fn expected_distance(kind: EdgeKind, [a, b]: [&Vertex; 2], length: i32) -> i32 {
     match (a.river_distance, b.river_distance) {
         (0, 0) => length / 2,
         (FAR, FAR) => FAR,
-        (FAR, d) | (d, FAR) => (d + length / 2).min(FAR),
+        (FAR, d) | (d, FAR) => d.min(FAR - length / 2) + length / 2,
         (d, e) => d / 2 + e / 2,
     }
 }
