@@ -45,9 +45,9 @@ fn camera(direction: [i32; 3], altitude_m: i32, level: u32) -> View {
 fn paths(ground: &Ground, seeds: &mut BTreeMap<u128, Vertex>) -> Vec<u128> {
     let mut names = vec![0_u128; ground.vertices.len()];
     let start = ground.levels[0].edges.iter().flat_map(|e| e.vertices).max().unwrap() as usize + 1;
-    for v in 0..start {
-        let d = ground.vertices[v].direction.map(|x| u128::from(x as u32));
-        names[v] = d[0] | d[1] << 32 | d[2] << 64;
+    for (name, vertex) in names.iter_mut().zip(&ground.vertices).take(start) {
+        let d = vertex.direction.map(|x| u128::from(x as u32));
+        *name = d[0] | d[1] << 32 | d[2] << 64;
     }
     for level in &ground.levels {
         for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
