@@ -3,6 +3,7 @@
 //! Done once per planet; what refines the ground only reads it.
 
 use super::control::{ControlMesh, VertexKind};
+use super::fixed::{GRAINS, ONE};
 use super::geometry::nearest_on;
 use super::planet::Planet;
 use super::rules::EdgeKind;
@@ -34,9 +35,11 @@ pub enum BadMesh {
     Radius,
     /// It has fewer than four faces, or so many items that 32 bits cannot number them.
     Size,
-    /// This face or edge names an item that is not there, or not the one that names it.
+    /// This vertex is off the sphere by more than a millionth, or more than 100 km high, deep, or under water.
+    Vertex(u32),
+    /// This face names an edge that is not there, or not its own.
     Face(u32),
-    /// See `Face`.
+    /// This edge lacks a face, or is longer than about 15 degrees.
     Edge(u32),
 }
 
@@ -47,8 +50,9 @@ impl core::fmt::Display for BadMesh {
             Self::Size => {
                 write!(f, "a control mesh must have at least four faces, and items that 32 bits can number")
             }
+            Self::Vertex(i) => write!(f, "vertex {i} of the control mesh is off the sphere or beyond 100 km"),
             Self::Face(i) => write!(f, "face {i} of the control mesh does not fit its edges and vertices"),
-            Self::Edge(i) => write!(f, "edge {i} of the control mesh does not fit its faces and vertices"),
+            Self::Edge(i) => write!(f, "edge {i} of the control mesh does not fit its faces, or is too long"),
         }
     }
 }
@@ -93,6 +97,14 @@ fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
     if faces < 4 || vertices.max(edges).max(faces) > 1 << 28 {
         return Err(BadMesh::Size);
     }
+    for (i, vertex) in (0..).zip(&mesh.vertices) {
+        let square: f64 = vertex.direction.iter().map(|&x| f64::from(x) * f64::from(x)).sum();
+        let on_sphere = (square.sqrt() / f64::from(ONE) - 1.0).abs() < 1e-6;
+        let heights = [vertex.height, vertex.bed, vertex.water, vertex.crust];
+        if !on_sphere || heights.iter().any(|h| h.unsigned_abs() > 100_000 * GRAINS as u32) {
+            return Err(BadMesh::Vertex(i));
+        }
+    }
     for (i, face) in (0..).zip(&mesh.faces) {
         let fits = (0..3).all(|k| {
             let (a, b) = (face.vertices[k], face.vertices[(k + 1) % 3]);
@@ -107,7 +119,10 @@ fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
         }
     }
     for (i, edge) in (0..).zip(&mesh.edges) {
-        let fits = edge.faces[0] != edge.faces[1]
+        let [a, b] = edge.vertices.map(|v| mesh.vertices.get(v as usize).map(|v| v.direction));
+        let short = a.zip(b).is_some_and(|(a, b)| (0..3).all(|i| a[i].abs_diff(b[i]) < 1 << 29));
+        let fits = short
+            && edge.faces[0] != edge.faces[1]
             && edge.faces.iter().all(|&f| mesh.faces.get(f as usize).is_some_and(|f| f.edges.contains(&i)));
         if !fits {
             return Err(BadMesh::Edge(i));

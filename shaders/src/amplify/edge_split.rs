@@ -59,8 +59,11 @@ fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
         let bed = a.bed + (b.bed - a.bed) / 2;
         (new.kind, new.height, new.bed, new.water) = (VertexKind::Lake, bed, bed, a.water);
         new.lake = a.lake | b.lake;
+        new.discharge = new.discharge.max(a.discharge.min(b.discharge));
     } else if new.kind == VertexKind::Lake {
+        // Its flow shapes its shores; it brings its river nothing.
         new.lake = if (a.lake | b.lake) == 0 { new.seed | 1 } else { a.lake | b.lake };
+        new.discharge = a.discharge.max(b.discharge) / 16;
     } else if kind == EdgeKind::River {
         new.water = new.water.max(new.bed).max(b.water);
     } else if new.kind == VertexKind::Terrain {
@@ -128,7 +131,7 @@ fn expected_distance(kind: EdgeKind, [a, b]: [&Vertex; 2], length: i32) -> i32 {
     match (a.river_distance, b.river_distance) {
         (0, 0) => length / 2,
         (FAR, FAR) => FAR,
-        (FAR, d) | (d, FAR) => (d + length / 2).min(FAR),
+        (FAR, d) | (d, FAR) => d.min(FAR - length / 2) + length / 2,
         (d, e) => d / 2 + e / 2,
     }
 }

@@ -36,7 +36,7 @@ pub fn halve(rules: &Rules, level: u32, edge: &Edge, faces: &[Face], vertices: &
 
 /// What a half of an edge is, and whether it runs against the edge. `along` are the edge's ends and its middle.
 ///
-/// R4b: above its spring a tributary's edge is ground. New dry land drains along one half of its edge.
+/// R4a: on coarse levels a tributary goes on towards the land above its spring. R4b: later that half is ground. New dry land drains along one half of its edge.
 pub fn half_kind(
     rules: &Rules,
     level: u32,
@@ -45,7 +45,7 @@ pub fn half_kind(
     [up, mid, down]: [&Vertex; 3],
 ) -> (EdgeKind, bool) {
     match (edge, slot) {
-        (EdgeKind::River, 0) if !up.is_wet() => (EdgeKind::Terrain, false),
+        (EdgeKind::River, 0) if !up.is_wet() && level >= rules.extension_levels => (EdgeKind::Terrain, false),
         (EdgeKind::Terrain, 0) if gully::drains(rules, level, mid, up, down) => (EdgeKind::Gully, true),
         (EdgeKind::Terrain, 1) if gully::drains(rules, level, mid, down, up) => (EdgeKind::Gully, false),
         _ => (edge, false),

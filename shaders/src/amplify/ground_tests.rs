@@ -1,6 +1,6 @@
 //! The laws of a refinement: conforming, unflipped, view-independent, water downhill, lakes level, flow conserved.
 
-use super::base::Base;
+use super::base::{BadMesh, Base};
 use super::control::{ControlMesh, VertexKind};
 use super::fixed::{GRAINS, ONE};
 use super::ground::{Caps, Ground, refine};
@@ -45,9 +45,9 @@ fn camera(direction: [i32; 3], altitude_m: i32, level: u32) -> View {
 fn paths(ground: &Ground, seeds: &mut BTreeMap<u128, Vertex>) -> Vec<u128> {
     let mut names = vec![0_u128; ground.vertices.len()];
     let start = ground.levels[0].edges.iter().flat_map(|e| e.vertices).max().unwrap() as usize + 1;
-    for v in 0..start {
-        let d = ground.vertices[v].direction.map(|x| u128::from(x as u32));
-        names[v] = d[0] | d[1] << 32 | d[2] << 64;
+    for (name, vertex) in names.iter_mut().zip(&ground.vertices).take(start) {
+        let d = vertex.direction.map(|x| u128::from(x as u32));
+        *name = d[0] | d[1] << 32 | d[2] << 64;
     }
     for level in &ground.levels {
         for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
@@ -281,6 +281,68 @@ fn a_cap_drops_whole_levels() {
     );
     let whole = refine(&base, &Rules::default(), &View { level: capped, ..view }, &Caps::default());
     assert_eq!(whole.vertices, ground.vertices);
+}
+
+#[test]
+fn bad_meshes_are_refused() {
+    let (good, _) = planet();
+    let spoil = |change: &dyn Fn(&mut ControlMesh)| {
+        let mut mesh = good.clone();
+        change(&mut mesh);
+        Base::new(&mesh).map(|_| ()).unwrap_err()
+    };
+    assert_eq!(spoil(&|m| m.radius_m = 0), BadMesh::Radius);
+    assert_eq!(spoil(&|m| m.faces.clear()), BadMesh::Size);
+    assert_eq!(spoil(&|m| m.vertices[5].direction = [0; 3]), BadMesh::Vertex(5));
+    assert_eq!(spoil(&|m| m.vertices[6].height = i32::MIN), BadMesh::Vertex(6));
+    assert_eq!(spoil(&|m| m.faces[7].edges[1] = 1_000_000), BadMesh::Face(7));
+    assert_eq!(spoil(&|m| m.faces[8].vertices[0] = m.faces[8].vertices[1]), BadMesh::Face(8));
+    assert!(matches!(spoil(&|m| m.edges[9].faces[1] = u32::MAX), BadMesh::Face(_) | BadMesh::Edge(9)));
+}
+
+/// Ground along and across lines that a level drew: the control mesh's own must not show among them. Drains are left
+/// out: valleys follow them by intent.
+#[test]
+fn base_edges_do_not_show() {
+    let base = Base::new(&control_mesh(6_371_000, 5, 2)).unwrap();
+    let land: Vec<_> =
+        base.vertices.iter().filter(|v| v.height > 300 * GRAINS).map(|v| v.direction).collect();
+    // Count, slope along and slope across, of lines of the control mesh and of all.
+    let mut sums = [[0.0_f64; 3]; 2];
+    for k in 0..8 {
+        let centre = land[pcg(k) as usize % land.len()];
+        let ground = refine(&base, &Rules::default(), &View::disc(centre, 500_000, 6), &Caps::default());
+        let height = |v: u32| f64::from(ground.vertices[v as usize].height);
+        let mut is_base = vec![true; ground.levels[0].edges.len()];
+        for (index, level) in ground.levels.iter().enumerate() {
+            let mut next = vec![false; ground.levels.get(index + 1).map_or(0, |l| l.edges.len())];
+            for (i, edge) in (0..).zip(&level.edges) {
+                if edge.mark == Mark::Split && is_base[i as usize] {
+                    next[edge.child as usize] = true;
+                    next[edge.child as usize + 1] = true;
+                }
+                let dry = |v: u32| !ground.vertices[v as usize].is_wet() && height(v) > 0.0;
+                if index == 6
+                    && edge.kind == EdgeKind::Terrain
+                    && edge.vertices.into_iter().all(dry)
+                    && !edge.faces.contains(&NONE)
+                {
+                    let far = edge.faces.map(|f| level.faces[f as usize].opposite(i));
+                    let along = (height(edge.vertices[0]) - height(edge.vertices[1])).abs();
+                    let across = (height(far[0]) - height(far[1])).abs();
+                    for sum in sums.iter_mut().skip(usize::from(!is_base[i as usize])) {
+                        *sum = [sum[0] + 1.0, sum[1] + along, sum[2] + across];
+                    }
+                }
+            }
+            is_base = next;
+        }
+    }
+    let [lines, all] = sums.map(|s| [s[0], s[1] / s[0], s[2] / s[0]]);
+    assert!(lines[0] > 500.0, "{lines:?}");
+    for (line, all) in lines.iter().zip(all).skip(1) {
+        assert!((0.6..1.7).contains(&(line / all)), "{lines:?} {all:?}");
+    }
 }
 
 /// Whether all faces around a vertex exist in a level.

@@ -64,7 +64,7 @@ impl View {
         let above = self
             .altitude
             .map_or(0, |altitude| altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3);
-        (length(ground, above.clamp(-(1 << 28), 1 << 28), 0) - self.radius).max(0)
+        length(ground, above.clamp(-(1 << 28), 1 << 28), 0).saturating_sub(self.radius).max(0)
     }
 
     /// Distance within which a face of a level is split, sixteenths of a metre.

@@ -175,5 +175,5 @@ fn near_gully(planet: &Planet, new: &mut Vertex, around: &Surroundings) {
 /// Distance to a parent's gully, at most that of going by the parent.
 fn apart(planet: &Planet, new: &Vertex, parent: &Vertex, distance: i32) -> i32 {
     let step = planet.grains(super::fixed::difference(new.direction, parent.direction));
-    (distance.min(FAR) + step).min(FAR)
+    distance.min(FAR - step.min(FAR)) + step.min(FAR)
 }

@@ -11,13 +11,13 @@ use super::{Ground, terrain};
 /// The vertex of an edge with an end in the sea, or along the shore.
 ///
 /// Between land and sea it keeps the mean elevation, as the release does, drawn a little at random: the sign of the
-/// height makes the shore. Along the shore it stays at sea level. Under water the floor is smooth: its relief is noise,
+/// height makes the shore. Along the shore bays and headlands alternate. Under water the floor is smooth: its relief is noise,
 /// laid on once the subdivision is done.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
     use VertexKind::{Coast, Sea};
     let (a, b) = (context.a, context.b);
     match (a.kind, b.kind) {
-        (Coast, Coast) => Ground::dry(Coast, 0),
+        (Coast, Coast) => along_shore(rules, context),
         (Sea, Sea) | (Sea, Coast) | (Coast, Sea) => under_water(floor(rules, context)),
         _ => {
             let (low, high) = terrain::ordered(a.height, b.height);
@@ -28,6 +28,18 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
             if height <= 0 { under_water(height) } else { Ground::dry(VertexKind::Terrain, height) }
         }
     }
+}
+
+/// The middle of an edge along the shore: a bay or a headland in ours, so that no coast runs straight; the shore itself
+/// at the finest levels, and in print and release.
+fn along_shore(rules: &Rules, context: &EdgeContext) -> Ground {
+    if !rules.landforms || context.level > 11 {
+        return Ground::dry(VertexKind::Coast, 0);
+    }
+    // Six in a thousand of the edge either way, at most 40 m; headlands a little oftener than bays.
+    let toss = share(context.new.seed, 1) - 26_214;
+    let height = mul_q16(mul_q16(context.length, 393).min(40 * GRAINS), 2 * toss);
+    if height < 0 { under_water(height) } else { Ground::dry(VertexKind::Terrain, height.max(1)) }
 }
 
 /// Height of the sea floor between two places of it: the mean, and in ours a little to either side, in proportion to the

@@ -33,10 +33,16 @@ impl Landform {
     /// Character of the land at a vertex.
     pub fn of(rules: &Rules, vertex: &Vertex) -> Self {
         let dry = dryness(vertex.wetness);
-        let aged = smoothstep(0, OLD_AGE, i32::from(vertex.age)) + mul_q16(dry, 24_904);
+        let aged = worn(vertex) + mul_q16(dry, 24_904);
         let old = if aged < Q16 { aged } else { Q16 };
         Self { old, dry, steep: steepness(rules, vertex) }
     }
+}
+
+/// How far age has worn the land, 0 for a young orogeny, 1 from 200 My on; Q16.
+#[inline]
+pub const fn worn(vertex: &Vertex) -> i32 {
+    smoothstep(0, OLD_AGE, vertex.age as i32)
 }
 
 /// Tangent of the land's slopes, Q16.
@@ -44,9 +50,8 @@ pub fn steepness(rules: &Rules, vertex: &Vertex) -> i32 {
     if !rules.landforms {
         return rules.steep_old;
     }
-    let age = smoothstep(0, OLD_AGE, i32::from(vertex.age));
     let young = mix(rules.steep_subduction, rules.steep_collision, i32::from(vertex.collision));
-    let steep = mix(young, rules.steep_old, age);
+    let steep = mix(young, rules.steep_old, worn(vertex));
     // Low land has little to cut: a plain at 0.2 km is a tenth as steep as a belt at 1.5 km.
     let crust = vertex.crust.max(0);
     let rise = square(ratio(crust, crust + 1_000 * GRAINS));

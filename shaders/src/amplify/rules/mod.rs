@@ -83,3 +83,6 @@ pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> Ground {
         _ => terrain::halve(rules, context),
     }
 }
+
+#[cfg(test)]
+mod graph_tests;

@@ -134,8 +134,8 @@ mod tests {
             let d = 1.0 - 0.4 * f64::from(level.min(10)) / 10.0;
             close(delta, d * UNIT, 0.51);
             for (xi, x) in shares() {
-                close(young(Form::Paper, delta, xi), (0.5 + d / 2.0 * (x.powf(1.5) - 1.0)) * UNIT, 3.0);
-                close(young(Form::Release, delta, xi), (0.5 - 0.5 * d + d * x.powf(1.5)) * UNIT, 4.0);
+                close(young(Form::Paper, delta, xi), (0.5 + d / 2.0 * (x * x.sqrt() - 1.0)) * UNIT, 3.0);
+                close(young(Form::Release, delta, xi), (0.5 - 0.5 * d + d * x * x.sqrt()) * UNIT, 4.0);
                 close(old_dry(delta, xi), (0.5 + 0.4 * d * (x - 1.0)) * UNIT, 2.0);
                 close(old_wet(delta, xi), (1.0 + 0.6 * d * (x - 1.0)) * UNIT, 2.0);
             }

@@ -106,14 +106,14 @@ pub const fn fbm(point: [i32; 3], cell: u32, octaves: u32, gain: i32, seed: u32)
 #[cfg(test)]
 mod tests {
     use super::super::super::fixed::ONE;
+    use super::super::super::seed::{pcg, share};
     use super::*;
 
     fn points(count: u32) -> impl Iterator<Item = [i32; 3]> {
-        (0..count).map(move |i| {
-            let u = (f64::from(i) + 0.5) / f64::from(count);
-            let (z, turn) = (1.0 - 2.0 * u, 2.399_963 * f64::from(i));
-            let r = (1.0 - z * z).sqrt();
-            [r * turn.cos(), r * turn.sin(), z].map(|c| (c * f64::from(ONE)) as i32)
+        (0..count).map(|i| {
+            let p = [0, 1, 2].map(|k| f64::from(share(pcg(i), k)) - 32_768.0);
+            let length = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt().max(1.0);
+            p.map(|c| (c / length * f64::from(ONE)) as i32)
         })
     }
 

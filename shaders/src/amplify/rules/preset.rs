@@ -24,6 +24,9 @@ pub struct Rules {
     pub fine_level: u32,
     /// Levels of internal edges that may become tributaries, first and one beyond the last.
     pub tributary_levels: [u32; 2],
+    /// One beyond the last level on which a tributary's edge goes on above its new spring (R4a); from there on that half
+    /// is ground (R4b, always so in the release).
+    pub extension_levels: u32,
     /// One beyond the last level of internal edges that may become gullies.
     pub gully_levels: u32,
     /// Chance that an eligible internal edge becomes a gully off a gully.
@@ -45,10 +48,11 @@ impl Default for Rules {
             landforms: true,
             crest_rise: 13_107,
             steep_collision: 65_000,
-            steep_subduction: 50_000,
-            steep_old: 50_000,
+            steep_subduction: 47_500,
+            steep_old: 55_000,
             fine_level: 10,
             tributary_levels: [0, 4],
+            extension_levels: 5,
             gully_levels: 9,
             gully_branching: 45_000,
             lake_levels: 6,
@@ -70,6 +74,7 @@ impl Rules {
         steep_old: 26_214,
         fine_level: 10,
         tributary_levels: [1, 4],
+        extension_levels: 4,
         gully_levels: 8,
         gully_branching: Q16 / 4,
         lake_levels: 5,
@@ -79,6 +84,11 @@ impl Rules {
     };
 
     /// As in the authors' released source, which spans α over 0..1 and branches on two levels only.
-    pub const RELEASE: Self =
-        Self { form: Form::Release, tributary_levels: [0, 2], archetypes: false, ..Self::PAPER };
+    pub const RELEASE: Self = Self {
+        form: Form::Release,
+        tributary_levels: [0, 2],
+        extension_levels: 0,
+        archetypes: false,
+        ..Self::PAPER
+    };
 }

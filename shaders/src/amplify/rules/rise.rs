@@ -8,7 +8,7 @@
 use super::super::arith::{mix, mul_q16, ratio};
 use super::super::seed::share;
 use super::super::vertex::EdgeContext;
-use super::landform::steepness;
+use super::landform::{steepness, worn};
 use super::preset::Rules;
 use super::terrain::ordered;
 
@@ -19,7 +19,10 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let slope = mul_q16(context.length / 2, steepness(rules, new));
     let (xi, chi) = (share(new.seed, 0), share(new.seed, 1));
     let room = (new.crust - high).max(0);
-    let free = mul_q16(mul_q16(mul_q16(slope, bulge), fading(context.level)), 8_000 + mul_q16(xi, 80_000));
+    let free = mul_q16(
+        mul_q16(mul_q16(slope, bulge), fading(context.level, worn(new))),
+        8_000 + mul_q16(xi, 80_000),
+    );
     // Saturates at a third of the room: half-way there where the two are equal, so that summits stay apart.
     let gain = mul_q16(room, mul_q16(ratio(free, free + room + 1), 26_000 + mul_q16(chi, 26_000)));
     // Without a bulge the ground lies between its ends.
@@ -30,9 +33,10 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     crest.min(steepest).max(least)
 }
 
-/// Bulges fade below the spacing of valleys, some 6 km: hillslopes are cut by shallow gullies only. Q16.
-const fn fading(level: u32) -> i32 {
-    match level {
+/// Bulges fade below the spacing of valleys, some 6 km: hillslopes are cut by shallow gullies only, and by fewer where
+/// the land is worn. Q16.
+const fn fading(level: u32, worn: i32) -> i32 {
+    let keen = match level {
         0..=2 => 90_000,
         3 => 78_000,
         4 => 50_000,
@@ -40,7 +44,8 @@ const fn fading(level: u32) -> i32 {
         6 => 24_000,
         7 => 20_000,
         _ => 18_000,
-    }
+    };
+    if level < 3 { keen } else { keen - mul_q16(mul_q16(keen, worn), 26_000) }
 }
 
 /// Least share of the rise that the middle of a hanging edge takes: at coarse levels little, so that valleys are wide

@@ -46,8 +46,8 @@ pub fn shift(
 fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, wetness: u16) -> i32 {
     use VertexKind::{Coast, Lake, Sea};
     let has = |kind| kinds[0] == kind || kinds[1] == kind;
-    // Ours moves less at the finer levels: what was moved often stretches its triangles.
-    let calm = if rules.landforms && level >= 4 { 46_000 } else { Q16 };
+    // Ours moves less in between: what was moved often stretches its triangles. Rocks are broken again.
+    let calm = if rules.landforms && (4..8).contains(&level) { 46_000 } else { Q16 };
     match edge {
         EdgeKind::Gully if rules.landforms => mul_q16(calm, 40_000),
         EdgeKind::Gully => Q16,

@@ -24,7 +24,7 @@ pub fn relief(vertex: &Vertex, edge: i32) -> i32 {
     }
     // 52 km carry the full relief.
     let size = ratio(edge, 52_000 * GRAINS);
-    let fine = fbm(vertex.direction, 21, 16, 31_457, 0x0cea_0001);
+    let fine = fbm(vertex.direction, 21, 13, 31_457, 0x0cea_0001);
     let coarse = fbm(vertex.direction, 25, 4, 36_045, 0x0cea_0002);
     let rough = mul_q16(120 * GRAINS, fine) + mul_q16(260 * GRAINS, coarse);
     let offset = mul_q16(rough + ridge_relief(vertex), size);
