@@ -9,6 +9,7 @@
 //! raster       heights on such a square
 //! patch        triangles around a point, for a collider
 //! ray          where a ray meets the ground
+//! tree         many rays against one patch
 //! ```
 //!
 //! Positions are in metres from the planet's centre, +z to the north pole, +x to 0° E; heights are above sea
@@ -30,6 +31,8 @@ mod patch;
 
 mod ray;
 
+mod tree;
+
 pub use coarse::CoarseGround;
 pub use ground::{Ground, LEVELS, checked, direction_at, level_for, spacing};
 pub(crate) use patch::grid_triangles;
@@ -39,6 +42,7 @@ pub use raster::{HeightGrid, Square};
 pub use ray::{RayHit, cast_ray};
 pub use sample::{Sample, normal, sample};
 pub use surface::{Climate, GroundSurface, Site, classify};
+pub use tree::PatchTree;
 
 use thiserror::Error;
 
