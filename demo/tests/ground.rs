@@ -141,7 +141,7 @@ fn squares_are_written_in_every_format() {
     assert_eq!(&export("a.glb")[..4], b"glTF");
     let sidecar: Value = serde_json::from_slice(&fs::read(folder.path().join("a.json")).unwrap()).unwrap();
     assert_eq!(sidecar["metres_per_pixel"], 15_625.0);
-    assert!((sidecar["lat"].as_f64().unwrap() + 12.5).abs() < 1e-9);
+    assert_eq!((&sidecar["lat"], &sidecar["lon"]), (&Value::from(-12.5), &Value::from(-170.0)));
     assert!(sidecar["min_m"].as_f64().unwrap() <= sidecar["max_m"].as_f64().unwrap());
     assert_eq!(names(folder.path()), ["a.glb", "a.json", "a.png", "a.tif", "planet.pangaea"]);
     // The same again gives the same bytes.

@@ -11,6 +11,7 @@
 //! patch        a regular grid of triangles around a point
 //! collider     the ground's own triangles around a point
 //! ray          where a ray meets the ground
+//! tree         many rays against one patch
 //! ```
 //!
 //! Positions are in metres from the planet's centre, +z to the north pole, +x to 0° E; heights are above sea
@@ -36,6 +37,8 @@ mod collider;
 
 mod ray;
 
+mod tree;
+
 pub use coarse::CoarseGround;
 pub use ground::{Ground, LEVELS, checked, direction_at, level_for, spacing};
 pub use pangaea_shaders::amplify::rules::Rules;
@@ -48,6 +51,7 @@ pub use ray::{RayHit, cast_ray};
 pub use sample::{Sample, normal, sample};
 use surface::LAPSE;
 pub use surface::{Climate, GroundSurface, Site, classify};
+pub use tree::PatchTree;
 
 use thiserror::Error;
 

@@ -14,6 +14,7 @@ pub struct AzimuthalEquidistant {
     centre: DVec3,
     east: DVec3,
     north: DVec3,
+    lat_lon: (f64, f64),
     radius_m: f64,
 }
 
@@ -30,18 +31,23 @@ impl AzimuthalEquidistant {
         let centre = direction_at(latitude, longitude)?;
         let (sin, cos) = math::sin_cos(longitude.to_radians());
         let east = DVec3::new(-sin, cos, 0.0);
-        Ok(Self { centre, east, north: centre.cross(east), radius_m })
+        Ok(Self { centre, east, north: centre.cross(east), lat_lon: (latitude, longitude), radius_m })
     }
 
     /// The projection about a unit vector.
     pub(super) fn about(centre: DVec3, radius_m: f64) -> Self {
         let (east, north) = east_north(centre);
-        Self { centre, east, north, radius_m }
+        Self { centre, east, north, lat_lon: math::lat_lon(centre), radius_m }
     }
 
     /// Unit vector of the centre.
     pub fn centre(&self) -> DVec3 {
         self.centre
+    }
+
+    /// Latitude and longitude of the centre in degrees.
+    pub fn lat_lon(&self) -> (f64, f64) {
+        self.lat_lon
     }
 
     /// Unit vectors to the east and to the north at the centre.

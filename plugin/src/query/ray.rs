@@ -2,8 +2,9 @@
 //!
 //! The ray is followed between the spheres that the ground lies between. A step is a third of the height above the
 //! ground, which no slope below 70° can overtake, but at least a quarter of an edge: what is thinner than that at the
-//! asked level may be passed. The crossing is then bisected. (A tree of triangles would have to be built for
-//! every place that a ray might come to; the ground itself is asked some hundred times at most.)
+//! asked level may be passed. The crossing is then bisected. A tree
+//! of triangles would have to be built for every place that a ray might come to; for many rays against one place there
+//! is [`PatchTree`](super::PatchTree).
 
 use super::{Ground, GroundError, checked, normal, spacing};
 use bevy::math::DVec3;

@@ -22,6 +22,9 @@ const MOST_SHRUNK: u64 = 4096;
 
 /// Reads a file.
 pub(super) fn read(bytes: &[u8]) -> Result<Dem, DemError> {
+    if !texts_fit(bytes).unwrap_or(false) {
+        return Err(DemError::Invalid("the file is cut short, or no TIFF".into()));
+    }
     let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(refused)?;
     let (width, height) = decoder.dimensions().map_err(refused)?;
     check_size(width, height)?;
@@ -39,6 +42,30 @@ pub(super) fn read(bytes: &[u8]) -> Result<Dem, DemError> {
     let void = void(&mut decoder);
     let values = heights(decoder.read_image().map_err(refused)?, void)?;
     filled(width, height, values, pixel_m, centre)
+}
+
+/// Is no text among the tags of the first image longer than the file? The decoder makes room for texts before it
+/// reads them, and prints a line of its own when one is too long. `None` of what is no TIFF.
+fn texts_fit(bytes: &[u8]) -> Option<bool> {
+    const ASCII: u64 = 2;
+    let little = bytes.starts_with(b"II");
+    let number = |at: u64, size: usize| -> Option<u64> {
+        let at = usize::try_from(at).ok()?;
+        let digits = bytes.get(at..at.checked_add(size)?)?;
+        let push = |n: u64, digit: &u8| n << 8 | u64::from(*digit);
+        Some(if little { digits.iter().rev().fold(0, push) } else { digits.iter().fold(0, push) })
+    };
+    // Size of an offset, of the number of tags, and of a tag; a BigTIFF's are larger.
+    let (first, offset, counter, tag) = if number(2, 2)? == 43 { (8, 8, 8, 20) } else { (4, 4, 2, 12) };
+    let directory = number(first, offset)?;
+    // Tags that are not there end the search with `None`.
+    for i in 0..number(directory, counter)? {
+        let entry = directory.checked_add(counter as u64)?.checked_add(i.checked_mul(tag)?)?;
+        if number(entry.checked_add(2)?, 2)? == ASCII && number(entry + 4, offset)? > bytes.len() as u64 {
+            return Some(false);
+        }
+    }
+    Some(true)
 }
 
 fn refused(error: TiffError) -> DemError {

@@ -69,6 +69,18 @@ fn geotiffs_give_metres_whatever_they_count_in() {
 }
 
 #[test]
+fn a_text_that_is_longer_than_the_file_is_refused() {
+    let good = geotiff(true, false);
+    assert!(geotiff::read(&good).is_ok());
+    // The tag of the void's value: number 42113, type 2, six letters.
+    let tag: Vec<u8> = [42_113_u16, 2, 6, 0].into_iter().flat_map(u16::to_le_bytes).collect();
+    let place = good.windows(8).position(|window| window == tag).unwrap();
+    let mut bad = good;
+    bad[place + 4..place + 8].copy_from_slice(&u32::MAX.to_le_bytes());
+    assert!(matches!(geotiff::read(&bad), Err(DemError::Invalid(_))));
+}
+
+#[test]
 fn pictures_are_scaled_by_their_sidecar() {
     let feet = Sidecar::parse(br#"{ "metres_per_pixel": 92.6, "metres_per_unit": 0.3048 }"#).unwrap();
     let dem = grey::read(&grey_png(), &feet).unwrap();

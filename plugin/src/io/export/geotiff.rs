@@ -2,7 +2,6 @@
 //! middle of the square, on a sphere of the planet's radius.
 
 use super::ExportError;
-use crate::math;
 use crate::query::{HeightGrid, Square};
 use std::io::Cursor;
 use tiff::encoder::{TiffEncoder, colortype};
@@ -41,7 +40,7 @@ pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, Expo
 fn keys(square: &Square) -> (Vec<u16>, Vec<f64>, String) {
     use Value::{Double, Short, Text};
     let projection = square.projection();
-    let (lat, lon) = math::lat_lon(projection.centre());
+    let (lat, lon) = projection.lat_lon();
     let entries = [
         // GTModelType: projected. GTRasterType: pixels are areas.
         (1024, Short(1)),

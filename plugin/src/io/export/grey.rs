@@ -3,7 +3,6 @@
 use super::ExportError;
 use crate::io::dem::Sidecar;
 use crate::io::png::grey_png;
-use crate::math;
 use crate::query::{HeightGrid, Square};
 
 /// The picture and its sidecar.
@@ -13,7 +12,7 @@ pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<(Vec<u8>, Vec
     let greys = grid.values.iter().map(|&z| ((f64::from(z) - low) * scale + 0.5) as u16);
     let picture =
         grey_png(grid.width as u32, greys).map_err(|error| ExportError::Encode(error.to_string()))?;
-    let (lat, lon) = math::lat_lon(square.projection().centre());
+    let (lat, lon) = square.projection().lat_lon();
     let sidecar = Sidecar {
         min_m: Some(low),
         max_m: Some(high),
