@@ -4,10 +4,13 @@
 //! change `PANGAEA_BLESS=1` writes the file anew.
 
 use super::lively;
+use bevy_pangaea::control::{BakeSettings, PlanetBake, bake_now};
 use bevy_pangaea::prelude::*;
+use bevy_pangaea::query::{Ground, LEVELS, PlanetGround, Rules};
+use bevy_pangaea::random::{Purpose, Stream};
 use bevy_pangaea::sphere::SphereMesh;
 use pangaea_tests::probe::{Snapshot, probe};
-use pangaea_tests::world::{digest, planet_app, steps};
+use pangaea_tests::world::{digest, get, planet_app, steps};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
@@ -86,7 +89,43 @@ fn stages() -> Vec<String> {
     lines.push(format!("after 20 steps: {}", digest(&app, planet)));
     steps(&mut app, planet, 40);
     lines.push(format!("after 60 steps: {}", digest(&app, planet)));
+    lines.append(&mut ground(&mut app, planet));
     lines
+}
+
+/// Spacing of the base mesh in radians: some 9000 vertices.
+const SPACING: f64 = 0.03;
+
+/// Climate, rivers, control mesh and the finest ground of the planet as it is.
+fn ground(app: &mut App, planet: Entity) -> Vec<String> {
+    let digest_before = digest(app, planet);
+    bevy_pangaea::resample::project_now(app.world_mut(), planet);
+    app.world_mut().entity_mut(planet).insert(BakeSettings { spacing: SPACING, ..default() });
+    bake_now(app.world_mut(), planet).unwrap();
+    assert_eq!(digest(app, planet), digest_before, "a bake changes nothing");
+    let bake = get::<PlanetBake>(app, planet);
+    let ground = PlanetGround::of_bake(bake, Rules::default()).unwrap();
+    let stream = Stream::new(1, Purpose::ReliefSites, 1);
+    let directions: Vec<_> = (0..400).map(|i| stream.direction(2 * i)).collect();
+    let mut heights = vec![0.0; directions.len()];
+    ground.heights(&directions, LEVELS, &mut heights).unwrap();
+    let line = |name: &str, feed: &dyn Fn(&mut blake3::Hasher)| {
+        let mut hasher = blake3::Hasher::new();
+        feed(&mut hasher);
+        format!("{name}: {}", short(&hasher))
+    };
+    let singles = |hasher: &mut blake3::Hasher, numbers: &[f32]| {
+        numbers.iter().for_each(|x| drop(hasher.update(&x.to_bits().to_le_bytes())));
+    };
+    vec![
+        line("base mesh", &|hasher| bake.mesh().points().iter().for_each(|p| floats(hasher, &p.to_array()))),
+        line("rain", &|hasher| singles(hasher, &bake.climate.rain)),
+        line("discharge", &|hasher| {
+            bake.drainage.discharge.iter().for_each(|x| drop(hasher.update(&x.to_le_bytes())));
+        }),
+        line("control mesh", &|hasher| drop(hasher.update(format!("{:?}", bake.control).as_bytes()))),
+        line("ground at level 17", &|hasher| singles(hasher, &heights)),
+    ]
 }
 
 #[test]
