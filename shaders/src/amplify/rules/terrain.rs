@@ -1,7 +1,7 @@
 //! (t, T, t): the ground between two vertices of dry land (paper 002 Fig. 10, Appendix A; rule R5).
 //!
 //! Print and release: mountains young and old blended by age and wetness, terraces on dry rock, peaks at the coarse
-//! levels, hills, plateau. Ours: what the graphs of slopes share ([`rise`](super::rise)) in place of mountains and peaks.
+//! levels, hills, plateau. Ours: what the graphs of slopes share ([`rise`]) in place of mountains and peaks.
 
 use super::super::arith::{linear_step, mix, mul_q16, saturate, smooth, smoothstep, sqrt_q16, square};
 use super::super::control::VertexKind;
