@@ -11,3 +11,8 @@
 pub mod amplify;
 
 pub mod globe;
+
+/// The examples of the README, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

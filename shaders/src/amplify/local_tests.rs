@@ -89,3 +89,35 @@ fn leaf_is_that_of_a_fine_patch() {
         }
     }
 }
+
+#[test]
+fn any_direction_gets_an_answer() {
+    let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
+    let mut local = Local::new(&base, &Rules::default());
+    for at in [[0; 3], [i32::MIN; 3], [i32::MAX, 0, 0], [0, i32::MIN, 1], [1, 1, 1], [-ONE, 0, 0]] {
+        for level in [0, 3, 17, u32::MAX] {
+            let leaf = local.leaf(at, level, Some(u32::MAX));
+            assert_eq!(leaf.level, level.min(17));
+            assert!(leaf.height_m(at).is_finite());
+        }
+    }
+}
+
+#[test]
+fn forgetting_changes_nothing() {
+    let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
+    let rules = Rules::default();
+    let mut local = Local::new(&base, &rules);
+    let first: Vec<_> = (0..300).map(|k| local.leaf(direction(k), 17, None)).collect();
+    let mut demand = local.demand().clone();
+    assert!(!demand.is_empty());
+    demand.clear();
+    assert!(demand.is_empty());
+    // A thousand queries later everything has been forgotten at least once.
+    for k in 0..1500 {
+        local.leaf(direction(10_000 + k), 17, None);
+    }
+    for (k, leaf) in (0..).zip(first) {
+        assert_eq!(local.leaf(direction(k), 17, None), leaf);
+    }
+}

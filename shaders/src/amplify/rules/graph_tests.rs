@@ -212,5 +212,5 @@ fn bits_are_pinned() {
             }
         }
     });
-    assert_eq!(digest, 2_564_303_748);
+    assert_eq!(digest, 2_911_602_837);
 }

@@ -11,7 +11,8 @@ use super::Ground;
 use super::preset::Rules;
 use super::terrain::ordered;
 
-/// The vertex that halves a gully edge: 0.4..0.5 of the way up, so that the profile is hollow.
+/// The vertex that halves a gully edge: 0.4..0.5 of the way up, in ours less at the coarse levels, so that the profile
+/// is hollow.
 pub fn along(rules: &Rules, context: &EdgeContext) -> Ground {
     let xi = share(context.new.seed, 0);
     let (low, high) = ordered(context.a.height, context.b.height);

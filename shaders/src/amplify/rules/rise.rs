@@ -23,7 +23,7 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
         mul_q16(mul_q16(slope, bulge), fading(context.level, worn(new))),
         8_000 + mul_q16(xi, 80_000),
     );
-    // Saturates at a third of the room: half-way there where the two are equal, so that summits stay apart.
+    // Saturates at 0.4 to 0.8 of the room, half-way there where the two are equal, so that summits stay apart.
     let gain = mul_q16(room, mul_q16(ratio(free, free + room + 1), 26_000 + mul_q16(chi, 26_000)));
     // Without a bulge the ground lies between its ends.
     let hang = mix(low, high, hollow(context.level) + mul_q16(xi, 16_000));

@@ -1,9 +1,7 @@
 //! (t, T, t): the ground between two vertices of dry land (paper 002 Fig. 10, Appendix A; rule R5).
 //!
-//! Mountains young and old are blended by age and wetness, then come terraces on dry rock, peaks at the coarse levels,
-//! hills, and last the plateau. Ours narrows α with the level and adds a displacement in proportion to the land's
-//! steepness and the edge's length, which keeps the slopes' spread the same at all scales; the presets of print and
-//! release do without.
+//! Print and release: mountains young and old blended by age and wetness, terraces on dry rock, peaks at the coarse
+//! levels, hills, plateau. Ours: what the graphs of slopes share ([`rise`]) in place of mountains and peaks.
 
 use super::super::arith::{linear_step, mix, mul_q16, saturate, smooth, smoothstep, sqrt_q16, square};
 use super::super::control::VertexKind;
@@ -27,7 +25,7 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
 pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     let new = context.new;
     if rules.landforms {
-        return rise::height(rules, context, 36_000);
+        return shaped(rules, context);
     }
     let form = Landform::of(rules, new);
     let (low, high) = ordered(context.a.height, context.b.height);
@@ -36,9 +34,22 @@ pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     let fading = peak_fading(new.crust, context.level);
     let raised = peaks(new, form, low, terraced, fading);
     let hilly = raised + hills(rules, context, form, fading);
-    let rough = if rules.landforms { hilly + displacement(context, form) } else { hilly };
     let base = low + (high - low) / 2;
-    nodes::plateau(rough, base, i32::from(new.plateau))
+    nodes::plateau(hilly, base, i32::from(new.plateau))
+}
+
+/// Ours: the common rise, then terraces on dry rock, hills no steeper than a few degrees, and plateaus. It stays above
+/// its lower end, so that it drains there, and under the crust.
+fn shaped(rules: &Rules, context: &EdgeContext) -> i32 {
+    let new = context.new;
+    let form = Landform::of(rules, new);
+    let (low, high) = ordered(context.a.height, context.b.height);
+    let terraced = terraced(new, form, context.level, rise::height(rules, context, 36_000));
+    // tan 8.5° = 0.15 in lands of hills alone.
+    let limit = mul_q16(context.length, form.steep.max(9_830)) / 4;
+    let hill = hills(rules, context, form, peak_fading(new.crust, context.level)).clamp(-limit, limit);
+    let level = nodes::plateau(terraced + hill, low + (high - low) / 2, i32::from(new.plateau));
+    level.min(high.max(new.crust)).max(low + 1)
 }
 
 /// Lower and higher of two.
@@ -54,11 +65,7 @@ fn mountain(rules: &Rules, context: &EdgeContext, form: Landform, low: i32, high
     let young = nodes::young(rules.form, delta, xi);
     let old = mix(nodes::old_wet(delta, xi), nodes::old_dry(delta, xi), form.dry);
     let late = mul_q16(form.old, Q16 - level_share(context.level));
-    let mut alpha = saturate(mix(young, old, late));
-    if rules.landforms {
-        let narrow = Q16 - smoothstep(1, 6, context.level as i32) / 4 * 3;
-        alpha = Q16 / 2 + mul_q16(alpha - Q16 / 2, narrow);
-    }
+    let alpha = saturate(mix(young, old, late));
     mix(low, high, alpha)
 }
 
@@ -118,10 +125,4 @@ fn hills(rules: &Rules, context: &EdgeContext, form: Landform, fading: i32) -> i
     let chi = share(new.seed, 4);
     let offset = nodes::hill(rules.form, xi, chi, context.length, i32::from(new.hills));
     mul_q16(mul_q16(offset, Q16 - fading), away)
-}
-
-/// Rises and falls of the ground, in proportion to its steepness and the edge's length.
-fn displacement(context: &EdgeContext, form: Landform) -> i32 {
-    let toss = share(context.new.seed, 5) + share(context.new.seed, 6) - Q16;
-    mul_q16(mul_q16(context.length, form.steep), toss) / 4
 }
