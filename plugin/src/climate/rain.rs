@@ -73,8 +73,11 @@ fn season(
     temperature: &[f32],
     height: &(dyn Fn(u32) -> f32 + Sync),
 ) -> Vec<f32> {
+    let zones = zones();
     let columns: Vec<Column> = per_sample(mesh, |i| {
-        Column::new(mesh.point(i).z, temperature[i as usize], height(i) < 0.0, belts.shift)
+        let k = i as usize;
+        let season = mesh.point(i).z as f32 * belts.shift.signum() as f32;
+        Column::new(zone(&zones, belts.latitude[k]), season, temperature[k], height(i) < 0.0)
     });
     let mut water: Vec<f32> = columns.iter().map(|c| 0.7 * c.capacity).collect();
     let mut rain = vec![0.0; mesh.len()];
@@ -94,6 +97,29 @@ fn season(
     rain
 }
 
+/// Steps of the table of zones per degree.
+const ZONES: f32 = 4.0;
+
+/// How readily it rains and how strongly air sinks, by the distance from the belts' middle in quarters of a degree.
+fn zones() -> Vec<[f32; 2]> {
+    let zone = |step: u32| {
+        let beyond = f64::from(step) / f64::from(ZONES);
+        let bell =
+            |centre: f64, width: f64| math::exp(-((beyond - centre) / width) * ((beyond - centre) / width));
+        let storms = math::smoothstep((beyond - 27.0) / 30.0);
+        [(0.2 + 1.5 * bell(0.0, 9.0) + 2.6 * storms) as f32, bell(24.0, 7.0) as f32]
+    };
+    (0..=110 * ZONES as u32).map(zone).collect()
+}
+
+/// The zone at a distance from the belts' middle in degrees.
+fn zone(zones: &[[f32; 2]], beyond: f32) -> [f32; 2] {
+    let x = beyond * ZONES;
+    let below = (x as usize).min(zones.len() - 2);
+    let t = x - below as f32;
+    core::array::from_fn(|k| zones[below][k] + (zones[below + 1][k] - zones[below][k]) * t)
+}
+
 /// What the air meets at a vertex.
 #[derive(Clone, Copy)]
 struct Column {
@@ -108,20 +134,15 @@ struct Column {
 }
 
 impl Column {
-    fn new(sin_latitude: f64, temperature: f32, is_sea: bool, shift: f64) -> Self {
-        let latitude = math::asin(sin_latitude).to_degrees();
-        let beyond = (latitude - shift).abs();
-        let bell =
-            |centre: f64, width: f64| math::exp(-((beyond - centre) / width) * ((beyond - centre) / width));
-        let storms = math::smoothstep((beyond - 27.0) / 30.0);
+    /// `season` is the sine of the latitude, positive in the summer hemisphere.
+    fn new(zone: [f32; 2], season: f32, temperature: f32, is_sea: bool) -> Self {
         // Summers are warmer, on land more so.
         let swing = if is_sea { 3.0 } else { 9.0 };
-        let season = swing * sin_latitude * shift.signum();
         let warmth = math::smoothstep((f64::from(temperature) - 5.0) / 20.0) as f32;
         Self {
-            capacity: capacity(temperature + season as f32),
-            rising: (0.2 + 1.5 * bell(0.0, 9.0) + 2.6 * storms) as f32,
-            sinking: bell(24.0, 7.0) as f32,
+            capacity: capacity(temperature + swing * season),
+            rising: zone[0],
+            sinking: zone[1],
             recycling: RECYCLING[0] + (RECYCLING[1] - RECYCLING[0]) * warmth,
             is_sea,
         }

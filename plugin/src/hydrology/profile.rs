@@ -49,7 +49,7 @@ pub struct Profile {
 
 /// Depth in grains of a river of a discharge in m³/s.
 pub fn depth(discharge: f64) -> i32 {
-    (0.27 * math::pow(discharge.max(0.0), 0.3) * 1024.0) as i32
+    if discharge > 0.0 { (0.27 * math::pow(discharge, 0.3) * 1024.0) as i32 } else { 0 }
 }
 
 /// Finds the levels for `routes` over `ground` in grains, with the earth-like discharge of each vertex in m³/s.
