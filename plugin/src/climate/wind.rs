@@ -34,6 +34,8 @@ pub struct Upwind {
 pub struct Belts {
     /// Degrees by which all belts lie farther north than in the mean.
     pub shift: f64,
+    /// Distance of every vertex from the belts' middle in degrees.
+    pub latitude: Vec<f32>,
     /// What lies upwind of every vertex.
     pub upwind: Vec<Upwind>,
     /// The vertices, each after those upwind of it wherever that can be.
@@ -82,7 +84,8 @@ impl Belts {
             ((((along + 180.0) / 360.0) * f64::from(u32::MAX)) as u64) << 32 | u64::from(i)
         });
         keys.par_sort_unstable();
-        Self { shift, upwind, order: keys.into_iter().map(|key| key as u32).collect() }
+        let latitude = per_sample(mesh, |i| (math::lat_lon(mesh.point(i)).0 - shift).abs() as f32);
+        Self { shift, latitude, upwind, order: keys.into_iter().map(|key| key as u32).collect() }
     }
 }
 

@@ -14,7 +14,7 @@
 //!
 //! Departs from the paper: what no river reaches drains to the nearest river or coast by edges, so that all land has
 //! a way to the sea and the rain decides the flow; beds follow from that by the same profile as those of the
-//! drainage, so water does not run uphill where the grown network does not follow the relief.
+//! drainage, but cut through whatever is in their way: the grown network does not follow the relief.
 
 use super::base::BaseMesh;
 use super::coast::Site;

@@ -92,7 +92,7 @@ impl Drainage {
         let supply = flow::supply(mesh, radius, climate, &routes);
         let discharge = flow::accumulate(&routes, &supply);
         let earth_like = |i: u32| flow::earth_like(discharge[i as usize], radius);
-        let profile = profile::profile(mesh, &routes, &ground, earth_like, &closed);
+        let profile = profile::profile(mesh, &routes, &ground, earth_like, &closed, network);
         let strahler = order::strahler(&routes);
         let basin = order::basins(&routes);
         Self { sites, ground, routes, supply, discharge, strahler, basin, profile, radius }

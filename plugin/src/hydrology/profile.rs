@@ -9,6 +9,7 @@
 //! Depth follows discharge as d = 0.27 Q^0.30 (Moody and Troutman 2002), Q as on an Earth-sized planet.
 
 use super::flood::{NONE, Routes};
+use super::growth::RiverNetwork;
 use super::sinks::{Closed, incision};
 use crate::math;
 use crate::overlay::relief::per_sample;
@@ -48,7 +49,7 @@ pub struct Profile {
 
 /// Depth in grains of a river of a discharge in m³/s.
 pub fn depth(discharge: f64) -> i32 {
-    (0.27 * math::pow(discharge.max(0.0), 0.3) * 1024.0) as i32
+    if discharge > 0.0 { (0.27 * math::pow(discharge, 0.3) * 1024.0) as i32 } else { 0 }
 }
 
 /// Finds the levels for `routes` over `ground` in grains, with the earth-like discharge of each vertex in m³/s.
@@ -58,6 +59,7 @@ pub(super) fn profile(
     ground: &[i32],
     discharge: impl Fn(u32) -> f64 + Sync,
     closed: &[Closed],
+    network: RiverNetwork,
 ) -> Profile {
     let n = ground.len();
     let mut lake = vec![NONE; n];
@@ -67,7 +69,7 @@ pub(super) fn profile(
         let sink = basin.vertices.first().copied().unwrap_or(NONE);
         lakes.push(Lake { level: basin.level, outlet: NONE, sink, vertices: basin.vertices.len() as u32 });
     }
-    let wanted = breach(mesh, routes, ground, &discharge, &lake);
+    let wanted = breach(mesh, routes, ground, &discharge, &lake, network);
     let mut level: Vec<i32> = ground.to_vec();
     for &i in &routes.order {
         let k = i as usize;
@@ -104,12 +106,17 @@ fn breach(
     ground: &[i32],
     discharge: &(impl Fn(u32) -> f64 + Sync),
     lake: &[u32],
+    network: RiverNetwork,
 ) -> Vec<i32> {
     let least = per_sample(mesh, |i| {
         if routes.receiver[i as usize] == NONE {
             return ground[i as usize];
         }
-        ground[i as usize].saturating_sub(incision(discharge(i)))
+        match network {
+            RiverNetwork::Drainage => ground[i as usize].saturating_sub(incision(discharge(i))),
+            // A network that does not follow the relief cuts through whatever is in its way.
+            RiverNetwork::Grown => ground[i as usize].min(0),
+        }
     });
     let mut wanted = ground.to_vec();
     for &i in routes.order.iter().rev() {
@@ -173,12 +180,12 @@ mod tests {
         let km = 1024 * 1000;
         let mut ground = vec![0; 100];
         ground[1..6].copy_from_slice(&[km / 10, km / 5, km, km / 2, 2 * km]);
-        let weak = profile(&mesh, &routes, &ground, |_| 1.0, &[]);
+        let weak = profile(&mesh, &routes, &ground, |_| 1.0, &[], RiverNetwork::Drainage);
         assert_eq!(weak.level[3], km - incision(1.0));
         assert_eq!(weak.level[4], weak.level[3]);
         assert_eq!((weak.lake[4], weak.lake[3], weak.lake[5]), (0, NONE, NONE));
         assert_eq!(weak.lakes, [Lake { level: weak.level[3], outlet: 3, sink: 4, vertices: 1 }]);
-        let strong = profile(&mesh, &routes, &ground, |_| 40_000.0, &[]);
+        let strong = profile(&mesh, &routes, &ground, |_| 40_000.0, &[], RiverNetwork::Drainage);
         assert!(strong.lakes.is_empty());
         assert_eq!((strong.level[4], strong.level[3]), (km / 2, km / 2 - FALL));
         for k in 1..6 {

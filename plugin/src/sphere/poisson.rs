@@ -154,8 +154,9 @@ impl Bands {
         done: &[Vec<DVec3>],
     ) -> bool {
         let reach = self.rows[k].reach;
-        for near in k.saturating_sub(2)..(k + 3).min(self.rows.len()) {
-            let row = &self.rows[near];
+        // Its own band first: there a dart that is not free most often meets a point.
+        for near in [k, k.wrapping_sub(1), k + 1, k.wrapping_sub(2), k + 2] {
+            let Some(row) = self.rows.get(near) else { continue };
             let block = near / BLOCK;
             let points = if block == b { own } else { &done[block] };
             if points.is_empty() {
