@@ -279,6 +279,9 @@ pub struct ReliefArgs {
     /// Files are .hgt, GeoTIFF, or 16-bit PNG with a sidecar NAME.json {metres_per_pixel, metres_per_unit}.
     #[arg(long, value_name = "DIR")]
     pub dem: Option<PathBuf>,
+    /// Most sites of a class, 1 to 20
+    #[arg(long, value_name = "N", default_value = "20", value_parser = |text: &str| values::integer(text, 1, 20))]
+    pub sites: u64,
     /// Write the figures to a JSON file, too
     #[arg(long, value_name = "F")]
     pub json: Option<PathBuf>,

@@ -46,7 +46,7 @@ pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
     }
     // Bad tiles are told before the planet is measured.
     let tiles = args.dem.as_deref().map(tiles).transpose()?.unwrap_or_default();
-    let classes = classes(&open_planet(&args.planet)?)?;
+    let classes = classes(&open_planet(&args.planet)?, args.sites as usize)?;
     if let Some(path) = &args.json {
         let mut text = serde_json::to_string_pretty(&figures(&classes, &tiles))
             .map_err(|error| CliError::Failed(error.to_string()))?;
@@ -56,8 +56,8 @@ pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
     print(&table(&classes, &tiles))
 }
 
-/// The figures of every class of sites.
-fn classes(headless: &Headless) -> Result<Vec<Row>, CliError> {
+/// The figures of every class, of at most `most` sites each.
+fn classes(headless: &Headless, most: usize) -> Result<Vec<Row>, CliError> {
     let (lattice, surface) = (headless.get::<Lattice>()?, headless.get::<Surface>()?);
     let elevation: Vec<f32> = (0..surface.len()).map(|i| surface.elevation(i)).collect();
     let input = SiteInput {
@@ -67,7 +67,7 @@ fn classes(headless: &Headless) -> Result<Vec<Row>, CliError> {
         orogeny_age: &surface.crust.orogeny_age,
         seed: headless.get::<Planet>()?.seed,
     };
-    let drawn = CLASSES.map(|class| (class, sites(&input, class)));
+    let drawn = CLASSES.map(|class| (class, sites(&input, class).into_iter().take(most).collect::<Vec<_>>()));
     let ground = ground(headless)?;
     let bar = progress::bar(drawn.iter().map(|(_, sites)| sites.len() as u64).sum(), "measuring sites");
     let mut rows = Vec::new();
