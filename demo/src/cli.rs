@@ -280,7 +280,7 @@ pub struct ReliefArgs {
     #[arg(long, value_name = "DIR")]
     pub dem: Option<PathBuf>,
     /// Most sites of a class, 1 to 20
-    #[arg(long, value_name = "N", default_value = "20", value_parser = |text: &str| values::integer(text, 1, 20))]
+    #[arg(long, value_name = "N", default_value = "20", value_parser = |s: &str| integer(s, 1, 20))]
     pub sites: u64,
     /// Write the figures to a JSON file, too
     #[arg(long, value_name = "F")]
