@@ -58,7 +58,7 @@ fn grown(seed: u64) {
     verdict.within("plates", plates(&app, planet).rows().len() as f64, 8.0, 60.0);
     let land: f64 = (0..surface.len()).filter(|&i| z(i) > 0.0).map(|i| z(i) * mesh.areas()[i]).sum();
     let land_area: f64 = (0..surface.len()).filter(|&i| z(i) > 0.0).map(|i| mesh.areas()[i]).sum();
-    verdict.within("mean elevation of land", land / land_area, 0.4, 1.4);
+    verdict.within("mean elevation of land", land / land_area, 0.4, 1.8);
     let belt =
         |kind: Orogeny, age: f32| share(mesh, |i| crust.orogeny[i] == kind && crust.orogeny_age[i] < age);
     verdict.within("share of young Andean belts", belt(Orogeny::Andean, 30.0), 0.005, 0.15);

@@ -190,9 +190,9 @@ params! {
         ocean_thickness = 7.0 in 3.0..15.0, "km";
     }
     "Continents" {
-        /// Continental erosion ε_c. Paper 000, Appendix A, has 0.03, which leaves the median land 2 km high after 250 My; at this
-        /// value land stands 0.7 to 1 km high on average, as Earth's does (0.84 km).
-        erosion = 0.1 in 0.0..5.0, "km/My";
+        /// Continental erosion ε_c. Paper 000, Appendix A, has 0.03, which leaves land 2 km high on average after 250 My; at this
+        /// value it is 1.2 to 1.6 km (Earth's is 0.84 km). At more than this old planets lose their land to the sea.
+        erosion = 0.06 in 0.0..5.0, "km/My";
         /// Thickness of crust that floats at sea level; 33 km on Earth.
         sea_level_thickness = 33.2 in 20.0..60.0, "km";
         /// Elevation gained per thickness of crust on land: (3.3 - 2.78) / 3.3, densities of mantle and crust.

@@ -1,8 +1,9 @@
 //! The schedule of one tectonic step, and the runner that spreads it over frames.
 //!
-//! A step is a walk through the [`Stage`]s. A long stage may ask for another slice with
-//! [`StepCursor::hold`]; the runner runs [`TectonicStep`] again and again until the frame's budget is
-//! spent, and each run goes on where the last one stopped. Without a budget a single run is a whole step.
+//! A step is a walk through the [`Stage`]s. A slice of it ends where its time is up: between two stages, or within a
+//! long one that asks for another slice with [`StepCursor::hold`]. The runner runs [`TectonicStep`] again and again
+//! until the frame's budget is spent, and each run goes on where the last one stopped. Without a budget a single run
+//! is a whole step.
 
 use crate::planet::{GeologicClock, Planet};
 use bevy::ecs::schedule::{LogLevel, ScheduleBuildSettings, ScheduleLabel, SingleThreadedExecutor};
@@ -114,6 +115,11 @@ impl StepCursor {
     /// Asks for another slice of the present stage.
     pub fn hold(&mut self) {
         self.held = true;
+    }
+
+    /// Whether the stage has asked for another slice: what else belongs to it must wait.
+    pub fn is_held(&self) -> bool {
+        self.held
     }
 
     /// Whether the present slice should end.
@@ -231,6 +237,8 @@ fn leave(current: Res<CurrentPlanet>, mut planets: Query<(&mut StepCursor, &mut 
     cursor.spent = Duration::ZERO;
     cursor.progress = 0;
     cursor.position += 1;
+    // A slice that has used up its time ends between two stages, too.
+    cursor.held = cursor.out_of_time();
     if cursor.position == StepCursor::len() {
         cursor.position = 0;
         cursor.step_done = true;

@@ -62,7 +62,7 @@ impl PlanetState {
         let plates: Vec<_> =
             motions.into_iter().enumerate().map(|(i, motion)| (PlateId(i as u32), motion, 0.0)).collect();
         let frames = Frames(plates.iter().map(|&(id, ..)| crate::crust::Frame::at_rest(id)).collect());
-        let stats = crate::plate::stats::plate_stats(&mesh, &crust, &frames, planet.radius);
+        let stats = crate::plate::stats::plate_stats(&mesh, &crust, &frames, planet.radius, |_| true);
         let stats = stats.into_iter().map(|(_, stats)| stats).collect();
         let initial = crate::crust::ledger::measure(&crust, &mesh, planet.radius);
         let ledger = Ledger { initial, ..default() };

@@ -190,6 +190,6 @@ fn edit_crust(
     edit(&mut paint::Scene { mesh, params, frames, radius: body.radius, crust: &mut crust });
     let after = crate::crust::ledger::measure(&crust, mesh, body.radius);
     ledger.book(Cause::Command, after.area - before.area, after.volume - before.volume);
-    crate::resample::rebuild(world, planet);
+    crate::resample::recount(world, planet);
     Ok(())
 }

@@ -45,8 +45,8 @@ fn state() -> PlanetState {
         target: PaintTarget::Disc { center: (10.5, -20.25), radius: 900.0 },
         brush: Brush::Raise(0.1),
     };
-    let mut fronts = FrontField::new(150);
-    (fronts.source[70], fronts.distance[70]) = (3, 0.25);
+    let fronts = FrontField { reach: 0.25, front: vec![(3, 0), (7, 2)], ..FrontField::new(150) };
+    fronts.nearest.set(70, 3, mesh.point(70).distance_squared(mesh.point(3)) as f32);
     PlanetState {
         planet: Planet { radius: 6370.0, seed: 42 },
         lattice: Lattice(mesh),
@@ -100,8 +100,10 @@ fn a_planet_comes_back_with_the_same_bits() {
     assert_eq!(back.stats, state.stats);
     assert_eq!((back.clock, back.params, back.ledger), (state.clock, state.params, state.ledger));
     assert_eq!((back.recording, back.polarity), (state.recording, state.polarity));
-    assert_eq!(back.fronts.stale, state.fronts.stale);
-    assert_eq!((back.fronts.source, back.fronts.distance), (state.fronts.source, state.fronts.distance));
+    assert_eq!((back.fronts.stale, back.fronts.reach), (state.fronts.stale, state.fronts.reach));
+    assert_eq!(back.fronts.front, state.fronts.front);
+    assert!(state.fronts.nearest(70).is_some_and(|(source, _)| source == 3));
+    assert!((0..150).all(|i| back.fronts.nearest(i) == state.fronts.nearest(i)));
     assert_eq!(back.lattice.points(), state.lattice.points());
 }
 
@@ -130,11 +132,11 @@ fn the_digest_is_that_of_the_state_and_not_of_the_clock_on_the_wall() {
 #[test]
 fn older_and_newer_versions_are_named() {
     let mut saved = bytes(&state());
-    saved[8] = 2;
+    saved[8] = VERSION as u8 + 1;
     let error = read_from(&saved).err().unwrap();
-    assert_eq!(error, SaveError::Version { found: 2 });
+    assert_eq!(error, SaveError::Version { found: VERSION + 1 });
     assert!(error.to_string().contains("newer"), "{error}");
-    saved[8] = 0;
+    saved[8] = VERSION as u8 - 1;
     assert!(read_from(&saved).err().unwrap().to_string().contains("no longer"));
 }
 
@@ -184,7 +186,7 @@ fn resealed_mutations_do_no_harm() {
 
 #[test]
 fn states_that_make_no_planet_are_refused() {
-    let cases: [(&str, fn(&mut PlanetState)); 16] = [
+    let cases: [(&str, fn(&mut PlanetState)); 18] = [
         ("number", |s| s.crust.elevation[0] = f32::NAN),
         ("number", |s| s.crust.fold[0].x = f32::INFINITY),
         ("length", |s| s.crust.kind.truncate(149)),
@@ -195,9 +197,11 @@ fn states_that_make_no_planet_are_refused() {
         ("speed", |s| s.plates[1].1.speed = -1.0),
         ("frame's plate", |s| s.frames.0[0].plate = PlateId(9)),
         ("plate of crust", |s| s.plates.truncate(1)),
-        ("front", |s| s.fronts.source[70] = 150),
-        ("front", |s| s.fronts.distance[70] = f32::NAN),
-        ("front", |s| s.fronts.distance.truncate(149)),
+        ("front", |s| s.fronts.nearest.set(70, 150, 0.1)),
+        ("front", |s| s.fronts.reach = f64::NAN),
+        ("front", |s| s.fronts.front.swap(0, 1)),
+        ("front", |s| s.fronts.front[0].1 = 4),
+        ("front", |s| s.fronts = FrontField::new(149)),
         ("parameter", |s| s.params.uplift = 1e9),
         ("clock", |s| s.clock.time = f64::NAN),
         ("no plates", |s| s.plates.clear()),

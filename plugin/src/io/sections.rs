@@ -59,6 +59,7 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
     carried(&crust, &frames, &plates)?;
     let fronts = read_fronts(fron, samples)?;
     let lattice = read_mesh(mesh)?;
+    let fronts = fronts.field(&lattice);
     Ok(PlanetState {
         planet,
         lattice,

@@ -15,17 +15,19 @@ struct Sums {
     moment: DVec3,
 }
 
-/// Statistics of every frame's plate, as pairs of plate number and statistics in the order of plate numbers.
+/// Statistics of a choice of plates, as pairs of plate number and statistics in the order of plate numbers.
 /// A plate of several frames has one entry. `radius` is in km.
 pub fn plate_stats(
     mesh: &SphereMesh,
     crust: &Crust,
     frames: &Frames,
     radius: f64,
+    choice: impl Fn(super::PlateId) -> bool,
 ) -> Vec<(super::PlateId, PlateStats)> {
+    let counted: Vec<bool> = frames.iter().map(|frame| choice(frame.plate)).collect();
     let parts = parallel::map_chunks(crust.len(), |range| {
         let mut sums = vec![Sums::default(); frames.len()];
-        for i in range {
+        for i in range.filter(|&i| counted[usize::from(crust.frame[i])]) {
             let sum = &mut sums[usize::from(crust.frame[i])];
             let area = mesh.areas()[i];
             sum.samples += 1;
@@ -49,7 +51,7 @@ pub fn plate_stats(
             sum.moment += part.moment;
         }
     }
-    let mut order: Vec<usize> = (0..frames.len()).collect();
+    let mut order: Vec<usize> = (0..frames.len()).filter(|&k| counted[k]).collect();
     order.sort_by_key(|&k| (frames[k].plate, k));
     let mut out: Vec<(super::PlateId, Sums)> = Vec::new();
     for k in order {

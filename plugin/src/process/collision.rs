@@ -25,6 +25,7 @@ use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, Role};
 use crate::plate::{PlateId, PlateTable};
 use crate::process::{PlateAccess, saturating_rise};
+use crate::resample::{Moved, rebuild_moved};
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
 use crate::sphere::spread::{Reached, Scratch, spread};
@@ -80,21 +81,22 @@ pub fn collision(
     let last_chance = crate::resample::due(params, clock, &table, planet.radius, frames.len());
     let trigger = params.collision_trigger / planet.radius * if last_chance { 0.5 } else { 1.0 };
     let scene = Scene { planet, mesh, params, rim, contacts, cover, plates: table, trigger };
-    let mut moved = Vec::new();
+    let mut moved = Moved::default();
     let mut scratch = Scratch::default();
     for at in scene.overlaps(&meeting, &crust, &frames) {
         let found = scene.collide(at, &mut crust, &mut frames, &mut ledger, &mut scratch);
-        if let Some((mut event, terrane)) = found {
+        if let Some((mut event, frame, terrane)) = found {
             event.planet = plates.planet();
-            moved.extend(terrane);
+            moved.frames.extend([crust.frame[terrane[0] as usize], frame]);
+            moved.samples.extend(terrane);
             commands.trigger(event);
         }
     }
-    if !moved.is_empty() {
+    if !moved.samples.is_empty() {
         let planet = plates.planet();
-        moved.sort_unstable();
-        moved.dedup();
-        commands.queue(move |world: &mut World| crate::resample::rebuild_changed(world, planet, &moved));
+        moved.samples.sort_unstable();
+        moved.samples.dedup();
+        commands.queue(move |world: &mut World| rebuild_moved(world, planet, &moved));
     }
 }
 
@@ -144,7 +146,8 @@ impl Scene<'_> {
         })
     }
 
-    /// Carries out one collision at the rim's sample number `at`, if both terranes still stand where they were found and are large enough.
+    /// Carries out one collision at the rim's sample number `at`, if both terranes still stand where they were found and
+    /// are large enough. Returns also the frame that the terrane left, and its samples.
     fn collide(
         &self,
         at: usize,
@@ -152,7 +155,7 @@ impl Scene<'_> {
         frames: &mut Frames,
         ledger: &mut Ledger,
         scratch: &mut Scratch,
-    ) -> Option<(TerraneCollided, Vec<u32>)> {
+    ) -> Option<(TerraneCollided, FrameId, Vec<u32>)> {
         let contact = self.contacts.0[at];
         let above = self.rim.samples[at];
         let still_there = crust.frame[contact.sample as usize] == contact.frame
@@ -191,7 +194,7 @@ impl Scene<'_> {
             speed,
         };
         reframe(crust, frames, &terrane, from, event.to);
-        Some((event, terrane))
+        Some((event, from, terrane))
     }
 
     fn area(&self, samples: &[u32]) -> f64 {

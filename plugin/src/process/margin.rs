@@ -14,7 +14,7 @@ use crate::crust::Crust;
 use crate::parallel;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
-use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
+use crate::schedule::{CurrentPlanet, Stage, StepCursor, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
 use bevy::prelude::*;
 
@@ -34,10 +34,10 @@ impl Plugin for MarginPlugin {
 /// Fills the margins of the current planet.
 pub fn margin(
     current: Res<CurrentPlanet>,
-    mut planets: Query<(&Planet, &Lattice, &TectonicParams, &GeologicClock, &mut Crust)>,
+    mut planets: Query<(&Planet, &Lattice, &TectonicParams, &GeologicClock, &StepCursor, &mut Crust)>,
 ) {
-    let Ok((planet, lattice, params, clock, mut crust)) = planets.get_mut(current.0) else { return };
-    let due = clock.step.is_multiple_of(EVERY) && params.margin_width > 0.0;
+    let Ok((planet, lattice, params, clock, cursor, mut crust)) = planets.get_mut(current.0) else { return };
+    let due = !cursor.is_held() && clock.step.is_multiple_of(EVERY) && params.margin_width > 0.0;
     if params.processes.sediment && due {
         fill(lattice, &mut crust, params, planet.radius);
     }
@@ -51,9 +51,12 @@ fn fill(mesh: &SphereMesh, crust: &mut Crust, params: &TectonicParams, radius: f
     let filled = parallel::map_chunks(crust.len(), |range| {
         range
             .filter_map(|i| {
+                if crust.is_continental(i) {
+                    return None;
+                }
                 let z = crust.elevation[i];
                 let target = target(mesh, crust, i) - drop;
-                (!crust.is_continental(i) && z < target).then(|| (i, z + (target - z).min(most)))
+                (z < target).then(|| (i, z + (target - z).min(most)))
             })
             .collect::<Vec<_>>()
     });

@@ -10,19 +10,23 @@ use crate::crust::isostasy::Isostasy;
 use crate::crust::{Cause, Crust, CrustKind, Ledger, Orogeny};
 use crate::math::{PI, sin_cos};
 use crate::noise::Noise;
-use crate::parallel::{self, CHUNK};
+use crate::parallel::CHUNK;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::process::erosion::{adjustment, eroded, wear};
 use crate::process::ocean_floor::Subsidence;
 use crate::random::Purpose;
-use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
+use crate::schedule::{CurrentPlanet, Stage, StepCursor, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
+use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
 
 /// Period in My over which the noise wanders through its two patterns: what it raises it lowers again.
 pub const NOISE_PERIOD: f64 = 160.0;
+
+/// Samples whose noise is evaluated between two looks at the clock.
+const PER_SLICE: usize = 8 * CHUNK;
 
 /// Adds [`relief`] to the step.
 pub struct ReliefPlugin;
@@ -41,18 +45,33 @@ pub struct ReliefNoise {
 }
 
 impl ReliefNoise {
-    /// Evaluates the patterns, unless they are there already.
-    pub fn prepare(&mut self, mesh: &SphereMesh, planet: &Planet, wavelength: f64) {
-        if self.wavelength == wavelength && self.patterns[0].len() == mesh.len() {
-            return;
+    /// Evaluates the patterns, unless they are there already. Ends early where it should `stop`; called again it goes on.
+    /// Returns whether they are complete.
+    pub fn prepare(
+        &mut self,
+        mesh: &SphereMesh,
+        planet: &Planet,
+        wavelength: f64,
+        stop: impl Fn() -> bool,
+    ) -> bool {
+        if self.wavelength != wavelength || self.patterns[0].len() > mesh.len() {
+            *self = Self { wavelength, ..default() };
         }
-        self.wavelength = wavelength;
         let frequency = planet.radius / wavelength;
-        self.patterns = [0, 1].map(|id| {
-            let noise = Noise::new(planet.seed, Purpose::Relief, id);
-            let value = |i: usize| noise.fractal(mesh.points()[i], frequency, 3) as f32;
-            parallel::map_chunks(mesh.len(), |range| range.map(value).collect::<Vec<_>>()).concat()
-        });
+        let noise = [0, 1].map(|id| Noise::new(planet.seed, Purpose::Relief, id));
+        while self.patterns[1].len() < mesh.len() {
+            let start = self.patterns[1].len();
+            let points = &mesh.points()[start..(start + PER_SLICE).min(mesh.len())];
+            for (noise, pattern) in noise.iter().zip(&mut self.patterns) {
+                let value = |&p: &DVec3| noise.fractal(p, frequency, 3) as f32;
+                pattern.par_extend(points.par_iter().with_min_len(CHUNK).map(value));
+            }
+            // Each call does some of the work, or one that is late would never end.
+            if stop() && self.patterns[1].len() < mesh.len() {
+                return false;
+            }
+        }
+        true
     }
 }
 
@@ -61,13 +80,17 @@ pub fn relief(
     current: Res<CurrentPlanet>,
     mut planets: Query<(
         (&Planet, &Lattice, &TectonicParams, &GeologicClock),
-        (&mut Crust, &mut Ledger, &mut ReliefNoise),
+        (&mut Crust, &mut Ledger, &mut ReliefNoise, &mut StepCursor),
     )>,
 ) {
-    let Ok((input, (mut crust, mut ledger, mut noise))) = planets.get_mut(current.0) else { return };
+    let Ok((input, (mut crust, mut ledger, mut noise, mut cursor))) = planets.get_mut(current.0) else {
+        return;
+    };
     let (planet, lattice, params, clock) = input;
-    if params.processes.noise {
-        noise.prepare(lattice, planet, params.noise_wavelength);
+    let wavelength = params.noise_wavelength;
+    if params.processes.noise && !noise.prepare(lattice, planet, wavelength, || cursor.out_of_time()) {
+        cursor.hold();
+        return;
     }
     let booked = sweep(lattice, &mut crust, &noise, &ReliefLaw::new(params, clock.time));
     let square = planet.radius * planet.radius;

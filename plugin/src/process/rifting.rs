@@ -20,6 +20,7 @@ use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateRow, PlateStats};
 use crate::process::plate_table;
 use crate::random::{Purpose, Stream};
+use crate::resample::{Moved, rebuild_moved};
 use crate::schedule::{CurrentPlanet, Stage, StageTimings, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
@@ -233,6 +234,11 @@ fn rift(
         (0..fragments).map(|k| if k == 0 { id } else { PlateId(clock.next_plate + k as u32 - 1) }).collect();
     clock.next_plate += fragments as u32 - 1;
     reframe(&mut crust, &mut frames, &parts, &ids);
+    let touched = (0..).zip(frames.iter()).filter(|(_, frame)| ids.contains(&frame.plate));
+    let moved = Moved {
+        samples: parts.iter().filter(|part| part.fragment > 0).map(|part| part.sample).collect(),
+        frames: touched.map(|(id, _)| id).collect(),
+    };
     let now = clock.time;
     timings.rift.0 += 1;
     for (k, &fragment) in ids.iter().enumerate() {
@@ -245,8 +251,7 @@ fn rift(
             world.spawn((name, PlateOf(planet), born, fragment, motion, PlateStats::default()));
         }
     }
-    let moved: Vec<u32> = parts.iter().filter(|part| part.fragment > 0).map(|part| part.sample).collect();
-    crate::resample::rebuild_changed(world, planet, &moved);
+    rebuild_moved(world, planet, &moved);
     if let Some(mut timings) = world.get_mut::<StageTimings>(planet) {
         timings.rift.1 += start.elapsed().as_secs_f64() * 1e3;
     }

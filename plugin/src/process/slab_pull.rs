@@ -20,7 +20,7 @@ use bevy::math::DVec3;
 use bevy::prelude::*;
 use std::collections::BTreeMap;
 
-/// Age in My below which a fragment of a rift is not pulled; plates of the beginning, born at 0, are.
+/// Age in My below which a plate is not pulled; plates of the beginning were born at 0.
 pub const GRACE: f64 = 20.0;
 
 /// Adds [`slab_pull`] to the step.
@@ -60,7 +60,7 @@ pub fn slab_pull(
     let mut plates = plates.iter_many_mut(of_planet.iter());
     while let Some((id, plate, stats, mut motion)) = plates.fetch_next() {
         if let Some(front) = fronts.get(id)
-            && (plate.born == 0.0 || clock.time - plate.born >= GRACE)
+            && clock.time - plate.born >= GRACE
         {
             let rate = params.slab_pull * params.time_step;
             motion.axis = pulled(motion.axis, stats.centroid, front, rim.length, rate);

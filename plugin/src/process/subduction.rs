@@ -20,14 +20,13 @@ use crate::crust::{Cause, Crust, Ledger, Orogeny};
 use crate::math::smoothstep;
 use crate::parallel::CHUNK;
 use crate::params::TectonicParams;
-use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::planet::{Lattice, Planet};
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contact, Contacts, Role};
 use crate::process::front::FrontField;
 use crate::process::saturating_rise;
-use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
+use crate::schedule::{CurrentPlanet, Stage, StepCursor, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
-use crate::sphere::spread::UNREACHED;
 use bevy::prelude::*;
 use rayon::prelude::*;
 
@@ -47,18 +46,23 @@ impl Plugin for SubductionPlugin {
 pub fn subduction(
     current: Res<CurrentPlanet>,
     mut planets: Query<(
-        (&Planet, &Lattice, &TectonicParams, &GeologicClock, &crate::crust::Frames, &Rim, &Contacts),
-        (&mut Crust, &mut FrontField, &mut Ledger),
+        (&Planet, &Lattice, &TectonicParams, &Rim, &Contacts),
+        (&mut Crust, &mut FrontField, &mut Ledger, &mut StepCursor),
     )>,
 ) {
-    let Ok((input, (mut crust, mut field, mut ledger))) = planets.get_mut(current.0) else { return };
-    let (planet, lattice, params, clock, frames, rim, contacts) = input;
+    let Ok((input, (mut crust, mut field, mut ledger, mut cursor))) = planets.get_mut(current.0) else {
+        return;
+    };
+    let (planet, lattice, params, rim, contacts) = input;
     if !params.processes.subduction {
         field.stale = true;
         return;
     }
     let reach = (params.uplift_end() / planet.radius).min(2.0);
-    field.refresh(lattice, &crust.frame, frames, rim, contacts, reach, clock.step);
+    if !field.refresh(lattice, &crust.frame, rim, contacts, reach, || cursor.out_of_time()) {
+        cursor.hold();
+        return;
+    }
     let volume = rise(lattice, &mut crust, &field, rim, contacts, &Uplift::new(params, planet.radius));
     ledger.book(Cause::SubductionUplift, 0.0, volume);
 }
@@ -96,17 +100,92 @@ impl<'a> Uplift<'a> {
 
     /// The rate of uplift in km/My.
     pub fn rate(&self, d: f64, v: f64, z_i: f64) -> f64 {
-        self.weighted(self.distance_profile(d), v, z_i)
-    }
-
-    fn weighted(&self, distance_profile: f64, v: f64, z_i: f64) -> f64 {
-        let weigh = |weight: f64, factor: f64| 1.0 + weight * (factor - 1.0);
         let p = self.params;
         p.uplift
-            * weigh(p.weight_distance, distance_profile)
+            * weigh(p.weight_distance, self.distance_profile(d))
             * weigh(p.weight_speed, self.speed_profile(v))
             * weigh(p.weight_relief, self.relief_profile(z_i))
     }
+}
+
+/// 1 + w (x - 1): a factor that counts as much as its weight.
+fn weigh(weight: f64, factor: f64) -> f64 {
+    1.0 + weight * (factor - 1.0)
+}
+
+/// The law with all divisions done, in single precision, for the sweep.
+struct Sweep {
+    radius: f32,
+    /// Distance in km at which the rising piece ends, and the inverse lengths of both pieces.
+    peak: f32,
+    end: f32,
+    rising: f32,
+    falling: f32,
+    /// The factors of distance and speed as a + b x.
+    distance: [f32; 2],
+    speed: [f32; 2],
+    /// Turn of the fold direction per km/My in one step.
+    fold: f32,
+    /// Rate of uplift in km/My from which continental crust is being folded.
+    folding: f32,
+    dt: f32,
+    ceiling: f32,
+    isostasy: Isostasy,
+}
+
+/// What a sample of the front does to all samples that it is nearest to.
+#[derive(Clone, Copy)]
+struct Push {
+    /// Angular velocity relative to the plate going under, times the planet's radius, in km/My.
+    spin: Vec3,
+    /// Rate of uplift in km/My before distance and speed are counted.
+    rate: f32,
+}
+
+impl Sweep {
+    fn new(law: &Uplift) -> Self {
+        let p = law.params;
+        let linear = |weight: f64, slope: f64| [(1.0 - weight) as f32, (weight * slope) as f32];
+        Self {
+            radius: law.radius as f32,
+            peak: p.uplift_peak as f32,
+            end: p.uplift_end() as f32,
+            rising: (1.0 / p.uplift_peak.max(1e-3)) as f32,
+            falling: (1.0 / (p.uplift_end() - p.uplift_peak).max(1.0)) as f32,
+            distance: linear(p.weight_distance, 1.0),
+            speed: linear(p.weight_speed, 1.0 / p.max_speed),
+            fold: (p.fold_rate * p.time_step) as f32,
+            folding: p.orogeny_rate as f32,
+            dt: p.time_step as f32,
+            ceiling: p.summit_elevation as f32,
+            isostasy: law.isostasy,
+        }
+    }
+
+    /// Rate of uplift in km/My at the direction `n`, `angle` radians from the front, and the turn of the fold
+    /// direction.
+    #[inline]
+    fn at(&self, push: &Push, n: Vec3, angle: f32) -> (f32, Vec3) {
+        let d = angle * self.radius;
+        let x = if d < self.peak { d * self.rising } else { (self.end - d) * self.falling };
+        let x = x.clamp(0.0, 1.0);
+        let profile = x * x * (3.0 - 2.0 * x);
+        let velocity = push.spin.cross(n);
+        let near = self.distance[0] + self.distance[1] * profile;
+        let fast = self.speed[0] + self.speed[1] * velocity.length();
+        (push.rate * near * fast, velocity * (self.fold * profile))
+    }
+}
+
+/// What the samples of the rim push; those that do not override push nothing.
+fn pushes(law: &Uplift, contacts: &Contacts) -> Vec<Option<Push>> {
+    let push = |contact: &Contact| {
+        let rate = law.params.uplift
+            * weigh(law.params.weight_relief, law.relief_profile(f64::from(contact.other_elevation)));
+        let spin = (contact.relative * law.radius).as_vec3();
+        (contact.role == Role::Overriding).then_some(Push { spin, rate: rate as f32 })
+    };
+    contacts.0.iter().map(push).collect()
 }
 
 /// Raises all samples near a front. Returns the volume in km³ that continents gained.
@@ -119,6 +198,7 @@ fn rise(
     law: &Uplift,
 ) -> f64 {
     let kind = &crust.kind;
+    let (sweep, pushes) = (Sweep::new(law), pushes(law, contacts));
     let volumes: Vec<f64> = (
         crust.elevation.par_chunks_mut(CHUNK),
         crust.thickness.par_chunks_mut(CHUNK),
@@ -133,29 +213,22 @@ fn rise(
             let mut volume = 0.0;
             for k in 0..elevation.len() {
                 let i = start + k;
-                let source = field.source[i];
-                if source == UNREACHED {
-                    continue;
-                }
-                // A front sample may have become interior or stopped overriding since distances were spread.
-                let at = rim.index[source as usize];
-                let Some(contact) = contacts.0.get(at as usize) else { continue };
-                if contact.role != Role::Overriding {
-                    continue;
-                }
-                let (rate, drag) = law.at(mesh, i, field.distance[i], contact);
-                let dt = law.params.time_step as f32;
+                let Some((source, distance)) = field.nearest(i as u32) else { continue };
+                // A sample stays on the front for a while after it overrode.
+                let Some(Some(push)) = pushes.get(rim.index[source as usize] as usize) else { continue };
+                let n = mesh.points()[i].as_vec3();
+                let (rate, drag) = sweep.at(push, n, distance);
                 let z = elevation[k];
-                let raised = saturating_rise(z, rate * dt, law.params.summit_elevation as f32);
-                let thicker = thickness[k] + law.isostasy.thickening(z, raised - z);
+                let raised = saturating_rise(z, rate * sweep.dt, sweep.ceiling);
+                let thicker = thickness[k] + sweep.isostasy.thickening(z, raised - z);
                 let continental = kind[i] == crate::crust::CrustKind::Continental;
                 if continental {
                     volume += f64::from(thicker - thickness[k]) * mesh.areas()[i];
                 }
                 elevation[k] = raised;
                 thickness[k] = thicker;
-                fold[k] = turned(fold[k], drag, mesh.points()[i].as_vec3());
-                if continental && f64::from(rate) > law.params.orogeny_rate {
+                fold[k] = turned(fold[k], drag, n);
+                if continental && rate > sweep.folding {
                     let himalayan = orogeny[k] == Orogeny::Himalayan && orogeny_age[k] < HIMALAYAN_MEMORY;
                     if !himalayan {
                         orogeny[k] = Orogeny::Andean;
@@ -169,18 +242,6 @@ fn rise(
     volumes.into_iter().sum::<f64>() * law.radius * law.radius
 }
 
-impl Uplift<'_> {
-    /// Rate of uplift in km/My at sample `i`, and the turn of its fold direction in one step.
-    fn at(&self, mesh: &SphereMesh, i: usize, distance: f32, contact: &Contact) -> (f32, Vec3) {
-        let velocity = contact.relative.cross(mesh.points()[i]) * self.radius;
-        let d = f64::from(distance) * self.radius;
-        let profile = self.distance_profile(d);
-        let rate = self.weighted(profile, velocity.length(), f64::from(contact.other_elevation));
-        let strength = self.params.fold_rate * self.params.time_step * profile;
-        (rate as f32, (velocity * strength).as_vec3())
-    }
-}
-
 /// A fold direction after it was dragged by `drag`: a tangent vector at the direction `n`, at most of unit length.
 fn turned(fold: Vec3, drag: Vec3, n: Vec3) -> Vec3 {
     let sum = fold + drag;
@@ -192,6 +253,7 @@ fn turned(fold: Vec3, drag: Vec3, n: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bevy::math::DVec3;
 
     #[test]
     fn profiles_have_the_closed_forms_of_the_paper() {
@@ -209,6 +271,25 @@ mod tests {
         assert_eq!(law.relief_profile(params.trench_elevation), 0.0);
         assert!((law.relief_profile(0.0) - 0.25).abs() < 1e-12);
         assert!((law.rate(300.0, 100.0, 10.0) - params.uplift).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_sweep_follows_the_law() {
+        let params = TectonicParams { weight_speed: 0.7, weight_relief: 0.4, ..default() };
+        let law = Uplift::new(&params, 6370.0);
+        let sweep = Sweep::new(&law);
+        for (km, speed, z) in
+            [(0.0, 30.0, -6.0), (120.0, 80.0, -2.0), (700.0, 10.0, 0.5), (1799.0, 99.0, -8.0)]
+        {
+            let relative = DVec3::Z * (speed / 6370.0);
+            let contact =
+                Contact { role: Role::Overriding, relative, other_elevation: z as f32, ..default() };
+            let push = pushes(&law, &Contacts(vec![contact]))[0].unwrap();
+            let (rate, drag) = sweep.at(&push, Vec3::X, (km / 6370.0) as f32);
+            assert!((f64::from(rate) - law.rate(km, speed, z)).abs() < 1e-5 * params.uplift);
+            let turn = params.fold_rate * params.time_step * law.distance_profile(km) * speed;
+            assert!((drag - Vec3::Y * turn as f32).length() < 1e-5);
+        }
     }
 
     #[test]

@@ -2,54 +2,90 @@
 
 use crate::crust::cover::CoverIndex;
 use crate::crust::terrane::census;
-use crate::crust::{Crust, Frames};
+use crate::crust::{Crust, FrameId, Frames};
 use crate::events::PlateConsumed;
 use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
-use crate::plate::PlateId;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contact, ContactInput, Contacts, PolarityMemory, find_contacts};
 use crate::plate::stats::plate_stats;
+use crate::plate::{PlateId, PlateStats};
+use crate::process::front::FrontField;
 use crate::process::plate_table;
 use bevy::prelude::*;
 
-/// Renews what depends on which samples a frame has: rims, candidate tables and plate statistics. Plates
-/// without crust are removed.
+/// Renews what depends on which samples a frame has: rims, candidate tables, distances to fronts and plate
+/// statistics. Plates without crust are removed.
 pub fn rebuild(world: &mut World, planet: Entity) {
     renew(world, planet, None);
+    if let Some(mut fronts) = world.get_mut::<FrontField>(planet) {
+        fronts.stale = true;
+    }
 }
 
-/// The same where only the samples `changed`, in order, have gone to other frames.
-pub fn rebuild_changed(world: &mut World, planet: Entity, changed: &[u32]) {
-    renew(world, planet, Some(changed));
+/// Samples that went to other frames.
+#[derive(Clone, Debug, Default)]
+pub struct Moved {
+    /// The samples, in order.
+    pub samples: Vec<u32>,
+    /// The frames that lost or gained them.
+    pub frames: Vec<FrameId>,
 }
 
-fn renew(world: &mut World, planet: Entity, changed: Option<&[u32]>) {
-    let mut query = world.query::<(
-        (&Planet, &Lattice, &Crust, &Frames),
-        (&mut Rim, &mut CoverIndex, &mut PolarityMemory, &mut Contacts),
-    )>();
+/// The same as [`rebuild`] where only a few samples have moved. What does not touch them stays as it was.
+pub fn rebuild_moved(world: &mut World, planet: Entity, moved: &Moved) {
+    renew(world, planet, Some(moved));
+    let mut query = world.query::<(&Crust, &mut FrontField)>();
+    if let Ok((crust, mut fronts)) = query.get_mut(world, planet) {
+        fronts.forget(&crust.frame, &moved.frames);
+    }
+}
+
+/// Renews the statistics of all plates after crust has changed its kind.
+pub fn recount(world: &mut World, planet: Entity) {
+    let mut query = world.query::<(&Planet, &Lattice, &Crust, &Frames)>();
+    let Ok((body, lattice, crust, frames)) = query.get(world, planet) else { return };
+    let stats = plate_stats(lattice, crust, frames, body.radius, |_| true);
+    take_over(world, planet, &stats);
+}
+
+fn renew(world: &mut World, planet: Entity, moved: Option<&Moved>) {
+    let mut query =
+        world.query::<((&Planet, &Lattice, &Crust, &Frames), (&mut Rim, &mut CoverIndex, &mut Contacts))>();
     let Ok(((body, lattice, crust, frames), derived)) = query.get_mut(world, planet) else { return };
-    let (mut rim, mut cover, mut polarity, mut contacts) = derived;
-    let old: Vec<u32> = rim.samples.clone();
-    match changed {
-        Some(changed) if !rim.index.is_empty() => rim.renew(lattice, &crust.frame, frames, changed),
-        _ => *rim = Rim::new(lattice, &crust.frame, frames),
+    let (mut rim, mut cover, mut contacts) = derived;
+    let old = rim.samples.clone();
+    let known = moved.filter(|_| !rim.index.is_empty());
+    match known {
+        Some(moved) => rim.renew(lattice, &crust.frame, frames, &moved.samples),
+        None => *rim = Rim::new(lattice, &crust.frame, frames),
     }
     cover.renew(lattice, &crust.frame, frames);
     contacts.0 = carried(&old, &contacts.0, &rim.samples);
-    let stats = plate_stats(lattice, crust, frames, body.radius);
-    let alive = |id: PlateId| stats.iter().any(|(other, stats)| *other == id && stats.samples > 0);
-    polarity.retain(alive);
+    let touched: Option<Vec<PlateId>> = known.map(|m| m.frames.iter().map(|&id| frames.plate(id)).collect());
+    let counted = |plate: PlateId| touched.as_ref().is_none_or(|touched| touched.contains(&plate));
+    let stats = plate_stats(lattice, crust, frames, body.radius, counted);
+    let gone = |id: PlateId| counted(id) && !has_samples(&stats, id);
+    let gone: Vec<_> = plate_table(world, planet).rows().iter().copied().filter(|row| gone(row.id)).collect();
+    if let Some(mut polarity) = world.get_mut::<PolarityMemory>(planet) {
+        polarity.retain(|id| gone.iter().all(|row| row.id != id));
+    }
+    take_over(world, planet, &stats);
+    for row in gone {
+        world.despawn(row.entity);
+        world.trigger(PlateConsumed { planet, plate: row.id });
+    }
+}
+
+fn has_samples(stats: &[(PlateId, PlateStats)], id: PlateId) -> bool {
+    stats.iter().any(|(other, stats)| *other == id && stats.samples > 0)
+}
+
+/// Gives plates their statistics.
+fn take_over(world: &mut World, planet: Entity, stats: &[(PlateId, PlateStats)]) {
     for row in plate_table(world, planet).rows() {
-        match stats.iter().find(|(id, stats)| *id == row.id && stats.samples > 0) {
-            Some((_, stats)) => {
-                world.entity_mut(row.entity).insert(*stats);
-            }
-            None => {
-                world.despawn(row.entity);
-                world.trigger(PlateConsumed { planet, plate: row.id });
-            }
+        if let Some((_, stats)) = stats.iter().find(|(id, stats)| *id == row.id && stats.samples > 0) {
+            world.entity_mut(row.entity).insert(*stats);
         }
     }
 }
@@ -67,7 +103,7 @@ fn carried(old: &[u32], contacts: &[Contact], rim: &[u32]) -> Vec<Contact> {
 
 /// Finds everything that a planet derives from its state, after it was made or loaded, and projects its surface.
 pub fn refresh(world: &mut World, planet: Entity) {
-    rebuild(world, planet);
+    renew(world, planet, None);
     look_for_contacts(world, planet);
     take_census(world, planet);
     super::project_now(world, planet);

@@ -26,9 +26,11 @@ use crate::params::TectonicParams;
 use crate::plate::PlateTable;
 use crate::resample::project::{Notes, Row};
 use crate::sphere::SphereMesh;
-use crate::sphere::spread::{Scratch, UNREACHED, angle_of_chord, spread};
+use crate::sphere::components::Components;
+use crate::sphere::spread::{SourceField, UNREACHED, angle_of_chord, spread_on};
 use bevy::math::DVec3;
 use bevy::prelude::*;
+use rayon::prelude::*;
 
 /// Half-spreading rate in km/My at which `ridge_width` agrees with the default `subsidence_time`.
 pub const REFERENCE_RATE: f64 = 12.8;
@@ -50,8 +52,12 @@ pub struct GapInput<'a> {
     pub elapsed: f64,
 }
 
+/// The nearest and the second rim of every sample of a gap; memory to be used again.
+#[derive(Clone, Debug, Default)]
+pub struct Rims([SourceField; 2]);
+
 /// Makes crust for every sample of the projection that nothing covers. Returns how many became ridge crust.
-pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usize {
+pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes, rims: &mut Rims) -> usize {
     let mesh = input.mesh;
     let open = |i: u32| notes.weight[i as usize] < 0.0;
     let gaps = parallel::map_chunks(mesh.len(), |range| {
@@ -61,25 +67,27 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usiz
     if gaps.is_empty() {
         return 0;
     }
-    let mut seeds: Vec<u32> =
-        gaps.iter().flat_map(|&i| mesh.ring(i).iter().copied().filter(|&j| !open(j))).collect();
-    seeds.sort_unstable();
-    seeds.dedup();
-    let seeds: Vec<_> = seeds.into_iter().map(|i| (i, mesh.point(i))).collect();
-    if seeds.is_empty() {
-        return 0;
+    for field in &mut rims.0 {
+        if field.len() != mesh.len() {
+            *field = SourceField::new(mesh.len());
+        }
+        field.clear();
     }
-    let mut scratch = Scratch::default();
-    let mut first = vec![UNREACHED; mesh.len()];
-    let reached = spread(mesh, &mut scratch, &seeds, 2.0, |_, to| open(to));
-    for (&i, &source) in reached.samples.iter().zip(&reached.source) {
-        first[i as usize] = seeds[source as usize].0;
-    }
-    let second = second_rims(mesh, &gaps, &first, surface, &mut scratch);
+    let [first, second] = &rims.0;
+    let parts = Components::new(mesh, open, |_, _| true);
+    let mut of_part = vec![Vec::new(); parts.count];
+    gaps.iter().for_each(|&i| of_part[parts.of[i as usize] as usize].push(i));
+    // No distance crosses from one gap to another: each is a spread of its own, the largest first.
+    of_part.sort_by_key(|gap| core::cmp::Reverse(gap.len()));
+    of_part.par_iter().with_max_len(1).for_each(|gap| {
+        let part = parts.of[gap[0] as usize];
+        nearest_rims(mesh, gap, first, |i| parts.of[i as usize] == part);
+        second_rims(mesh, gap, first, surface, second);
+    });
     // Rows are made of covered samples alone: none depends on another.
     let rows = parallel::map_chunks(gaps.len(), |range| {
         let row = |&i: &u32| {
-            let (near, far) = (first[i as usize], second[i as usize]);
+            let (near, far) = (first.source(i), second.source(i));
             if near == UNREACHED {
                 return None;
             }
@@ -100,38 +108,38 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes) -> usiz
     made
 }
 
-/// For every gap sample the nearest rim of another plate than the nearest rim's: spread from where the regions of two
-/// plates meet within the gap.
-fn second_rims(
-    mesh: &SphereMesh,
-    gaps: &[u32],
-    first: &[u32],
-    surface: &Surface,
-    scratch: &mut Scratch,
-) -> Vec<u32> {
-    let plate = |i: u32| match first[i as usize] {
+/// For every sample of a gap the nearest rim.
+fn nearest_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, inside: impl Fn(u32) -> bool) {
+    let mut seeds: Vec<u32> =
+        gap.iter().flat_map(|&i| mesh.ring(i).iter().copied().filter(|&j| !inside(j))).collect();
+    seeds.sort_unstable();
+    seeds.dedup();
+    // Rims stay out of the field: they may belong to several gaps.
+    let mut start: Vec<(u32, u32)> = Vec::new();
+    for &rim in &seeds {
+        start.extend(mesh.ring(rim).iter().filter(|&&i| inside(i)).map(|&i| (i, rim)));
+    }
+    spread_on(mesh, first, &start, 2.0, |rim| mesh.point(rim), |_, to| inside(to));
+}
+
+/// For every sample of a gap the nearest rim of another plate than the nearest rim's: spread from where the regions
+/// of two plates meet within the gap.
+fn second_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, surface: &Surface, second: &SourceField) {
+    let plate = |i: u32| match first.source(i) {
         UNREACHED => None,
         rim => Some(surface.plate[rim as usize]),
     };
-    let mut seeds = Vec::new();
-    let mut rims = Vec::new();
-    for &i in gaps {
+    let mut start = Vec::new();
+    for &i in gap {
         for &j in mesh.ring(i) {
-            // A covered neighbour has no entry in `first`; only gap samples of another plate's region count.
+            // A covered neighbour is not in the field; only gap samples of another plate's region count.
             if plate(i).is_some() && plate(j).is_some() && plate(i) != plate(j) {
-                let rim = first[j as usize];
-                seeds.push((i, mesh.point(rim)));
-                rims.push(rim);
+                start.push((i, first.source(j)));
             }
         }
     }
-    let mut second = vec![UNREACHED; mesh.len()];
     let same = |from: u32, to: u32| plate(to).is_some() && plate(from) == plate(to);
-    let reached = spread(mesh, scratch, &seeds, 2.0, same);
-    for (&i, &source) in reached.samples.iter().zip(&reached.source) {
-        second[i as usize] = rims[source as usize];
-    }
-    second
+    spread_on(mesh, second, &start, 2.0, |rim| mesh.point(rim), same);
 }
 
 /// Crust that fills sample `i` of a gap that is not opening.

@@ -22,7 +22,7 @@ mod stage;
 
 mod derived;
 
-pub use derived::{rebuild, rebuild_changed, refresh};
+pub use derived::{Moved, rebuild, rebuild_moved, recount, refresh};
 pub use stage::{ResamplePlugin, Resampling, SurfaceDemand, due, interval, project_now};
 
 #[allow(unused_imports, reason = "named in the module's documentation")]

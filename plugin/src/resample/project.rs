@@ -7,7 +7,7 @@
 
 use crate::crust::cover::{CoverIndex, Hit, Hits, topmost};
 use crate::crust::surface::Cover;
-use crate::crust::{Crust, CrustKind, Frames, Orogeny, Surface};
+use crate::crust::{Crust, CrustKind, Frame, Frames, Orogeny, Surface};
 use crate::parallel::CHUNK;
 use crate::plate::PlateId;
 use crate::plate::contact::PolarityMemory;
@@ -127,6 +127,8 @@ pub fn project_slice(input: &ProjectInput, surface: &mut Surface, notes: &mut No
     let n = input.mesh.len();
     let end = (first + CHUNKS_PER_SLICE).min(n.div_ceil(CHUNK));
     let range = first * CHUNK..(end * CHUNK).min(n);
+    // Before anything has moved every sample is covered by itself alone.
+    let at_rest = input.frames.iter().all(Frame::is_at_rest);
     macro_rules! chunks {
         ($($column:expr),+) => { ($($column[range.clone()].par_chunks_mut(CHUNK)),+).into_par_iter() };
     }
@@ -138,7 +140,7 @@ pub fn project_slice(input: &ProjectInput, surface: &mut Surface, notes: &mut No
         let (frame, kind, thickness, elevation, ocean_age, orogeny_age, orogeny) = scalars;
         let (ridge, fold, plate, cover, trench, weight, below, layers) = rest;
         for k in 0..frame.len() {
-            let found = find(input, (first + chunk) * CHUNK + k);
+            let found = find(input, at_rest, (first + chunk) * CHUNK + k);
             let row = found.row;
             (frame[k], kind[k], thickness[k], elevation[k]) =
                 (row.frame, row.kind, row.thickness, row.elevation);
@@ -151,8 +153,18 @@ pub fn project_slice(input: &ProjectInput, surface: &mut Surface, notes: &mut No
     end
 }
 
-fn find(input: &ProjectInput, i: usize) -> Found {
+fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
     let ProjectInput { mesh, crust, frames, cover, polarity } = *input;
+    if at_rest {
+        return Found {
+            row: Row::read(crust, i),
+            plate: frames.plate(crust.frame[i]),
+            cover: Cover::One,
+            weight: f32::from(u8::from(crust.is_continental(i))),
+            below: 0.0,
+            layers: [0; 2],
+        };
+    }
     let p = mesh.points()[i];
     let hits = cover.covering(mesh, crust, frames, p);
     let Some(top) = topmost(crust, frames, polarity, &hits, p) else {

@@ -1,7 +1,7 @@
 //! The stages that resample the crust and project the surface, in slices.
 
 use super::derived::{look_for_contacts, rebuild, take_census};
-use super::gap::{GapInput, fill_gaps};
+use super::gap::{GapInput, Rims, fill_gaps};
 use super::project::{Notes, ProjectInput, prepare, project_slice};
 use super::quota::conserve;
 use super::strays::gather_strays;
@@ -13,11 +13,11 @@ use crate::parallel::{self, CHUNK};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::boundary::Rim;
-use crate::plate::contact::{Contacts, PolarityMemory};
+use crate::plate::contact::{Contact, Contacts, PolarityMemory};
 use crate::plate::{PlateId, PlateTable};
-use crate::process::front::FrontField;
 use crate::process::plate_table;
 use crate::schedule::{CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems};
+use crate::sphere::spread::Scratch;
 use bevy::prelude::*;
 use rayon::prelude::*;
 use std::time::Instant;
@@ -42,6 +42,8 @@ impl Plugin for ResamplePlugin {
 pub struct Resampling {
     next: Surface,
     notes: Notes,
+    rims: Rims,
+    scratch: Scratch,
     new_ocean: usize,
     /// Whether this step has resampled the crust.
     pub done: bool,
@@ -70,6 +72,7 @@ pub fn interval(params: &TectonicParams, speed: f64) -> u32 {
 enum Finish {
     Gaps,
     Quota,
+    Trenches,
     Commit,
 }
 
@@ -119,6 +122,10 @@ pub fn due(
 
 /// Projects the whole surface at once.
 pub fn project_now(world: &mut World, planet: Entity) {
+    if world.get::<Resampling>(planet).is_some_and(|resampling| resampling.done) {
+        // Nothing has looked for contacts since.
+        look_for_contacts(world, planet);
+    }
     if let Some(mut cursor) = world.get_mut::<StepCursor>(planet) {
         cursor.progress = 0;
         cursor.deadline = None;
@@ -155,10 +162,12 @@ fn advance_work(
 ) -> Option<bool> {
     let mut query = world.query::<(
         (&Planet, &Lattice, &TectonicParams, &GeologicClock, &Crust, &Frames),
-        (&mut CoverIndex, &PolarityMemory, &mut Ledger, &mut StepCursor),
+        (&Rim, &Contacts, &PolarityMemory),
+        (&mut CoverIndex, &mut Ledger, &mut StepCursor),
     )>();
-    let ((body, mesh, params, clock, crust, frames), (mut cover, polarity, mut ledger, mut cursor)) =
+    let (state, (rim, contacts, polarity), (mut cover, mut ledger, mut cursor)) =
         query.get_mut(world, planet).ok()?;
+    let (body, mesh, params, clock, crust, frames) = state;
     let chunks = mesh.len().div_ceil(CHUNK);
     if cursor.progress == 0 {
         // Collisions and riftings of this step have changed the frames since the contacts were found.
@@ -170,12 +179,13 @@ fn advance_work(
         if cursor.progress < chunks {
             cursor.progress = project_slice(&input, &mut work.next, &mut work.notes, cursor.progress);
         } else {
-            match [Finish::Gaps, Finish::Quota, Finish::Commit][cursor.progress - chunks] {
+            match [Finish::Gaps, Finish::Quota, Finish::Trenches, Finish::Commit][cursor.progress - chunks] {
                 Finish::Gaps => {
                     let now = clock.time + if commit { params.time_step } else { 0.0 };
                     let elapsed = now - clock.last_resample;
                     let gaps = GapInput { mesh, plates, params, radius: body.radius, elapsed };
-                    work.new_ocean = fill_gaps(&gaps, &mut work.next, &work.notes);
+                    let Resampling { next, notes, rims, .. } = work;
+                    work.new_ocean = fill_gaps(&gaps, next, notes, rims);
                 }
                 Finish::Quota if commit => {
                     let Resampling { next, notes, .. } = work;
@@ -183,6 +193,10 @@ fn advance_work(
                     gather_strays(mesh, next);
                 }
                 Finish::Quota => {}
+                Finish::Trenches => {
+                    let Resampling { next, scratch, .. } = work;
+                    bend(mesh, crust, frames, rim, contacts, params, body.radius, next, scratch);
+                }
                 Finish::Commit => return Some(true),
             }
             cursor.progress += 1;
@@ -196,7 +210,6 @@ fn advance_work(
 
 /// Publishes the projection; after a resample it becomes the state.
 fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Resampling, commit: bool) {
-    bend_trenches(world, planet, &mut work.next);
     let mut query = world.query::<(
         &Planet,
         &Lattice,
@@ -224,11 +237,12 @@ fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Res
     let share = work.new_ocean as f64 / mesh.len() as f64;
     let new_ocean = share * 4.0 * crate::math::PI * body.radius * body.radius;
     if commit {
-        if let Some(mut fronts) = world.get_mut::<FrontField>(planet) {
-            fronts.stale = true;
-        }
         rebuild(world, planet);
-        look_for_contacts(world, planet);
+        // What was known of contacts belongs to samples that are now others.
+        let mut query = world.query::<(&Rim, &mut Contacts)>();
+        if let Ok((rim, mut contacts)) = query.get_mut(world, planet) {
+            contacts.0 = vec![Contact::default(); rim.len()];
+        }
         take_census(world, planet);
         world.trigger(CrustResampled { planet, new_ocean });
     }
@@ -250,13 +264,6 @@ fn copy(from: &Crust, to: &mut Crust) {
         to.fold.clone_from(&from.fold);
     };
     rayon::join(small, large);
-}
-
-fn bend_trenches(world: &mut World, planet: Entity, next: &mut Surface) {
-    let mut query = world.query::<(&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim, &Contacts)>();
-    if let Ok((body, mesh, params, crust, frames, rim, contacts)) = query.get(world, planet) {
-        bend(mesh, crust, frames, rim, contacts, params, body.radius, next);
-    }
 }
 
 /// One frame at rest for every plate that has samples, in the order of plate numbers.

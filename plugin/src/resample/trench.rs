@@ -25,6 +25,7 @@ pub fn bend(
     params: &TectonicParams,
     radius: f64,
     surface: &mut Surface,
+    scratch: &mut Scratch,
 ) {
     let mut fronts = Vec::new();
     let mut seeds: Vec<(u32, DVec3)> = Vec::new();
@@ -39,7 +40,16 @@ pub fn bend(
     }
     let near = 0.5 * mesh.spacing();
     let width = params.trench_width / radius;
-    let reached = spread(mesh, &mut Scratch::default(), &seeds, width + near, |_, _| true);
+    let mut goes_under = vec![false; frames.len()];
+    for (k, frame) in frames.iter().enumerate() {
+        goes_under[k] = fronts.iter().any(|(under, _)| *under == frame.plate);
+    }
+    let (kind, top) = (&surface.crust.kind, &surface.crust.frame);
+    let bends = |_, to: u32| {
+        kind[to as usize] == CrustKind::Oceanic
+            && goes_under.get(usize::from(top[to as usize])) == Some(&true)
+    };
+    let reached = spread(mesh, scratch, &seeds, width + near, bends);
     for ((&i, &source), &d) in reached.samples.iter().zip(&reached.source).zip(&reached.distance) {
         let i = i as usize;
         let (under, approach) = fronts[source as usize];

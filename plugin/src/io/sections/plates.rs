@@ -2,13 +2,14 @@
 
 use super::{flag, unit};
 use crate::crust::{Frame, Frames};
-use crate::io::codec::{Decoder, Encoder, floats, invalid};
+use crate::io::codec::{Decoder, Encoder, invalid};
 use crate::io::save::SaveError;
 use crate::plate::contact::PolarityMemory;
 use crate::plate::polarity::Segment;
 use crate::plate::{PlateId, PlateMotion, PlateStats};
-use crate::process::front::FrontField;
+use crate::process::front::{FrontField, HOLD};
 use crate::spawn::PlanetState;
+use crate::sphere::SphereMesh;
 use crate::sphere::spread::UNREACHED;
 
 /// A plate as it is in a planet's state.
@@ -117,30 +118,60 @@ pub(super) fn read_polarity(bytes: &[u8]) -> Result<PolarityMemory, SaveError> {
     Ok(PolarityMemory(segments))
 }
 
+/// Distances are not stored: they follow from the sources.
 pub(super) fn fronts(state: &PlanetState) -> Vec<u8> {
     let mut out = Encoder::default();
     out.u8(u8::from(state.fronts.stale));
-    state.fronts.source.iter().for_each(|&i| out.u32(i));
-    out.0.extend(floats(&state.fronts.distance));
+    out.f64(state.fronts.reach);
+    out.u32(state.fronts.front.len() as u32);
+    for &(sample, age) in &state.fronts.front {
+        out.u32(sample);
+        out.u8(age);
+    }
+    (0..state.fronts.nearest.len() as u32).for_each(|i| out.u32(state.fronts.nearest.source(i)));
     out.0
 }
 
-pub(super) fn read_fronts(bytes: &[u8], samples: u32) -> Result<FrontField, SaveError> {
-    let n = samples as usize;
-    if bytes.len() != 1 + 8 * n {
-        return Err(invalid("the distances to fronts have not one entry per sample".into()));
-    }
+/// What is read needs a mesh before it is a field.
+pub(super) struct SavedFronts {
+    stale: bool,
+    reach: f64,
+    front: Vec<(u32, u8)>,
+    source: Vec<u32>,
+}
+
+pub(super) fn read_fronts(bytes: &[u8], samples: u32) -> Result<SavedFronts, SaveError> {
     let mut read = Decoder(bytes);
     let stale = flag(read.u8()?)?;
-    let (source, distance) = bytes[1..].split_at(4 * n);
-    let source: Vec<u32> = source.as_chunks::<4>().0.iter().map(|&b| u32::from_le_bytes(b)).collect();
-    let distance: Vec<f32> = distance.as_chunks::<4>().0.iter().map(|&b| f32::from_le_bytes(b)).collect();
-    let sound = source.iter().zip(&distance).all(|(&source, &distance)| match source {
-        UNREACHED => distance == f32::INFINITY,
-        _ => source < samples && (0.0..4.0).contains(&distance),
-    });
-    if !sound {
-        return Err(invalid("a distance to a front is no distance".into()));
+    let reach = read.within("reach of fronts", 0.0, 4.0)?;
+    let count = read.count(5)?;
+    let mut front: Vec<(u32, u8)> = Vec::with_capacity(count);
+    for _ in 0..count {
+        let (sample, age) = (read.u32()?, read.u8()?);
+        if sample >= samples || age >= HOLD || front.last().is_some_and(|&(last, _)| last >= sample) {
+            return Err(invalid("a front is out of order".into()));
+        }
+        front.push((sample, age));
     }
-    Ok(FrontField { stale, source, distance, ..FrontField::new(0) })
+    if read.0.len() != 4 * samples as usize {
+        return Err(invalid("the distances to fronts have not one entry per sample".into()));
+    }
+    let source: Vec<u32> = read.0.as_chunks::<4>().0.iter().map(|&b| u32::from_le_bytes(b)).collect();
+    if source.iter().any(|&source| source != UNREACHED && source >= samples) {
+        return Err(invalid("a front lies at a sample that is not there".into()));
+    }
+    Ok(SavedFronts { stale, reach, front, source })
+}
+
+impl SavedFronts {
+    /// The field on its mesh.
+    pub(super) fn field(self, mesh: &SphereMesh) -> FrontField {
+        let Self { stale, reach, front, .. } = self;
+        let field = FrontField { stale, reach, front, ..FrontField::new(mesh.len()) };
+        for (i, source) in (0..).zip(self.source).filter(|&(_, source)| source != UNREACHED) {
+            let chord2 = mesh.point(i).distance_squared(mesh.point(source));
+            field.nearest.set(i, source, chord2 as f32);
+        }
+        field
+    }
 }
