@@ -4,6 +4,7 @@
 //! change `PANGAEA_BLESS=1` writes the file anew.
 
 use super::lively;
+use bevy::prelude::*;
 use bevy_pangaea::control::{BakeSettings, PlanetBake, bake_now};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::query::{Ground, LEVELS, PlanetGround, Rules};
