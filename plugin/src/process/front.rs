@@ -196,9 +196,9 @@ mod tests {
         let mut field = FrontField::new(mesh.len());
         for step in 0..40_u64 {
             // Segments of the front turn on and off, and single samples flicker.
-            let segment = |i: u32, step: u64| ((mesh.point(i).y * 4.0 + 4.0) as u64) << 8 | step / 7;
+            let segment = |i: u32, step: u64| (((mesh.point(i).y * 4.0 + 4.0) as u64) << 8) | (step / 7);
             let on = |i: u32, step: u64| {
-                stream.unit(segment(i, step)) < 0.6 && stream.unit(u64::from(i) << 16 | step) < 0.8
+                stream.unit(segment(i, step)) < 0.6 && stream.unit((u64::from(i) << 16) | step) < 0.8
             };
             let (rim, contacts) = front(&mesh, |i| on(i, step));
             assert!(field.refresh(&mesh, &frame, &rim, &contacts, reach, || false));
