@@ -116,15 +116,21 @@ fn ground(app: &mut App, planet: Entity) -> Vec<String> {
         format!("{name}: {}", short(&hasher))
     };
     let singles = |hasher: &mut blake3::Hasher, numbers: &[f32]| {
-        numbers.iter().for_each(|x| drop(hasher.update(&x.to_bits().to_le_bytes())));
+        for x in numbers {
+            hasher.update(&x.to_bits().to_le_bytes());
+        }
     };
     vec![
         line("base mesh", &|hasher| bake.mesh().points().iter().for_each(|p| floats(hasher, &p.to_array()))),
         line("rain", &|hasher| singles(hasher, &bake.climate.rain)),
         line("discharge", &|hasher| {
-            bake.drainage.discharge.iter().for_each(|x| drop(hasher.update(&x.to_le_bytes())));
+            for x in &bake.drainage.discharge {
+                hasher.update(&x.to_le_bytes());
+            }
         }),
-        line("control mesh", &|hasher| drop(hasher.update(format!("{:?}", bake.control).as_bytes()))),
+        line("control mesh", &|hasher| {
+            hasher.update(format!("{:?}", bake.control).as_bytes());
+        }),
         line("ground at level 17", &|hasher| singles(hasher, &heights)),
     ]
 }
