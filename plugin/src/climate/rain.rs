@@ -4,15 +4,14 @@
 //! and r = m / c the relative humidity:
 //! - over the sea it is moistened towards r = 0.8 (less where it sinks) within some 700 km;
 //! - it rains e(φ) r m / L per km: e says how air rises in its belt, much at the equator (the convergence of the
-//!   trades) and on the storm tracks, little where it sinks (15 to 35°); where it sinks over land it is also dried,
-//!   where trades converge they bring moisture from both sides;
+//!   trades) and on the storm tracks, little where it sinks (15 to 35°); where it sinks over land it is also dried;
 //! - of rain on land half evaporates again and goes on, in the tropics most of it;
 //! - where the ground rises the air cools, c falls, and what is too much rains out (orographic rain; cf. Smith and
 //!   Barstad 2004, whose efficiencies are a third to a half); behind the crest m is spent and c is large again: a shadow.
 //!
 //! c follows the Magnus form of the vapour pressure at the ground's temperature. L = 5000 km and the scale to mm are
 //! fitted to Earth: 2 m at the equator, 0.6 m on tropical seas, 1 m on the storm tracks, 0.2 m at the poles. Eddies
-//! mix neighbouring columns within 300 km, at the equator within 80.
+//! mix neighbouring columns within 300 km.
 
 use super::wind::Belts;
 use super::{EARTH_RADIUS, Winds};
@@ -26,18 +25,16 @@ const SEA_HUMIDITY: f32 = 0.8;
 const MOISTENING: f32 = 700.0;
 /// L: way on which air would lose its water at e = r = 1, km.
 const RAIN_LENGTH: f32 = 5000.0;
-/// Way on which the trades of both hemispheres, where they converge, bring land as much water as the sea gives, km.
-const CONVERGENCE: f32 = 1200.0;
 /// Way on which sinking air over land is dried, km.
 const DRYING: f32 = 1500.0;
 /// Share of the rain on land that evaporates again, where it is cold and where it is hot.
-const RECYCLING: [f32; 2] = [0.5, 0.9];
+const RECYCLING: [f32; 2] = [0.5, 0.85];
 /// Share of the water beyond what rising air can hold that rains out within a vertex's width.
 const CONDENSATION: f32 = 0.3;
-/// Way within which eddies mix columns, km, and where the trades converge and the wind is weak.
-const MIXING: [f64; 2] = [300.0, 80.0];
+/// Way within which eddies mix columns, km.
+const MIXING: f32 = 300.0;
 /// From the model's units of water per km to mm per year.
-const SCALE: f32 = 8.0e6;
+const SCALE: f32 = 7.4e6;
 /// What no rain over a whole vertex exceeds, mm per year: steep walls turn part of the air aside.
 const HEAVIEST: f32 = 6000.0;
 /// Sweeps: the first two carry moisture around the planet, the third settles what was mixed against the wind.
@@ -93,7 +90,7 @@ fn season(
             let ring = mesh.ring(i);
             let around = ring.iter().map(|&j| water[j as usize]).sum::<f32>() / ring.len() as f32;
             let carried = a + (b - a) * up.weight;
-            let mixed = carried + (around - carried) * (way / (columns[k].mixing + way));
+            let mixed = carried + (around - carried) * (way / (MIXING + way));
             (water[k], rain[k]) = columns[k].pass(mixed, way);
         }
     }
@@ -103,26 +100,20 @@ fn season(
 /// Steps of the table of zones per degree.
 const ZONES: f32 = 4.0;
 
-/// How readily it rains, how strongly air sinks and within what way it mixes, by the distance from the belts' middle in quarters of a degree.
-fn zones() -> Vec<[f32; 4]> {
+/// How readily it rains and how strongly air sinks, by the distance from the belts' middle in quarters of a degree.
+fn zones() -> Vec<[f32; 2]> {
     let zone = |step: u32| {
         let beyond = f64::from(step) / f64::from(ZONES);
         let bell =
             |centre: f64, width: f64| math::exp(-((beyond - centre) / width) * ((beyond - centre) / width));
         let storms = math::smoothstep((beyond - 27.0) / 30.0);
-        let mixing = MIXING[0] + (MIXING[1] - MIXING[0]) * bell(0.0, 10.0);
-        [
-            (0.2 + 1.5 * bell(0.0, 9.0) + 2.6 * storms) as f32,
-            bell(24.0, 7.0) as f32,
-            mixing as f32,
-            bell(0.0, 9.0) as f32,
-        ]
+        [(0.2 + 1.5 * bell(0.0, 9.0) + 2.6 * storms) as f32, bell(24.0, 7.0) as f32]
     };
     (0..=110 * ZONES as u32).map(zone).collect()
 }
 
 /// The zone at a distance from the belts' middle in degrees.
-fn zone(zones: &[[f32; 4]], beyond: f32) -> [f32; 4] {
+fn zone(zones: &[[f32; 2]], beyond: f32) -> [f32; 2] {
     let x = beyond * ZONES;
     let below = (x as usize).min(zones.len() - 2);
     let t = x - below as f32;
@@ -139,16 +130,12 @@ struct Column {
     sinking: f32,
     /// Share of the rain that evaporates again.
     recycling: f32,
-    /// Way within which eddies mix columns, km.
-    mixing: f32,
-    /// How strongly the trades of both hemispheres converge, 0..1.
-    converging: f32,
     is_sea: bool,
 }
 
 impl Column {
     /// `season` is the sine of the latitude, positive in the summer hemisphere.
-    fn new(zone: [f32; 4], season: f32, temperature: f32, is_sea: bool) -> Self {
+    fn new(zone: [f32; 2], season: f32, temperature: f32, is_sea: bool) -> Self {
         // Summers are warmer, on land more so.
         let swing = if is_sea { 3.0 } else { 9.0 };
         let warmth = math::smoothstep((f64::from(temperature) - 5.0) / 20.0) as f32;
@@ -156,8 +143,6 @@ impl Column {
             capacity: capacity(temperature + swing * season),
             rising: zone[0],
             sinking: zone[1],
-            mixing: zone[2],
-            converging: zone[3],
             recycling: RECYCLING[0] + (RECYCLING[1] - RECYCLING[0]) * warmth,
             is_sea,
         }
@@ -177,8 +162,7 @@ impl Column {
             let humid = SEA_HUMIDITY * (1.0 - 0.35 * self.sinking) * self.capacity;
             dry + (humid - dry).max(0.0) * share(way / MOISTENING)
         } else {
-            let dry = (water - rain + self.recycling * falls) * (1.0 - share(self.sinking * way / DRYING));
-            dry + (SEA_HUMIDITY * self.capacity - dry).max(0.0) * share(self.converging * way / CONVERGENCE)
+            (water - rain + self.recycling * falls) * (1.0 - share(self.sinking * way / DRYING))
         };
         (left, rain / way * SCALE)
     }
@@ -203,15 +187,7 @@ mod tests {
 
     #[test]
     fn water_is_spent_on_land_and_regained_at_sea() {
-        let land = Column {
-            capacity: 1.0,
-            rising: 1.0,
-            sinking: 0.0,
-            recycling: 0.5,
-            mixing: 300.0,
-            converging: 0.0,
-            is_sea: false,
-        };
+        let land = Column { capacity: 1.0, rising: 1.0, sinking: 0.0, recycling: 0.5, is_sea: false };
         let (left, rain) = land.pass(0.6, 50.0);
         assert!(left < 0.6 && rain > 0.0);
         let half_recycled = (0.6 - left) * SCALE / 50.0;
