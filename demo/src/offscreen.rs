@@ -15,10 +15,12 @@ use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy::render::{RenderApp, RenderPlugin};
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
+use bevy_pangaea::control::bake_now;
 use bevy_pangaea::crust::Surface;
 use bevy_pangaea::overlay::Raster;
 use bevy_pangaea::render::adapter::{NoAdapter, open_adapter};
 use bevy_pangaea::render::{Globe, GlobeDrawn, PangaeaRenderPlugin};
+use bevy_pangaea::resample::project_now;
 use bevy_pangaea::spawn::PlanetState;
 use std::time::{Duration, Instant};
 use thiserror::Error;
@@ -41,6 +43,9 @@ pub enum OffscreenError {
     /// The size is refused.
     #[error("a picture of {0}x{1} pixels is outside of 16x16..=8192x8192")]
     Size(u32, u32),
+    /// The planet has no climate and no rivers to show.
+    #[error("the planet cannot be shown so: {0}")]
+    Planet(String),
     /// The renderer stopped.
     #[error("the renderer stopped: {0}")]
     Renderer(String),
@@ -113,7 +118,8 @@ impl Offscreen {
     /// The planet as the camera at `view` sees it.
     ///
     /// # Errors
-    /// [`OffscreenError::Renderer`] if the renderer stopped, or did not answer in minutes.
+    /// [`OffscreenError::Renderer`] if the renderer stopped, or did not answer in minutes; [`OffscreenError::Planet`] if
+    /// the overlay needs what the planet does not have.
     pub fn picture(&mut self, view: Transform, globe: Globe) -> Result<Raster, OffscreenError> {
         let Some(planet) = self.planet else {
             return Err(OffscreenError::Renderer("there is no planet".into()));
@@ -123,6 +129,10 @@ impl Offscreen {
         let world = self.app.world_mut();
         world.entity_mut(self.camera).insert((view, Projection::Perspective(projection)));
         world.entity_mut(planet).insert(globe.clone());
+        if globe.overlay.needs_bake() {
+            project_now(world, planet);
+            bake_now(world, planet).map_err(|error| OffscreenError::Planet(error.to_string()))?;
+        }
         let deadline = Instant::now() + PATIENCE;
         self.run_until(deadline, |world| {
             let version = world.get::<Surface>(planet).map(|surface| surface.version);

@@ -157,7 +157,7 @@ fn stats(folder: &Path) -> Value {
     serde_json::from_str(&fs::read_to_string(folder.join("stats.json")).unwrap()).unwrap()
 }
 
-const OVERLAYS: [&str; 14] = [
+const OVERLAYS: [&str; 20] = [
     "elevation_color",
     "plates",
     "crust_type",
@@ -172,6 +172,12 @@ const OVERLAYS: [&str; 14] = [
     "laplacian",
     "vector_noise",
     "mesh",
+    "temperature",
+    "rain",
+    "wetness",
+    "rivers",
+    "basins",
+    "lakes",
 ];
 
 #[test]
@@ -232,6 +238,7 @@ fn stats_have_the_documented_form() {
         "hypsometry",
         "orogeny_fraction",
         "ledger",
+        "hydrology",
         "timings_ms",
         "peak_rss_mb",
     ];

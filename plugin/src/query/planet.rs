@@ -268,11 +268,11 @@ mod tests {
                 assert!(normal.dot(a) > 0.0, "a face is flipped");
                 let middle = (a + b + c) / 3.0;
                 let height = f64::from(ground.height(middle, level).unwrap());
-                assert!(
-                    (middle.length() - 6_370_000.0 - height).abs() < 0.02,
-                    "{}",
-                    middle.length() - 6_370_000.0 - height
-                );
+                let error = middle.length() - 6_370_000.0 - height;
+                // A flat triangle sinks below the ball by its edge squared over twice the radius; 5 mm are those of f32.
+                let edge = (b - a).length().max((c - b).length()).max((a - c).length());
+                let sag = edge * edge / (2.0 * 6_370_000.0);
+                assert!(error.abs() < sag + 0.005, "{error} m beside an edge of {edge} m");
             }
             assert!(area > side * side, "{area} m² in triangles for a square of {side} m");
         }
