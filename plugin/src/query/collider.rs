@@ -41,7 +41,8 @@ impl PlanetGround {
         let place = |v: u32| {
             let vertex = &refined.vertices[v as usize];
             let ground = carve(&refined.planet, self.rules(), vertex).ground;
-            let unit = DVec3::from_array(vertex.direction.map(f64::from)) / f64::from(ONE);
+            // Rounding lets directions leave the sphere by up to 5 cm.
+            let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
             unit * (radius + f64::from(ground) / f64::from(GRAINS)) - origin
         };
         let mut numbers = vec![u32::MAX; refined.vertices.len()];
