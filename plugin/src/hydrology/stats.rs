@@ -5,7 +5,7 @@
 //! on Earth (Horton 1945, Schumm 1956). Hack's law says that the longest way upstream grows with a power of
 //! 0.57 to 0.6 of the area (Hack 1957). Ratios and power are slopes of straight lines fitted to logarithms.
 //!
-//! Policies. Channels begin where [`SUPPORT`] vertices drain together: the network of single vertices is the mesh's, not the
+//! Policies. Channels begin where `SUPPORT` vertices drain together: the network of single vertices is the mesh's, not the
 //! land's (as in any network drawn from a grid, Tarboton, Bras and Rodriguez-Iturbe 1991). Orders with fewer than ten streams are left out of the fit, and basins of fewer than ten vertices.
 
 use super::flood::NONE;
