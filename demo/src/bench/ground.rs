@@ -54,7 +54,8 @@ pub(super) fn measure(headless: &Headless) -> Result<Option<GroundRow>, CliError
     let start = Instant::now();
     let base = BaseMesh::new(planet.seed, SPACING).map_err(CliError::input)?;
     let base_mesh_ms = milliseconds(start);
-    let frame = Arc::new(BakeFrame::new(planet.seed, SPACING, Some(lattice)).map_err(CliError::input)?);
+    let frame = Arc::new(BakeFrame::with_base(base, SPACING, Some(lattice)));
+    let base = &frame.base;
     let rules = BakeRules::default();
     let start = Instant::now();
     let bake = Bake::new(&frame, planet.radius, &BakeSource::Surface(surface), &rules);
@@ -63,7 +64,7 @@ pub(super) fn measure(headless: &Headless) -> Result<Option<GroundRow>, CliError
     let climate = Climate::new(&base.mesh, &base.winds, &bake.terrain.elevation_km(), &rules.climate);
     let climate_ms = milliseconds(start);
     let start = Instant::now();
-    Drainage::new(&base, planet.radius, &bake.terrain, &climate, RiverNetwork::default());
+    Drainage::new(base, planet.radius, &bake.terrain, &climate, RiverNetwork::default());
     let drainage_ms = milliseconds(start);
     let Ok(ground) = PlanetGround::of_bake(&bake, Rules::default()) else { return Ok(None) };
     let vertices = bake.control.vertices.len();

@@ -28,10 +28,14 @@ impl BakeFrame {
     /// # Errors
     /// [`SphereError`] if the spacing leaves too few vertices.
     pub fn new(seed: u64, spacing: f64, lattice: Option<&SphereMesh>) -> Result<Self, SphereError> {
-        let base = BaseMesh::new(seed, spacing)?;
-        let topology = Topology::new(&base.mesh, seed);
+        Ok(Self::with_base(BaseMesh::new(seed, spacing)?, spacing, lattice))
+    }
+
+    /// The frame on a base mesh that was made with this spacing.
+    pub fn with_base(base: BaseMesh, spacing: f64, lattice: Option<&SphereMesh>) -> Self {
+        let topology = Topology::new(&base.mesh, base.seed);
         let transfer = lattice.map(|lattice| Transfer::new(lattice, &base.mesh));
-        Ok(Self { base, topology, transfer, spacing })
+        Self { base, topology, transfer, spacing }
     }
 }
 

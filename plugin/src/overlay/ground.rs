@@ -1,8 +1,8 @@
 //! Overlays of a bake: climate, rivers, basins and lakes, on the base mesh of the ground.
 //!
-//! Maps look at the base mesh itself, which may be finer than the crust's samples; rivers are drawn as lines
-//! along its edges, as wide as their order. A colour per sample of the crust shows what lies at the sample, and the
-//! highest order of the rivers around it. Without a bake there is nothing to show, and all is grey.
+//! Maps look at the base mesh itself, which may be finer than the crust's samples; rivers are lines along its
+//! edges, as wide as their order, on maps as on globes. A colour per sample of the crust shows what lies at the sample.
+//! Without a bake there is nothing to show, and all is grey.
 
 use super::map::Raster;
 use super::palette::{self, Rgba};
@@ -46,19 +46,7 @@ pub(super) fn order_color(order: u8) -> Rgba {
 /// Colours of the samples of the crust.
 pub(super) fn colors(overlay: Overlay, bake: &Bake, lattice: &SphereMesh) -> Vec<Rgba> {
     let base = bake.mesh();
-    let mut orders = vec![0; if overlay == Overlay::Rivers { lattice.len() } else { 0 }];
-    if overlay == Overlay::Rivers {
-        for (i, &p) in base.points().iter().enumerate() {
-            if is_drawn(bake, i) {
-                let order = &mut orders[lattice.nearest(p) as usize];
-                *order = bake.drainage.strahler[i].max(*order);
-            }
-        }
-    }
-    super::relief::per_sample(lattice, |i| match orders.get(i as usize) {
-        Some(&order) if order > 0 => order_color(order),
-        _ => color_at(overlay, bake, &base.locate(lattice.point(i))),
-    })
+    super::relief::per_sample(lattice, |i| color_at(overlay, bake, &base.locate(lattice.point(i))))
 }
 
 /// The map of an overlay.
@@ -117,24 +105,44 @@ fn is_drawn(bake: &Bake, i: usize) -> bool {
     bake.drainage.strahler[i] >= LOWEST_ORDER && !bake.drainage.is_lake(i)
 }
 
-/// Draws rivers as lines, low orders first.
-fn draw_rivers(bake: &Bake, raster: &mut Raster) {
+/// A stretch of a river along an edge of the base mesh.
+pub(crate) struct Stretch {
+    /// Horton–Strahler order.
+    pub(crate) order: u8,
+    /// Vertices of the base mesh, downstream.
+    pub(crate) ends: [u32; 2],
+}
+
+impl Stretch {
+    /// Half its width relative to that of the lowest order.
+    pub(crate) fn half_width(&self) -> f64 {
+        0.2 * f64::from(self.order - LOWEST_ORDER)
+    }
+}
+
+/// All rivers that are drawn, low orders first.
+pub(crate) fn rivers(bake: &Bake) -> Vec<Stretch> {
     let drainage = &bake.drainage;
+    let drawn = drainage.routes.order.iter().filter(|&&i| is_drawn(bake, i as usize));
+    let stretch = |&i: &u32| {
+        let to = drainage.routes.receiver[i as usize];
+        (to != NONE).then_some(Stretch { order: drainage.strahler[i as usize], ends: [i, to] })
+    };
+    let mut rivers: Vec<_> = drawn.filter_map(stretch).collect();
+    rivers.sort_by_key(|stretch| stretch.order);
+    rivers
+}
+
+/// Draws rivers as lines.
+fn draw_rivers(bake: &Bake, raster: &mut Raster) {
     let pixel = |i: u32| {
         let (lat, lon) = math::lat_lon(bake.mesh().point(i));
         ((lon + 180.0) / 360.0 * f64::from(raster.width), (90.0 - lat) / 180.0 * f64::from(raster.height))
     };
-    let mut lines = Vec::new();
-    for &i in &drainage.routes.order {
-        let to = drainage.routes.receiver[i as usize];
-        if to != NONE && is_drawn(bake, i as usize) {
-            lines.push((drainage.strahler[i as usize], pixel(i), pixel(to)));
-        }
-    }
-    lines.sort_by_key(|line| line.0);
-    for (order, from, to) in lines {
-        let wide = 0.4 * f64::from(order - LOWEST_ORDER) * f64::from(raster.width) / 2048.0;
-        line(raster, from, to, 0.5 * wide, order_color(order));
+    for stretch in rivers(bake) {
+        let [from, to] = stretch.ends.map(pixel);
+        let half = stretch.half_width() * f64::from(raster.width) / 2048.0;
+        line(raster, from, to, half, order_color(stretch.order));
     }
 }
 
@@ -160,7 +168,7 @@ fn line(raster: &mut Raster, from: (f64, f64), to: (f64, f64), half: f64, color:
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::climate::EquirectMap;
     use crate::control::{BakeFrame, BakeRules, BakeSource};
@@ -168,7 +176,7 @@ mod tests {
     use std::sync::Arc;
 
     /// A planet whose northern half is a slope down to the equator.
-    fn bake() -> Bake {
+    pub(crate) fn bake() -> Bake {
         let crust = EquirectMap::from_fn(64, |lat, _| (lat / 30.0) as f32).unwrap();
         let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
         let frame = Arc::new(BakeFrame::new(1, 0.04, None).unwrap());

@@ -21,7 +21,7 @@ pub mod boundary;
 
 mod field;
 
-mod ground;
+pub(crate) mod ground;
 
 pub mod legend;
 

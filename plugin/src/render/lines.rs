@@ -1,14 +1,15 @@
 //! Lines on a globe: plate boundaries by kind, the outline of the selected plate, arrows of velocity,
-//! axes of folding and of ridges.
+//! axes of folding and of ridges, rivers of a bake.
 //!
 //! A boundary runs through the middles of the edges whose ends belong to different plates, and through the
 //! centres of triangles where three plates meet. Arrows stand on an even, sparse subset of the samples: those
 //! nearest to the points of a small Fibonacci lattice.
 
 use super::{Globe, to_bevy};
+use crate::control::Bake;
 use crate::math;
 use crate::overlay::palette::Rgba;
-use crate::overlay::{BoundaryKind, Overlay, OverlayInput, boundaries};
+use crate::overlay::{BoundaryKind, Overlay, OverlayInput, boundaries, ground};
 use bevy::asset::RenderAssetUsages;
 use bevy::math::DVec3;
 use bevy::mesh::{Indices, MeshVertexAttribute, PrimitiveTopology, VertexFormat};
@@ -31,6 +32,8 @@ pub(super) const COLOR: MeshVertexAttribute =
 const BOUNDARY_WIDTH: f32 = 1.1;
 const OUTLINE_WIDTH: f32 = 2.0;
 const ARROW_WIDTH: f32 = 0.9;
+/// Of the lowest order that is drawn, and how much wider a river grows than on a map.
+const RIVER_WIDTH: (f32, f32) = (0.45, 1.6);
 
 const OUTLINE: Rgba = [255, 255, 255, 255];
 const LIGHT: Rgba = [250, 250, 244, 255];
@@ -108,6 +111,9 @@ pub(super) fn collect(input: &OverlayInput, globe: &Globe) -> Lines {
         Overlay::Velocity => add_velocities(&mut lines, input, &drawn),
         Overlay::FoldDirection => add_axes(&mut lines, input, &input.surface.crust.fold, &drawn),
         Overlay::RidgeDirection => add_axes(&mut lines, input, &input.surface.crust.ridge, &drawn),
+        Overlay::Rivers => {
+            input.bake.into_iter().for_each(|bake| add_rivers(&mut lines, input, bake, &drawn))
+        }
         _ => {}
     }
     lines
@@ -174,6 +180,18 @@ fn add_velocities(lines: &mut Lines, input: &OverlayInput, drawn: &dyn Fn(u32) -
         for side in [-0.6, 0.6] {
             lines.add(on(length, 0.0), on(length - barb, side * barb), ARROW_WIDTH, color);
         }
+    }
+}
+
+fn add_rivers(lines: &mut Lines, input: &OverlayInput, bake: &Bake, drawn: &dyn Fn(u32) -> f32) {
+    let end = |i: u32| -> End {
+        let p = bake.mesh().point(i);
+        (p, input.mesh.locate(p).interpolate(|k| f64::from(drawn(k))) as f32)
+    };
+    for stretch in ground::rivers(bake) {
+        let [from, to] = stretch.ends.map(end);
+        let half = RIVER_WIDTH.0 + RIVER_WIDTH.1 * stretch.half_width() as f32;
+        lines.add(from, to, half, ground::order_color(stretch.order));
     }
 }
 

@@ -98,3 +98,21 @@ fn axes_are_drawn_only_where_there_are_any() {
     let lines = world.lines(&globe);
     assert!(lines.len() > 10 && lines.here.iter().all(|p| p[0] > 0.85));
 }
+
+#[test]
+fn rivers_run_down_to_the_sea_in_lines() {
+    let bake = ground::tests::bake();
+    let World { planet, mesh, surface, plates, params } = &World::new();
+    let globe = Globe { overlay: Overlay::Rivers, ..default() };
+    let input = OverlayInput { planet, mesh, surface, plates, params, bake: Some(&bake) };
+    let lines = collect(&input, &globe);
+    assert!(lines.len() > 100);
+    // Land is the northern half; the planet's axis is y.
+    assert!(lines.here.iter().all(|p| p[1] > -0.1));
+    let widths: Vec<f32> = lines.sides.iter().map(|side| side[1]).collect();
+    assert!(
+        widths.is_sorted() && widths[0] < *widths.last().unwrap(),
+        "high orders lie on top and are wider"
+    );
+    assert_eq!(collect(&OverlayInput { bake: None, ..input }, &globe).len(), 0);
+}

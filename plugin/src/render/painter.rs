@@ -236,7 +236,7 @@ fn paint(job: Job) -> Picture {
         surface: &surface,
         plates: &plates,
         params: &params,
-        bake: None,
+        bake: bake.as_deref(),
     };
     let radius = |i| globe.drawn_radius(surface.elevation(i), subject.relief);
     let radii: Vec<f32> = (0..mesh.len()).map(radius).collect();
