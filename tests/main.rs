@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "references in tests need not have the same bits everywhere")]
 
+mod belts;
 mod commands;
 mod contracts;
 mod determinism;

@@ -34,5 +34,5 @@ pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     let base = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, 20_000));
     let toss = share(new.seed, 1) + share(new.seed, 2) - Q16;
     let rough = mul_q16(context.length, steepness(rules, new) + 1_311);
-    base + mul_q16(rough, toss) / (3 + (level - 10).max(0) * (level - 9) / 2)
+    base + mul_q16(rough, toss) / (5 + (level - 10).max(0) * (level - 9) / 2)
 }

@@ -212,5 +212,5 @@ fn bits_are_pinned() {
             }
         }
     });
-    assert_eq!(digest, 2_911_602_837);
+    assert_eq!(digest, 3_432_299_450);
 }

@@ -40,5 +40,5 @@ fn height(rules: &Rules, context: &EdgeContext, drain: &Vertex, land: &Vertex, l
     if context.level >= rules.fine_level {
         return fine::height(rules, context);
     }
-    rise::height(rules, context, 16_000)
+    rise::height(rules, context, 12_000)
 }

@@ -44,7 +44,7 @@ fn shaped(rules: &Rules, context: &EdgeContext) -> i32 {
     let new = context.new;
     let form = Landform::of(rules, new);
     let (low, high) = ordered(context.a.height, context.b.height);
-    let terraced = terraced(new, form, context.level, rise::height(rules, context, 36_000));
+    let terraced = terraced(new, form, context.level, rise::height(rules, context, 90_000));
     // tan 8.5° = 0.15 in lands of hills alone.
     let limit = mul_q16(context.length, form.steep.max(9_830)) / 4;
     let hill = hills(rules, context, form, peak_fading(new.crust, context.level)).clamp(-limit, limit);

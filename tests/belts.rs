@@ -1,0 +1,59 @@
+//! The ground of a grown planet: its belts and plains have the relief of real ones.
+
+use bevy_pangaea::control::{PlanetBake, bake_now};
+use bevy_pangaea::math::lat_lon;
+use bevy_pangaea::prelude::*;
+use bevy_pangaea::query::{AzimuthalEquidistant, Ground, PlanetGround, Rules, Square};
+use bevy_pangaea::relief::{
+    CLASSES, Relief, ReliefClass, SiteInput, TILE_M, TILE_PIXELS, medians, relief, sites,
+};
+use pangaea_tests::shape::small;
+use pangaea_tests::world::{get, planet_app, steps, surface};
+
+/// Sites of a class: what a test has time for.
+const SITES: usize = 6;
+
+/// Median relief in 10 km in m, 90th percentile of the slope in degrees and spectral exponent of a class, measured on
+/// SRTM tiles of the Himalaya, the Andes, the Appalachians, the Scottish Highlands, the White Mountains and the Amazon.
+fn measured(class: ReliefClass) -> [[f64; 2]; 3] {
+    let [relief, slope] = match class {
+        ReliefClass::YoungHimalayan => [[2200.0, 3400.0], [42.0, 52.0]],
+        ReliefClass::YoungAndean => [[1200.0, 2300.0], [20.0, 40.0]],
+        ReliefClass::OldBelts => [[600.0, 900.0], [16.0, 27.0]],
+        ReliefClass::Plains => [[0.0, 200.0], [0.0, 8.0]],
+    };
+    [relief, slope, [2.6, 4.0]]
+}
+
+/// The relief of the middle quarter of a site's tile, at its resolution.
+fn middle(ground: &PlanetGround, (lat, lon): (f64, f64)) -> Relief {
+    let about = AzimuthalEquidistant::new(lat, lon, ground.radius_m()).unwrap();
+    let square = Square::new(about, TILE_M / 2.0, TILE_PIXELS / 2).unwrap();
+    relief(&square.heights(ground, square.level()).unwrap()).unwrap()
+}
+
+#[test]
+fn a_grown_planet_has_the_relief_of_real_belts_and_plains() {
+    let (mut app, planet) = planet_app(&small(1, 60_000));
+    steps(&mut app, planet, 125);
+    let surface = surface(&mut app, planet);
+    bake_now(app.world_mut(), planet).unwrap();
+    let ground = PlanetGround::of_bake(get::<PlanetBake>(&app, planet), Rules::default()).unwrap();
+    let mesh = get::<Lattice>(&app, planet);
+    let elevation: Vec<f32> = (0..surface.len()).map(|i| surface.elevation(i)).collect();
+    let (orogeny, orogeny_age) = (&surface.crust.orogeny, &surface.crust.orogeny_age);
+    let input = SiteInput { mesh, elevation: &elevation, orogeny, orogeny_age, seed: 1 };
+    let mut wrong = Vec::new();
+    for class in CLASSES {
+        let drawn = sites(&input, class);
+        assert!(drawn.len() >= SITES, "{} {} sites", drawn.len(), class.name());
+        let reliefs: Vec<Relief> =
+            drawn[..SITES].iter().map(|&site| middle(&ground, lat_lon(mesh.point(site)))).collect();
+        for (found, [low, high]) in medians(&reliefs).into_iter().zip(measured(class)) {
+            if !found.is_some_and(|x| (low..=high).contains(&x)) {
+                wrong.push(format!("{}: {found:?}, not {low}..{high}", class.name()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
