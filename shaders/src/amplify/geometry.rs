@@ -68,7 +68,7 @@ pub const Q12: i32 = 1 << 12;
 
 impl Stance {
     /// The stance of a corner, both vectors from the edge's start.
-    pub const fn of(edge: [i32; 3], corner: [i32; 3]) -> Self {
+    pub fn of(edge: [i32; 3], corner: [i32; 3]) -> Self {
         let shift = common_shift(edge, corner);
         let (u, v) = (shifted(edge, shift), shifted(corner, shift));
         let unit = product(u, u) >> 12;
