@@ -11,6 +11,7 @@ use super::face_decide::{self, Sight};
 use super::face_split::{arriving_at, half_kind};
 use super::ground::FINEST;
 use super::rules::{EdgeKind, Rules};
+use super::sparse::Places;
 use super::topology::{Edge, Face, Inner, NONE};
 use super::vertex::Vertex;
 use super::vertex_resolve::{Beside, Surroundings, asks, resolve, tributary};
@@ -83,21 +84,20 @@ pub struct Demand<B> {
     /// Level and edge that each vertex halves; level 255 for a vertex of the control mesh.
     origins: Vec<(u8, u32)>,
     layers: Vec<Layer>,
-    /// Where vertices, edges and faces of the control mesh are, or [`NONE`].
-    placed: [Vec<u32>; 3],
+    /// Where vertices, edges and faces of the control mesh are: of half a million items, some hundred.
+    placed: [Places; 3],
 }
 
 impl<B: Deref<Target = Base>> Demand<B> {
     /// Nothing computed yet.
     pub fn new(base: B, rules: &Rules) -> Self {
-        let sizes = [base.vertices.len(), base.level.edges.len(), base.level.faces.len()];
         Self {
             base,
             rules: *rules,
             vertices: Vec::new(),
             origins: Vec::new(),
             layers: vec![Layer::default(); FINEST as usize + 1],
-            placed: sizes.map(|n| vec![NONE; n]),
+            placed: Default::default(),
         }
     }
 
@@ -132,14 +132,8 @@ impl<B: Deref<Target = Base>> Demand<B> {
 
     /// Forgets everything.
     pub fn clear(&mut self) {
-        // What was placed is found through the faces' own corners and edges.
-        for known in &self.layers[0].faces {
-            self.placed[2][known.face.parent as usize] = NONE;
-            let face = &self.base.level.faces[known.face.parent as usize];
-            for k in 0..3 {
-                self.placed[0][face.vertices[k] as usize] = NONE;
-                self.placed[1][face.edges[k] as usize] = NONE;
-            }
+        for places in &mut self.placed {
+            places.clear();
         }
         self.vertices.clear();
         self.origins.clear();
@@ -151,36 +145,39 @@ impl<B: Deref<Target = Base>> Demand<B> {
 
     /// A face of the control mesh as a face of level 0.
     pub fn base_face(&mut self, face: u32) -> u32 {
-        if self.placed[2][face as usize] != NONE {
-            return self.placed[2][face as usize];
+        if let Some(&place) = self.placed[2].get(&face) {
+            return place;
         }
         let Face { vertices, edges, .. } = self.base.level.faces[face as usize];
         let vertices = vertices.map(|v| self.base_vertex(v));
         let edges = edges.map(|e| self.base_edge(e));
         let faces = &mut self.layers[0].faces;
         faces.push(KnownFace { face: Face::new(vertices, edges, face), decided: false, dry: None });
-        self.placed[2][face as usize] = faces.len() as u32 - 1;
-        faces.len() as u32 - 1
+        let place = faces.len() as u32 - 1;
+        self.placed[2].insert(face, place);
+        place
     }
 
     fn base_vertex(&mut self, vertex: u32) -> u32 {
-        if self.placed[0][vertex as usize] == NONE {
-            self.placed[0][vertex as usize] = self.vertices.len() as u32;
+        *self.placed[0].entry(vertex).or_insert_with(|| {
             self.vertices.push(self.base.vertices[vertex as usize]);
             self.origins.push((u8::MAX, NONE));
-        }
-        self.placed[0][vertex as usize]
+            self.vertices.len() as u32 - 1
+        })
     }
 
     fn base_edge(&mut self, edge: u32) -> u32 {
-        if self.placed[1][edge as usize] == NONE {
-            let from = self.base.level.edges[edge as usize];
-            let vertices = from.vertices.map(|v| self.base_vertex(v));
-            let made = Known::new(Edge { vertices, faces: [NONE; 2], ..from }, edge, 0);
-            self.placed[1][edge as usize] = self.layers[0].edges.len() as u32;
-            self.layers[0].edges.push(Known { has_kind: true, has_arriving: true, ..made });
+        if let Some(&place) = self.placed[1].get(&edge) {
+            return place;
         }
-        self.placed[1][edge as usize]
+        let from = self.base.level.edges[edge as usize];
+        let vertices = from.vertices.map(|v| self.base_vertex(v));
+        let made = Known::new(Edge { vertices, faces: [NONE; 2], ..from }, edge, 0);
+        let edges = &mut self.layers[0].edges;
+        edges.push(Known { has_kind: true, has_arriving: true, ..made });
+        let place = edges.len() as u32 - 1;
+        self.placed[1].insert(edge, place);
+        place
     }
 
     /// A face's record.
@@ -483,8 +480,8 @@ impl<B: Deref<Target = Base>> Demand<B> {
             beside,
         };
         let mid = known.edge.mid;
-        let new = resolve(&self.base.planet, level as u32, &self.vertices[mid as usize], &around);
-        self.vertices[mid as usize] = new;
+        let settled = resolve(&self.base.planet, level as u32, &self.vertices[mid as usize], &around);
+        settled.write(&mut self.vertices[mid as usize]);
         self.edge_mut(level, edge).stage = Stage::Resolved;
     }
 
