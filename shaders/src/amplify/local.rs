@@ -7,7 +7,7 @@
 //! What was computed stays until it passes a cap, so a query near earlier ones is quick.
 
 use super::base::Base;
-use super::carve::{Carved, carve};
+use super::carve::{Carved, Kept, carve};
 use super::demand::Demand;
 use super::ground::FINEST;
 use super::locate::{depth, sides};
@@ -52,12 +52,13 @@ impl Leaf {
 #[derive(Clone, Debug)]
 pub struct Local<B> {
     demand: Demand<B>,
+    kept: Kept,
 }
 
 impl<B: Deref<Target = Base>> Local<B> {
     /// An engine that has answered nothing yet.
     pub fn new(base: B, rules: &Rules) -> Self {
-        Self { demand: Demand::new(base, rules) }
+        Self { demand: Demand::new(base, rules), kept: Kept::default() }
     }
 
     /// What was computed so far.
@@ -91,7 +92,8 @@ impl<B: Deref<Target = Base>> Local<B> {
             at = self.demand.face(above, at).parent;
             base_face = at;
         }
-        let carved = vertices.map(|v| carve(&self.base().planet, self.demand.rules(), &v));
+        let Self { demand, kept } = self;
+        let carved = vertices.map(|v| carve(kept, &demand.base().planet, demand.rules(), &v));
         Leaf { vertices, carved, level: level as u32, base_face }
     }
 
