@@ -31,9 +31,10 @@ impl PlanetGround {
         let (east, north) = east_north(up);
         let reach = (side_m * core::f64::consts::FRAC_1_SQRT_2).ceil() as u32;
         let sides = [east, north].map(|side| (side * f64::from(Q16)).round().to_array().map(|x| x as i32));
-        let view = View::square(quantised(up), sides, reach, u32::from(level));
+        let at = quantised(up);
+        let view = View::square(at, sides, reach, u32::from(level));
         let refined = refine_faces(self.base(), self.rules(), &view, &Caps::default());
-        let origin = up * (radius + self.leaf(up, level)?.height_m(quantised(up)));
+        let origin = up * (radius + self.leaf_at(at, level).height_m(at));
         Ok(self.cut(&refined, origin, side_m, level))
     }
 
