@@ -32,7 +32,7 @@ pub struct Segment {
 
 /// One vertex of the ground.
 ///
-/// Ten of its fields are a [`ControlVertex`]'s. It does not hold one: a control vertex is packed for whoever bakes a
+/// Most of its fields are a [`ControlVertex`]'s. It does not hold one: a control vertex is packed for whoever bakes a
 /// planet, with its flow and its kind as plain numbers, and rules and their twins name what they read without a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
