@@ -130,6 +130,7 @@ fn main() {
             direction: centre,
             altitude: Some(height + altitude * GRAINS),
             radius: 0,
+            sides: [[0; 3]; 2],
             sharpness: sharpness << 8,
             level: 17,
             horizon,

@@ -5,10 +5,11 @@ use super::patch::Patch;
 use super::planet::quantised;
 use super::{GroundError, PlanetGround, checked, spacing};
 use bevy::math::DVec3;
-use pangaea_shaders::amplify::carve::carve;
-use pangaea_shaders::amplify::fixed::{GRAINS, ONE};
-use pangaea_shaders::amplify::ground::{Caps, Ground as Refined, refine};
+use pangaea_shaders::amplify::carve::{Kept, carve};
+use pangaea_shaders::amplify::fixed::{GRAINS, ONE, Q16};
+use pangaea_shaders::amplify::ground::{Caps, Ground as Refined, refine_faces};
 use pangaea_shaders::amplify::mark::View;
+use pangaea_shaders::amplify::vertex::Vertex;
 
 /// Most edges of a level along the side of a collider: some ten million triangles.
 const MOST_EDGES: f64 = 2000.0;
@@ -27,10 +28,13 @@ impl PlanetGround {
         if !(min..=max).contains(&side_m) {
             return Err(GroundError::Length { what: "the side of the collider", value: side_m, min, max });
         }
+        let (east, north) = east_north(up);
         let reach = (side_m * core::f64::consts::FRAC_1_SQRT_2).ceil() as u32;
-        let view = View::disc(quantised(up), reach, u32::from(level));
-        let refined = refine(self.base(), self.rules(), &view, &Caps::default());
-        let origin = up * (radius + self.leaf(up, level)?.height_m(quantised(up)));
+        let sides = [east, north].map(|side| (side * f64::from(Q16)).round().to_array().map(|x| x as i32));
+        let at = quantised(up);
+        let view = View::square(at, sides, reach, u32::from(level));
+        let refined = refine_faces(self.base(), self.rules(), &view, &Caps::default());
+        let origin = up * (radius + self.leaf_at(at, level).height_m(at));
         Ok(self.cut(&refined, origin, side_m, level))
     }
 
@@ -38,33 +42,29 @@ impl PlanetGround {
     fn cut(&self, refined: &Refined, origin: DVec3, side_m: f64, level: u8) -> Patch {
         let radius = f64::from(self.base().planet.radius_m);
         let (east, north) = east_north(origin.normalize());
-        let place = |v: u32| {
-            let vertex = &refined.vertices[v as usize];
-            let ground = carve(&refined.planet, self.rules(), vertex).ground;
-            // Rounding lets directions leave the sphere by up to 5 cm.
-            let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
-            unit * (radius + f64::from(ground) / f64::from(GRAINS)) - origin
-        };
-        let mut numbers = vec![u32::MAX; refined.vertices.len()];
         let mut patch = Patch { origin, positions: Vec::new(), triangles: Vec::new() };
         let Some(finest) = refined.levels.get(usize::from(level)) else { return patch };
-        for face in &finest.faces {
-            let direct = |v: u32| {
-                let unit = DVec3::from_array(refined.vertices[v as usize].direction.map(f64::from));
-                unit * (radius / f64::from(ONE)) - origin
-            };
-            let inside = face.vertices.iter().any(|&v| {
-                let offset = direct(v);
-                offset.dot(east).abs().max(offset.dot(north).abs()) <= 0.5 * side_m
-            });
-            if !inside {
-                continue;
-            }
+        let within = |vertex: &Vertex| {
+            let offset =
+                DVec3::from_array(vertex.direction.map(f64::from)) * (radius / f64::from(ONE)) - origin;
+            offset.dot(east).abs().max(offset.dot(north).abs()) <= 0.5 * side_m
+        };
+        let within: Vec<bool> = refined.vertices.iter().map(within).collect();
+        let mut kept = Kept::default();
+        let mut place = |v: u32| {
+            let vertex = &refined.vertices[v as usize];
+            let ground = carve(&mut kept, &refined.planet, self.rules(), vertex).ground;
+            // Rounding lets directions leave the sphere by up to 5 cm.
+            let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
+            (unit * (radius + f64::from(ground) / f64::from(GRAINS)) - origin).as_vec3()
+        };
+        let mut numbers = vec![u32::MAX; refined.vertices.len()];
+        for face in finest.faces.iter().filter(|f| f.vertices.iter().any(|&v| within[v as usize])) {
             let corners = face.vertices.map(|v| {
                 let number = &mut numbers[v as usize];
                 if *number == u32::MAX {
                     *number = patch.positions.len() as u32;
-                    patch.positions.push(place(v).as_vec3());
+                    patch.positions.push(place(v));
                 }
                 *number
             });

@@ -92,8 +92,12 @@ impl PlanetGround {
     /// # Errors
     /// [`GroundError::NotADirection`], [`GroundError::Level`].
     pub fn leaf(&self, direction: DVec3, level: u8) -> Result<Leaf, GroundError> {
-        let at = quantised(checked(direction, level)?);
-        Ok(self.with_engine(|engine| engine.leaf(at, u32::from(level), None)))
+        Ok(self.leaf_at(quantised(checked(direction, level)?), level))
+    }
+
+    /// The same at a direction that was checked.
+    pub(super) fn leaf_at(&self, at: [i32; 3], level: u8) -> Leaf {
+        self.with_engine(|engine| engine.leaf(at, u32::from(level), None))
     }
 
     /// Lends an engine at rest, or a new one.
@@ -131,8 +135,9 @@ impl Ground for PlanetGround {
     }
 
     fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
-        let at = quantised(checked(direction, level)?);
-        Ok(self.with_engine(|engine| engine.leaf(at, u32::from(level), None).height_m(at) as f32))
+        let mut height = [0.0];
+        self.heights(&[direction], level, &mut height)?;
+        Ok(height[0])
     }
 
     fn heights(&self, directions: &[DVec3], level: u8, heights: &mut [f32]) -> Result<(), GroundError> {
@@ -156,14 +161,15 @@ impl Ground for PlanetGround {
 
     fn water(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
         let at = quantised(checked(direction, level)?);
-        let leaf = self.with_engine(|engine| engine.leaf(at, u32::from(level), None));
+        let leaf = self.leaf_at(at, level);
         Ok(water_m(&leaf, at).max(leaf.height_m(at)) as f32)
     }
 
     fn climate(&self, direction: DVec3, height_m: f32) -> Result<Climate, GroundError> {
         let unit = checked(direction, 0)?;
-        let leaf = self.with_engine(|engine| engine.leaf(quantised(unit), 0, None));
-        let weights = leaf.weights(quantised(unit));
+        let at = quantised(unit);
+        let leaf = self.leaf_at(at, 0);
+        let weights = leaf.weights(at);
         let mean = |value: [f64; 3]| (0..3).map(|k| weights[k] * value[k]).sum::<f64>() as f32;
         let wetness = mean(leaf.vertices.map(|v| f64::from(v.wetness) / 65_536.0));
         let corners = self.base.level.faces[leaf.base_face as usize].vertices;

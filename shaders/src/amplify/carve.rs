@@ -3,17 +3,19 @@
 //! Reads and writes one vertex; see [`rules::valley`](super::rules::valley) for the profile.
 
 use super::planet::Planet;
+pub use super::rules::ocean::Kept;
 pub use super::rules::valley::Carved;
 use super::rules::{Rules, valley};
 use super::vertex::Vertex;
 
-/// Final ground and water of a vertex.
+/// Final ground and water of a vertex. `kept` is what an earlier one left, best one near it; it changes no bit.
 #[inline]
-pub fn carve(planet: &Planet, rules: &Rules, vertex: &Vertex) -> Carved {
-    valley::carve(rules, vertex, planet.edge_grains(0))
+pub fn carve(kept: &mut Kept, planet: &Planet, rules: &Rules, vertex: &Vertex) -> Carved {
+    valley::carve(kept, rules, vertex, planet.edge_grains(0))
 }
 
 /// Final ground and water of a column of vertices.
 pub fn carve_all(planet: &Planet, rules: &Rules, vertices: &[Vertex]) -> Vec<Carved> {
-    vertices.iter().map(|vertex| carve(planet, rules, vertex)).collect()
+    let mut kept = Kept::default();
+    vertices.iter().map(|vertex| carve(&mut kept, planet, rules, vertex)).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::base::Base;
 use super::mark::View;
+use super::sparse::Numbers;
 use super::topology::{Edge, Face, Level, NONE};
 use super::vertex::Vertex;
 
@@ -15,7 +16,7 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
     }
     let edge = base.planet.edge.min(i32::MAX as u32 / 16) as i32;
     let reach = view.horizon.max(view.bound(&base.planet, 0)).saturating_add(edge * MARGIN);
-    let ground = View { altitude: None, radius: 0, ..*view };
+    let ground = View { altitude: None, radius: 0, sides: [[0; 3]; 2], ..*view };
     let near = |face: &Face| {
         let corners = face.vertices.map(|v| &base.vertices[v as usize]);
         ground.distance(&base.planet, corners) < reach.saturating_add(view.radius)
@@ -33,7 +34,7 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
 /// The faces that fulfil a condition and hang together with the first, in ascending order.
 fn spread(base: &Base, first: u32, near: impl Fn(&Face) -> bool) -> Vec<u32> {
     let mut kept = vec![first];
-    let mut seen = std::collections::BTreeSet::from([first]);
+    let mut seen = Numbers::from_iter([first]);
     let mut next = 0;
     while next < kept.len() {
         let face = &base.level.faces[kept[next] as usize];
@@ -82,4 +83,29 @@ fn sorted(items: impl Iterator<Item = u32>) -> Vec<u32> {
     items.sort_unstable();
     items.dedup();
     items
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::seed::{pcg, share};
+    use super::super::synthetic::control_mesh;
+    use super::*;
+
+    #[test]
+    fn a_small_disc_has_the_faces_that_looking_at_all_finds() {
+        let base = Base::new(&control_mesh(6_371_000, 5, 3)).unwrap();
+        for k in 0..60 {
+            let at = base.vertices[pcg(k) as usize % base.vertices.len()].direction;
+            let direction = [0, 1, 2].map(|i| at[i as usize] + (share(pcg(k), i) - 32_768) * 300);
+            let reach = 3_000_000 + (k as i32) * 300_000;
+            let view = View { radius: 0, ..View::disc(direction, 1, 17) };
+            let near = |face: &Face| {
+                let corners = face.vertices.map(|v| &base.vertices[v as usize]);
+                view.distance(&base.planet, corners) < reach
+            };
+            let all: Vec<u32> =
+                (0..).zip(&base.level.faces).filter(|(_, f)| near(f)).map(|(i, _)| i).collect();
+            assert_eq!(spread(&base, base.locate(direction, None), near), all, "{k}");
+        }
+    }
 }

@@ -22,9 +22,9 @@ pub struct Triangle {
 /// Up to four triangles of a leaf face; returns how many.
 pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]; 4]) -> usize {
     let v = face.vertices;
-    let mid = face.edges.map(|e| {
-        let edge = &level.edges[e as usize];
-        if edge.mark == Mark::Split { edge.mid } else { NONE }
+    let mid = face.edges.map(|e| match level.edges.get(e as usize) {
+        Some(edge) if edge.mark == Mark::Split => edge.mid,
+        _ => NONE,
     });
     let split = mid.map(|m| m != NONE);
     // The corner from which the fan starts.

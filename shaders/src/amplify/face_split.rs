@@ -84,16 +84,14 @@ pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &
 
 /// The four children of a split face. `first_inner` is the index of its first inner edge in the next level.
 pub fn quarter(face: &Face, index: u32, first_inner: u32, edges: &[Edge]) -> [Face; 4] {
-    let mid = |k: usize| edges[face.edges[k] as usize].mid;
+    let along = face.edges.map(|e| &edges[e as usize]);
+    let mids = along.map(|e| e.mid);
     // The half of edge e that ends at a corner.
-    let half = |e: usize, corner: u32| {
-        let edge = &edges[face.edges[e] as usize];
-        edge.child + u32::from(edge.vertices[0] != corner)
-    };
+    let half = |e: usize, corner: u32| along[e].child + u32::from(along[e].vertices[0] != corner);
     let corner = |k: usize| {
         let (other, v) = ((k + 2) % 3, face.vertices[k]);
-        Face::new([v, mid(k), mid(other)], [half(k, v), first_inner + k as u32, half(other, v)], index)
+        Face::new([v, mids[k], mids[other]], [half(k, v), first_inner + k as u32, half(other, v)], index)
     };
     let middle = [first_inner + 1, first_inner + 2, first_inner];
-    [corner(0), corner(1), corner(2), Face::new([mid(0), mid(1), mid(2)], middle, index)]
+    [corner(0), corner(1), corner(2), Face::new(mids, middle, index)]
 }

@@ -1,4 +1,4 @@
-//! Fixed-point numbers of the ground, in the 32-bit operations that WGSL has.
+//! Fixed-point numbers of the ground. Products are taken in 64 bits; WGSL, which has 32, builds the same bits from halves.
 //!
 //! Directions are in units of 1 / [`ONE`] of the radius (3.1 mm on Earth), heights and lengths in grains of
 //! 1 / [`GRAINS`] m (range ±2097 km), shares in Q16 (65,536 is 1).
@@ -12,34 +12,23 @@ pub const GRAINS: i32 = 1024;
 /// 1 in Q16.
 pub const Q16: i32 = 1 << 16;
 
-/// High word of the product of two 32-bit numbers, exact; built from halves.
+/// High word of the product of two 32-bit numbers, exact.
 #[inline]
 pub const fn mul_high(a: u32, b: u32) -> u32 {
-    let (ah, al, bh, bl) = (a >> 16, a & 0xffff, b >> 16, b & 0xffff);
-    let middle = (ah * bl) + ((al * bl) >> 16);
-    let cross = al * bh + (middle & 0xffff);
-    ah * bh + (middle >> 16) + (cross >> 16)
+    ((a as u64 * b as u64) >> 32) as u32
 }
 
 /// ⌊a·b / 2^shift⌋ for 1 <= shift <= 31, saturated at 2³¹ - 1.
 #[inline]
 pub const fn mul_shift(a: u32, b: u32, shift: u32) -> i32 {
-    let high = mul_high(a, b);
-    if (high >> (shift - 1)) != 0 {
-        return i32::MAX;
-    }
-    ((high << (32 - shift)) | (a.wrapping_mul(b) >> shift)) as i32
+    let wide = (a as u64 * b as u64) >> shift;
+    if wide > i32::MAX as u64 { i32::MAX } else { wide as i32 }
 }
 
 /// The product w·d of a share w of -2..2 in Q16 and a difference of directions, rounded to the nearest.
 #[inline]
 pub const fn weigh(w: i32, d: i32) -> i32 {
-    let low = (w & 0xffff) as u32;
-    let bottom = (low.wrapping_mul((d & 0xffff) as u32) >> 1).wrapping_add(0x4000) >> 15;
-    (w >> 16)
-        .wrapping_mul(d)
-        .wrapping_add(((d >> 16) as u32).wrapping_mul(low) as i32)
-        .wrapping_add(bottom as i32)
+    ((w as i64 * d as i64 + 0x8000) >> 16) as i32
 }
 
 /// Difference of two directions; exact where they are less than 60° apart.
@@ -88,24 +77,55 @@ pub const fn lift(p: [i32; 3], deficit: u32) -> [i32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::amplify::arith::mul_q16;
     use crate::amplify::seed::pcg;
 
-    #[test]
-    fn wide_products_are_exact() {
-        for k in 0..100_000_u32 {
-            let (a, b, shift) = (pcg(k), pcg(k + 500_000) >> (k % 29), 1 + k % 31);
-            let wide = u64::from(a) * u64::from(b);
-            assert_eq!(mul_high(a, b), (wide >> 32) as u32);
-            assert_eq!(i64::from(mul_shift(a, b, shift)), (wide >> shift).min(i32::MAX as u64) as i64);
+    /// The same functions in operations of 32 bits, as their twins in WGSL have them.
+    mod halves {
+        pub(super) fn mul_high(a: u32, b: u32) -> u32 {
+            let (ah, al, bh, bl) = (a >> 16, a & 0xffff, b >> 16, b & 0xffff);
+            let middle = (ah * bl) + ((al * bl) >> 16);
+            let cross = al * bh + (middle & 0xffff);
+            ah * bh + (middle >> 16) + (cross >> 16)
+        }
+
+        pub(super) fn mul_shift(a: u32, b: u32, shift: u32) -> i32 {
+            let high = mul_high(a, b);
+            if (high >> (shift - 1)) != 0 {
+                return i32::MAX;
+            }
+            ((high << (32 - shift)) | (a.wrapping_mul(b) >> shift)) as i32
+        }
+
+        pub(super) fn mul_q16(a: i32, b: i32) -> i32 {
+            let low = (a & 0xffff) as u32;
+            let cross = ((b >> 16) as u32).wrapping_mul(low);
+            let bottom = low.wrapping_mul((b & 0xffff) as u32) >> 16;
+            (a >> 16).wrapping_mul(b).wrapping_add(cross as i32).wrapping_add(bottom as i32)
+        }
+
+        pub(super) fn weigh(w: i32, d: i32) -> i32 {
+            let low = (w & 0xffff) as u32;
+            let bottom = (low.wrapping_mul((d & 0xffff) as u32) >> 1).wrapping_add(0x4000) >> 15;
+            (w >> 16)
+                .wrapping_mul(d)
+                .wrapping_add(((d >> 16) as u32).wrapping_mul(low) as i32)
+                .wrapping_add(bottom as i32)
         }
     }
 
     #[test]
-    fn weights_round_to_the_nearest() {
-        for k in 0..100_000_u32 {
-            let (w, d) = ((pcg(k) >> 14) as i32 - 131_072, (pcg(k + 77) as i32) >> 4);
-            let exact = (i64::from(w) * i64::from(d) + 0x8000) >> 16;
-            assert_eq!(i64::from(weigh(w, d)), exact, "{w} {d}");
+    fn halves_make_the_same_bits_as_wide_products() {
+        let ends = [0, 1, 0x7fff, 0x8000, 0xffff, 0x1_0000, i32::MAX as u32, 1 << 31, u32::MAX];
+        let ends = ends.into_iter().flat_map(|a| ends.map(|b| (a, b)));
+        let random = (0..100_000).map(|k| (pcg(k) >> (k % 23), pcg(k + 500_000) >> (k % 29)));
+        for (k, (a, b)) in (0..).zip(ends.chain(random)) {
+            let shift = 1 + k % 31;
+            assert_eq!(mul_high(a, b), halves::mul_high(a, b), "{a} {b}");
+            assert_eq!(mul_shift(a, b, shift), halves::mul_shift(a, b, shift), "{a} {b} {shift}");
+            let (a, b) = (a as i32, b as i32);
+            assert_eq!(mul_q16(a, b), halves::mul_q16(a, b), "{a} {b}");
+            assert_eq!(weigh(a, b), halves::weigh(a, b), "{a} {b}");
         }
     }
 

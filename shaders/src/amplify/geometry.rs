@@ -68,23 +68,16 @@ pub const Q12: i32 = 1 << 12;
 
 impl Stance {
     /// The stance of a corner, both vectors from the edge's start.
-    pub const fn of(edge: [i32; 3], corner: [i32; 3]) -> Self {
+    pub fn of(edge: [i32; 3], corner: [i32; 3]) -> Self {
         let shift = common_shift(edge, corner);
         let (u, v) = (shifted(edge, shift), shifted(corner, shift));
         let unit = product(u, u) >> 12;
         let unit = if unit < 1 { 1 } else { unit };
         let cross = length(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-        let (along, height) = (product(u, v) / unit, cross / unit);
-        let along = if along < -7 * Q12 { -7 * Q12 } else { along };
+        let most = 7 * Q12;
         Self {
-            along: if along > 7 * Q12 { 7 * Q12 } else { along },
-            height: if height < Q12 / 64 {
-                Q12 / 64
-            } else if height > 7 * Q12 {
-                7 * Q12
-            } else {
-                height
-            },
+            along: (product(u, v) / unit).clamp(-most, most),
+            height: (cross / unit).clamp(Q12 / 64, most),
         }
     }
 

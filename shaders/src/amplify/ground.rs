@@ -43,9 +43,19 @@ pub struct Ground {
 
 /// Refines the ground for a view. At a cap the whole level that would pass it is dropped, so the mesh stays whole.
 pub fn refine(base: &Base, rules: &Rules, view: &View, caps: &Caps) -> Ground {
+    refined(base, rules, view, caps, true)
+}
+
+/// The same without the edges of the view's finest level, which is all that a collider needs: a fifth less work.
+pub fn refine_faces(base: &Base, rules: &Rules, view: &View, caps: &Caps) -> Ground {
+    refined(base, rules, view, caps, false)
+}
+
+fn refined(base: &Base, rules: &Rules, view: &View, caps: &Caps, finest_edges: bool) -> Ground {
     let (vertices, level) = cull(base, view);
     let mut ground = Ground { planet: base.planet, vertices, levels: vec![level], capped: None };
-    for index in 0..view.level.min(FINEST) {
+    let finest = view.level.min(FINEST);
+    for index in 0..finest {
         let level = &mut ground.levels[index as usize];
         let (vertices, faces) = mark_faces(&base.planet, view, index, level, &ground.vertices);
         if faces == 0 {
@@ -58,8 +68,8 @@ pub fn refine(base: &Base, rules: &Rules, view: &View, caps: &Caps) -> Ground {
             }
             break;
         }
-        let mut next = Level::default();
-        step(&base.planet, rules, index, level, &mut next, &mut ground.vertices);
+        let edges = finest_edges || index + 1 < finest;
+        let next = step(&base.planet, rules, index, level, &mut ground.vertices, edges);
         ground.levels.push(next);
     }
     ground

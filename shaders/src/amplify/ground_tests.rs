@@ -35,6 +35,7 @@ fn camera(direction: [i32; 3], altitude_m: i32, level: u32) -> View {
         direction,
         altitude: Some(altitude_m * GRAINS),
         radius: 0,
+        sides: [[0; 3]; 2],
         sharpness: 12 << 8,
         level,
         horizon: 100_000 * 16,
@@ -348,4 +349,43 @@ fn base_edges_do_not_show() {
 /// Whether all faces around a vertex exist in a level.
 fn closed(level: &super::topology::Level, v: u32) -> bool {
     level.edges.iter().filter(|e| e.vertices.contains(&v)).all(|e| !e.faces.contains(&NONE))
+}
+
+/// A square has the faces of the disc around it wherever they reach into it, with the same vertices.
+#[test]
+fn a_square_has_all_faces_of_its_disc_that_reach_into_it() {
+    let (_, base) = planet();
+    let rules = Rules::default();
+    for k in 0..10 {
+        let centre = if k % 2 == 0 { direction(k) } else { on_river(&base, k) };
+        let unit = centre.map(|x| f64::from(x) / f64::from(ONE));
+        let scale = 1.0 / (unit[0] * unit[0] + unit[1] * unit[1]).sqrt();
+        let east = [-unit[1] * scale, unit[0] * scale, 0.0];
+        let north = [
+            unit[1] * east[2] - unit[2] * east[1],
+            unit[2] * east[0] - unit[0] * east[2],
+            unit[0] * east[1] - unit[1] * east[0],
+        ];
+        let sides = [east, north].map(|side| side.map(|x| (x * 65_536.0).round() as i32));
+        let radius = 40;
+        let disc = refine(&base, &rules, &View::disc(centre, radius, 16), &Caps::default());
+        let view = View::square(centre, sides, radius, 16);
+        let square = refine(&base, &rules, &view, &Caps::default());
+        let faces = super::ground::refine_faces(&base, &rules, &view, &Caps::default());
+        assert_eq!((&faces.vertices, &faces.levels[16].faces), (&square.vertices, &square.levels[16].faces));
+        // Half a side in units of direction.
+        let half = f64::from(radius) / 2.0_f64.sqrt() / 300_000.0 * f64::from(ONE);
+        let within = |v: &Vertex| {
+            let off = [0, 1, 2].map(|i| f64::from(v.direction[i]) - f64::from(centre[i]));
+            [east, north].iter().all(|s| (0..3).map(|i| s[i] * off[i]).sum::<f64>().abs() < half)
+        };
+        let inside = |ground: &Ground| -> std::collections::BTreeSet<_> {
+            let corners = |f: &super::topology::Face| f.vertices.map(|v| ground.vertices[v as usize]);
+            let faces = ground.levels[16].faces.iter().map(corners).filter(|c| c.iter().any(within));
+            faces.map(|c| c.map(|v| (v.direction, v.height, v.seed, v.river.ends))).collect()
+        };
+        let (found, wanted) = (inside(&square), inside(&disc));
+        assert!(wanted.len() > 1000 && found == wanted, "{k}: {} of {}", found.len(), wanted.len());
+        assert!(square.levels[16].faces.len() < disc.levels[16].faces.len() * 3 / 4);
+    }
 }

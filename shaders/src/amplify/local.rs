@@ -7,7 +7,7 @@
 //! What was computed stays until it passes a cap, so a query near earlier ones is quick.
 
 use super::base::Base;
-use super::carve::{Carved, carve};
+use super::carve::{Carved, Kept, carve};
 use super::demand::Demand;
 use super::ground::FINEST;
 use super::locate::{depth, sides};
@@ -52,12 +52,15 @@ impl Leaf {
 #[derive(Clone, Debug)]
 pub struct Local<B> {
     demand: Demand<B>,
+    kept: Box<Kept>,
+    /// Faces of the last answer, one of every level down to its leaf.
+    path: Vec<u32>,
 }
 
 impl<B: Deref<Target = Base>> Local<B> {
     /// An engine that has answered nothing yet.
     pub fn new(base: B, rules: &Rules) -> Self {
-        Self { demand: Demand::new(base, rules) }
+        Self { demand: Demand::new(base, rules), kept: Box::default(), path: Vec::new() }
     }
 
     /// What was computed so far.
@@ -75,33 +78,47 @@ impl<B: Deref<Target = Base>> Local<B> {
     pub fn leaf(&mut self, direction: [i32; 3], level: u32, hint: Option<u32>) -> Leaf {
         if self.demand.len() > KEPT {
             self.demand.clear();
+            self.path.clear();
         }
-        let mut base_face = self.base().locate(direction, hint);
         let level = level.min(FINEST) as usize;
-        let mut face = self.demand.base_face(base_face);
-        for above in 0..level {
+        let mut face = self.start(direction, level, hint);
+        for above in self.path.len() - 1..level {
             face = self.child(above, face, direction);
+            self.path.push(face);
         }
         let vertices = self.demand.face(level, face).vertices.map(|v| {
             self.demand.ensure(v);
             *self.demand.vertex(v)
         });
-        let mut at = face;
-        for above in (0..=level).rev() {
-            at = self.demand.face(above, at).parent;
-            base_face = at;
-        }
-        let carved = vertices.map(|v| carve(&self.base().planet, self.demand.rules(), &v));
+        let base_face = (0..=level).rev().fold(face, |at, above| self.demand.face(above, at).parent);
+        let Self { demand, kept, .. } = self;
+        let carved = vertices.map(|v| carve(kept, &demand.base().planet, demand.rules(), &v));
         Leaf { vertices, carved, level: level as u32, base_face }
+    }
+
+    /// The finest face of the last answer's path that contains a direction, at most of a level; else the face of level
+    /// 0. The path from the top would lead there too: in a level, no other face contains what one has inside.
+    fn start(&mut self, direction: [i32; 3], level: usize, hint: Option<u32>) -> u32 {
+        self.path.truncate(level + 1);
+        while let Some(&face) = self.path.last() {
+            let corners = self.demand.face(self.path.len() - 1, face).vertices;
+            if sides(direction, corners.map(|v| self.demand.vertex(v))).iter().all(|&side| side > 0.0) {
+                return face;
+            }
+            self.path.pop();
+        }
+        let face = self.base().locate(direction, hint);
+        let face = self.demand.base_face(face);
+        self.path.push(face);
+        face
     }
 
     /// The face of the next level that contains a direction: a child of `face`, or of a neighbour.
     fn child(&mut self, level: usize, face: u32, direction: [i32; 3]) -> u32 {
-        let own = self.deepest(level, face, direction);
-        if own.1 >= 0.0 {
-            return own.0;
+        if let Some(child) = self.inside(level, face, direction) {
+            return child;
         }
-        let mut best = own;
+        let mut best = self.deepest(level, face, direction);
         for edge in self.demand.face(level, face).edges {
             for neighbour in self.demand.faces(level, edge) {
                 if neighbour != face {
@@ -113,6 +130,26 @@ impl<B: Deref<Target = Base>> Local<B> {
             }
         }
         best.0
+    }
+
+    /// The child of a face that a direction lies in, if it is one of them. On an edge between two it is the first.
+    fn inside(&mut self, level: usize, face: u32, direction: [i32; 3]) -> Option<u32> {
+        let first = self.demand.quarter(level, face);
+        let middle = self.demand.face(level + 1, first + 3).vertices;
+        for v in middle {
+            self.demand.ensure_place(v);
+        }
+        let inward = sides(direction, middle.map(|v| self.demand.vertex(v)));
+        if inward.iter().all(|&side| side > 0.0) {
+            return Some(first + 3);
+        }
+        // The middle's edge k cuts corner k + 1 off; children do not overlap.
+        let corner = (0..3).find(|k| {
+            let child = self.demand.face(level + 1, first + *k as u32);
+            inward[(k + 2) % 3] <= 0.0
+                && sides(direction, child.vertices.map(|v| self.demand.vertex(v))).iter().all(|&s| s >= 0.0)
+        });
+        corner.map(|k| first + k as u32)
     }
 
     /// The child of a face in which a direction lies deepest, and how deep; below 0 it lies in none.

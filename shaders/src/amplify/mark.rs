@@ -5,7 +5,7 @@
 //! three rings of a split one exists at its level: neighbours differ by one level at most, and no pass has to spread
 //! splits. A split face's neighbours are its halo: see [`Mark::Halo`].
 
-use super::arith::length;
+use super::arith::{length, mul_q16};
 use super::fixed::{difference, mul_shift};
 use super::planet::Planet;
 use super::topology::{Edge, Face, Mark, NONE};
@@ -17,7 +17,7 @@ pub const SHARPNESS: (u32, u32) = (6 << 8, 250 << 8);
 /// Sharpness of a disc's finest level: nothing finer follows, so it needs no margin but a face's own size. Q8.
 const RIM: u32 = 3 << 7;
 
-/// What the ground is refined for: a camera, or a disc of ground.
+/// What the ground is refined for: a camera, or a disc or a square of ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct View {
@@ -27,6 +27,8 @@ pub struct View {
     pub altitude: Option<i32>,
     /// Radius of the disc that is refined evenly, sixteenths of a metre; 0 for a camera.
     pub radius: i32,
+    /// Unit tangents, Q16: of the disc, only the square in it whose sides run along them; zero for all of it.
+    pub sides: [[i32; 3]; 2],
     /// c: distance over edge length at which a face is split, Q8; 117 gives edges of 8 pixels at 1080p.
     pub sharpness: u32,
     /// Finest level, 0..=17.
@@ -42,6 +44,7 @@ impl View {
             direction: [0; 3],
             altitude: None,
             radius: i32::MAX,
+            sides: [[0; 3]; 2],
             sharpness: SHARPNESS.0,
             level,
             horizon: i32::MAX,
@@ -51,7 +54,14 @@ impl View {
     /// A disc of ground at one level, coarser around it; `radius` in metres.
     pub fn disc(direction: [i32; 3], radius: u32, level: u32) -> Self {
         let radius = radius.saturating_mul(16).min(1 << 28) as i32;
-        Self { direction, altitude: None, radius, sharpness: SHARPNESS.0, level, horizon: radius }
+        let sides = [[0; 3]; 2];
+        Self { direction, altitude: None, radius, sides, sharpness: SHARPNESS.0, level, horizon: radius }
+    }
+
+    /// A square of ground at one level, coarser around it. Its corners lie `radius` metres from the centre, its sides
+    /// run along two unit tangents in Q16.
+    pub fn square(direction: [i32; 3], sides: [[i32; 3]; 2], radius: u32, level: u32) -> Self {
+        Self { sides, ..Self::disc(direction, radius, level) }
     }
 
     /// Distance from what is looked at to a face's centre, sixteenths of a metre.
@@ -64,7 +74,22 @@ impl View {
         let above = self
             .altitude
             .map_or(0, |altitude| altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3);
-        length(ground, above.clamp(-(1 << 28), 1 << 28), 0).saturating_sub(self.radius).max(0)
+        let outside = length(ground, above.clamp(-(1 << 28), 1 << 28), 0).saturating_sub(self.radius).max(0);
+        outside.max(self.beside(planet, centre))
+    }
+
+    /// How far a direction lies beside the square, across the nearer pair of its sides; sixteenths of a metre, at most 0
+    /// within them.
+    #[inline]
+    fn beside(&self, planet: &Planet, direction: [i32; 3]) -> i32 {
+        if self.sides == [[0; 3]; 2] {
+            return 0;
+        }
+        let offset = difference(direction.map(|x| x >> 2), self.direction.map(|x| x >> 2));
+        let along = |side: [i32; 3]| (0..3).map(|i| mul_q16(offset[i], side[i])).sum::<i32>().unsigned_abs();
+        let [x, y] = self.sides.map(along);
+        // Half a side is the radius over the root of two.
+        planet.sixteenths(x.max(y)) - mul_q16(self.radius, 46_341)
     }
 
     /// Distance within which a face of a level is split, sixteenths of a metre.

@@ -69,6 +69,8 @@ pub mod vertex;
 
 pub mod rules;
 
+mod sparse;
+
 pub mod base;
 pub mod locate;
 

@@ -44,7 +44,13 @@ impl Planet {
     #[inline]
     pub fn chord(&self, a: [i32; 3], b: [i32; 3]) -> i32 {
         let d = difference(a.map(|x| x >> 2), b.map(|x| x >> 2));
-        mul_shift(length(d[0], d[1], d[2]) as u32, self.sixteenths_per_four, 20)
+        self.sixteenths(length(d[0], d[1], d[2]) as u32)
+    }
+
+    /// A length in four units of direction as sixteenths of a metre.
+    #[inline]
+    pub fn sixteenths(&self, fours: u32) -> i32 {
+        mul_shift(fours, self.sixteenths_per_four, 20)
     }
 
     /// Theoretical edge of a level, grains: ℓ₀ / 2^level.

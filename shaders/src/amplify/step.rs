@@ -12,23 +12,42 @@ use super::rules::{EdgeKind, Rules};
 use super::scan::scan;
 use super::topology::{Edge, Face, Inner, Level, Mark};
 use super::vertex::Vertex;
-use super::vertex_resolve::{Surroundings, asks, resolve};
+use super::vertex_resolve::{Settled, Surroundings, asks, resolve};
 
-/// Splits the marked faces of a level. `vertices` grows; `next` is cleared and filled.
+/// Splits the marked faces of a level; returns the next. `vertices` grows. Without `edges` the next level has faces
+/// alone, which is all that a finest level needs; what their edges would be called is the same.
 pub fn step(
     planet: &Planet,
     rules: &Rules,
     index: u32,
     level: &mut Level,
-    next: &mut Level,
     vertices: &mut Vec<Vertex>,
-) {
+    edges: bool,
+) -> Level {
     mark_edges(level);
-    place(level, vertices.len() as u32);
+    let made = place(level, vertices.len() as u32);
+    vertices.reserve(made.vertices);
     split_edges(planet, rules, index, level, vertices);
     decide_faces(rules, index, level, vertices);
     resolve_vertices(planet, index, level, vertices);
-    grow(rules, index, level, next, vertices);
+    Level {
+        edges: if edges { grow_edges(rules, index, level, vertices, made.edges()) } else { Vec::new() },
+        faces: grow_faces(level, &made),
+    }
+}
+
+/// How much a level makes.
+struct Made {
+    vertices: usize,
+    halves: usize,
+    faces: usize,
+}
+
+impl Made {
+    /// Edges of the next level: halves, and three inner edges for every four faces.
+    fn edges(&self) -> usize {
+        self.halves + self.faces / 4 * 3
+    }
 }
 
 fn mark_edges(level: &mut Level) {
@@ -38,11 +57,12 @@ fn mark_edges(level: &mut Level) {
 }
 
 /// Gives midpoints, halves and children their places.
-fn place(level: &mut Level, first_vertex: u32) {
+fn place(level: &mut Level, first_vertex: u32) -> Made {
     let Level { edges, faces } = level;
-    scan(edges, first_vertex, |e| u32::from(e.mark != Mark::Leaf), |e, place| e.mid = place);
-    scan(edges, 0, |e| 2 * u32::from(e.mark == Mark::Split), |e, place| e.child = place);
-    scan(faces, 0, |f| 4 * u32::from(f.mark == Mark::Split), |f, place| f.child = place);
+    let mids = scan(edges, first_vertex, |e| u32::from(e.mark != Mark::Leaf), |e, place| e.mid = place);
+    let halves = scan(edges, 0, |e| 2 * u32::from(e.mark == Mark::Split), |e, place| e.child = place);
+    let children = scan(faces, 0, |f| 4 * u32::from(f.mark == Mark::Split), |f, place| f.child = place);
+    Made { vertices: mids as usize, halves: halves as usize, faces: children as usize }
 }
 
 /// The corner of a face of an edge that the edge does not touch.
@@ -55,7 +75,10 @@ fn split_edges(planet: &Planet, rules: &Rules, index: u32, level: &Level, vertic
     for (i, edge) in (0..).zip(&level.edges) {
         if edge.mark != Mark::Leaf {
             let ends = edge.vertices.map(|v| &vertices[v as usize]);
-            let far = [0, 1].map(|side| opposite(level, vertices, i, side));
+            let far = match index {
+                edge_split::STRAIGHT_LEVEL.. => [None; 2],
+                _ => [0, 1].map(|side| opposite(level, vertices, i, side)),
+            };
             let new = edge_split::split(planet, rules, edge, index, ends, far);
             vertices.push(new);
         }
@@ -94,14 +117,14 @@ fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex
 fn resolve_vertices(planet: &Planet, index: u32, level: &Level, vertices: &mut [Vertex]) {
     for (i, edge) in (0..).zip(&level.edges) {
         if edge.mark == Mark::Split {
-            let new = resolved(planet, index, level, i, edge, vertices);
-            vertices[edge.mid as usize] = new;
+            let settled = resolved(planet, index, level, i, edge, vertices);
+            settled.write(&mut vertices[edge.mid as usize]);
         }
     }
 }
 
-/// The new vertex of an edge, settled by the faces beside it.
-fn resolved(planet: &Planet, index: u32, level: &Level, i: u32, edge: &Edge, vertices: &[Vertex]) -> Vertex {
+/// What the faces beside an edge settle of its new vertex.
+fn resolved(planet: &Planet, index: u32, level: &Level, i: u32, edge: &Edge, vertices: &[Vertex]) -> Settled {
     let mut around = Surroundings {
         edge,
         ends: edge.vertices.map(|v| &vertices[v as usize]),
@@ -133,20 +156,27 @@ fn resolved(planet: &Planet, index: u32, level: &Level, i: u32, edge: &Edge, ver
     resolve(planet, index, &vertices[edge.mid as usize], &around)
 }
 
-/// Writes the next level's edges and faces.
-fn grow(rules: &Rules, index: u32, level: &Level, next: &mut Level, vertices: &[Vertex]) {
-    next.edges.clear();
-    next.faces.clear();
+/// The next level's edges: halves, then inner edges.
+fn grow_edges(rules: &Rules, index: u32, level: &Level, vertices: &[Vertex], count: usize) -> Vec<Edge> {
+    let mut edges = Vec::with_capacity(count);
     for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
-        next.edges.extend(face_split::halve(rules, index, edge, &level.faces, vertices));
+        edges.extend(face_split::halve(rules, index, edge, &level.faces, vertices));
     }
-    let first = next.edges.len() as u32;
-    let mut inner = first;
-    for (f, face) in (0..).zip(&level.faces).filter(|(_, f): &(u32, &Face)| f.mark == Mark::Split) {
+    for face in level.faces.iter().filter(|f| f.mark == Mark::Split) {
         for k in 0..3 {
-            next.edges.push(face_split::inner_edge(face, index, k, &level.edges, vertices));
+            edges.push(face_split::inner_edge(face, index, k, &level.edges, vertices));
         }
-        next.faces.extend(face_split::quarter(face, f, inner, &level.edges));
+    }
+    edges
+}
+
+/// The next level's faces.
+fn grow_faces(level: &Level, made: &Made) -> Vec<Face> {
+    let mut faces = Vec::with_capacity(made.faces);
+    let mut inner = made.halves as u32;
+    for (f, face) in (0..).zip(&level.faces).filter(|(_, f): &(u32, &Face)| f.mark == Mark::Split) {
+        faces.extend(face_split::quarter(face, f, inner, &level.edges));
         inner += 3;
     }
+    faces
 }

@@ -115,7 +115,7 @@ impl Face {
     }
 }
 
-/// Edges and faces of one level.
+/// Edges and faces of one level. A finest level may lack its edges, which its faces name none the less.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Level {
     /// Edges.

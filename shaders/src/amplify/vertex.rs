@@ -31,6 +31,9 @@ pub struct Segment {
 }
 
 /// One vertex of the ground.
+///
+/// Most of its fields are a [`ControlVertex`]'s. It does not hold one: a control vertex is packed for whoever bakes a
+/// planet, with its flow and its kind as plain numbers, and rules and their twins name what they read without a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct Vertex {

@@ -48,16 +48,35 @@ pub fn asks(inner: &[Inner; 3], k: usize) -> (bool, bool, bool) {
     )
 }
 
-/// The vertex as the faces around it leave it.
-pub fn resolve(planet: &Planet, level: u32, vertex: &Vertex, around: &Surroundings) -> Vertex {
-    let mut new = *vertex;
-    new.branched = around.branched;
-    if around.gully_tip && !around.river_tip && new.kind == VertexKind::Terrain {
-        new.kind = VertexKind::Gully;
+/// What the faces around a new vertex settle of it; the rest stays as its edge made it.
+#[derive(Clone, Copy, Debug)]
+pub struct Settled {
+    kind: VertexKind,
+    branched: bool,
+    river: Nearest,
+    gully_bed: i32,
+    gully_distance: i32,
+}
+
+impl Settled {
+    /// Writes what was settled into the vertex.
+    #[inline]
+    pub fn write(&self, vertex: &mut Vertex) {
+        (vertex.kind, vertex.branched) = (self.kind, self.branched);
+        vertex.river = self.river.segment;
+        (vertex.river_distance, vertex.river_along) = (self.river.distance, self.river.along);
+        (vertex.gully_bed, vertex.gully_distance) = (self.gully_bed, self.gully_distance);
     }
-    near_river(planet, level, &mut new, around);
-    near_gully(planet, &mut new, around);
-    new
+}
+
+/// What the faces around a vertex settle of it.
+pub fn resolve(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) -> Settled {
+    let becomes_gully = around.gully_tip && !around.river_tip && new.kind == VertexKind::Terrain;
+    let kind = if becomes_gully { VertexKind::Gully } else { new.kind };
+    let river = near_river(planet, level, new, around);
+    let (gully_bed, gully_distance) =
+        if kind == VertexKind::Gully { (new.height, 0) } else { near_gully(planet, new, around) };
+    Settled { kind, branched: around.branched, river, gully_bed, gully_distance }
 }
 
 /// Discharge that a tributary brings to a junction: a quarter to a half of what its river has gained since the
@@ -82,6 +101,7 @@ pub fn segment(planet: &Planet, birth: u8, level: u32, up: &Vertex, down: &Verte
 }
 
 /// Nearest segment found so far.
+#[derive(Clone, Copy, Debug)]
 struct Nearest {
     cost: i32,
     distance: i32,
@@ -102,12 +122,11 @@ impl Nearest {
     }
 }
 
-/// Sets the nearest river of a vertex.
-fn near_river(planet: &Planet, level: u32, new: &mut Vertex, around: &Surroundings) {
-    if matches!(new.kind, VertexKind::River | VertexKind::Lake) {
-        new.river = segment(planet, around.edge.birth, level + 1, new, new);
-        (new.river_distance, new.river_along) = (0, 0);
-        return;
+/// The nearest river of a vertex.
+fn near_river(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) -> Nearest {
+    if new.is_wet() {
+        let segment = segment(planet, around.edge.birth, level + 1, new, new);
+        return Nearest { cost: 0, distance: 0, along: 0, segment };
     }
     let mut nearest = Nearest { cost: i32::MAX, distance: FAR, along: 0, segment: Segment::default() };
     for (edge, [up, down], mid) in around.beside.iter().flatten() {
@@ -126,7 +145,7 @@ fn near_river(planet: &Planet, level: u32, new: &mut Vertex, around: &Surroundin
     if nearest.cost == i32::MAX {
         inherit(planet, level, new, around, &mut nearest);
     }
-    (new.river, new.river_distance, new.river_along) = (nearest.segment, nearest.distance, nearest.along);
+    nearest
 }
 
 /// Offers the segments of the parents and, while edges move, of the opposite corners.
@@ -146,14 +165,10 @@ fn inherit(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings, nea
     }
 }
 
-/// Sets the nearest gully: that of an edge beside the vertex, else the mean of what the parents know.
-fn near_gully(planet: &Planet, new: &mut Vertex, around: &Surroundings) {
-    if new.kind == VertexKind::Gully {
-        (new.gully_bed, new.gully_distance) = (new.height, 0);
-        return;
-    }
+/// Bed and distance of the nearest gully: that of an edge beside the vertex, else the mean of what the parents know.
+fn near_gully(planet: &Planet, new: &Vertex, around: &Surroundings) -> (i32, i32) {
     let [a, b] = around.ends;
-    (new.gully_bed, new.gully_distance) = match (a.gully_distance, b.gully_distance) {
+    let (mut bed, mut nearest) = match (a.gully_distance, b.gully_distance) {
         (FAR, FAR) => (new.height, FAR),
         (FAR, d) => (b.gully_bed, apart(planet, new, b, d)),
         (d, FAR) => (a.gully_bed, apart(planet, new, a, d)),
@@ -164,12 +179,12 @@ fn near_gully(planet: &Planet, new: &mut Vertex, around: &Surroundings) {
         if edge.kind == EdgeKind::Gully {
             let (along, off) = nearest_on([up.direction, down.direction], new.direction);
             let distance = planet.grains(off);
-            if distance < new.gully_distance {
-                new.gully_distance = distance;
-                new.gully_bed = super::arith::mix(up.height, down.height, along);
+            if distance < nearest {
+                (bed, nearest) = (super::arith::mix(up.height, down.height, along), distance);
             }
         }
     }
+    (bed, nearest)
 }
 
 /// Distance to a parent's gully, at most that of going by the parent.

@@ -27,7 +27,7 @@ pub const fn scale_dependency(level: u32) -> i32 {
 
 /// α of a young mountain, Q16: ½ + Δ/2 (ξ^1.5 - 1) as printed, ½ + Δ (ξ^1.5 - ½) as released.
 #[inline]
-pub const fn young(form: Form, delta: i32, xi: i32) -> i32 {
+pub fn young(form: Form, delta: i32, xi: i32) -> i32 {
     let power = pow_1_5(xi);
     match form {
         Form::Paper => Q16 / 2 + mul_q16(delta, power - Q16) / 2,

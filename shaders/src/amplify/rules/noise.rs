@@ -48,10 +48,37 @@ const fn gradient_dot(hash: u32, x: i32, y: i32, z: i32) -> i32 {
     (if hash & 1 == 0 { u } else { -u }) + (if hash & 2 == 0 { v } else { -v })
 }
 
-/// Gradient noise of wavelength 2^`cell` direction units at a point, about -1..1 in Q16, mean 0; `cell` 1..=30.
+/// What was drawn at the corners of a cell of one lattice. Most of a noise's work; points of a patch share it.
+#[derive(Clone, Copy, Debug)]
+pub struct Corners {
+    address: [u32; 3],
+    /// Of corner (x, y, z) at x + 2y + 4z.
+    hashes: [u32; 8],
+}
+
+impl Default for Corners {
+    /// Those of no cell: addresses have 31 bits at most.
+    fn default() -> Self {
+        Self { address: [u32::MAX; 3], hashes: [0; 8] }
+    }
+}
+
+impl Corners {
+    fn of(address: [u32; 3], cell: u32, seed: u32) -> Self {
+        let top = u32::MAX >> cell;
+        let hash = |k: u32| {
+            let at = |axis: usize| (address[axis] + (k >> axis & 1)) & top;
+            cell_hash(at(0), at(1), at(2), seed) >> 7
+        };
+        Self { address, hashes: [0, 1, 2, 3, 4, 5, 6, 7].map(hash) }
+    }
+}
+
+/// Gradient noise of wavelength 2^`cell` direction units at a point, about -1..1 in Q16, mean 0; `cell` 1..=30. `kept`
+/// is what the last point of the same `cell` and `seed` left; it changes no bit.
 ///
 /// Continuous with its first two derivatives, exact at any frequency: the lattice is addressed by the bits themselves.
-pub const fn gradient(point: [i32; 3], cell: u32, seed: u32) -> i32 {
+pub fn gradient(kept: &mut Corners, point: [i32; 3], cell: u32, seed: u32) -> i32 {
     // Every seed has its own origin, so that octaves do not share the zeros of their lattices.
     let mask = (1_u32 << cell) - 1;
     let mut address = [0_u32; 3];
@@ -65,40 +92,34 @@ pub const fn gradient(point: [i32; 3], cell: u32, seed: u32) -> i32 {
         place[axis] = if cell > 16 { (inside >> (cell - 16)) as i32 } else { (inside << (16 - cell)) as i32 };
         axis += 1;
     }
-    let top = if cell >= 32 { 0 } else { u32::MAX >> cell };
+    if kept.address != address {
+        *kept = Corners::of(address, cell, seed);
+    }
     let [x, y, z] = place;
     let (u, v, w) = (fade(x), fade(y), fade(z));
-    let mut layer = [0_i32; 2];
-    let mut k = 0;
-    while k < 2 {
-        let mut row = [0_i32; 2];
-        let mut j = 0;
-        while j < 2 {
-            let (cy, cz) = ((address[1] + j as u32) & top, (address[2] + k as u32) & top);
-            let (dy, dz) = (y - j as i32 * Q16, z - k as i32 * Q16);
-            let near = gradient_dot(cell_hash(address[0], cy, cz, seed) >> 7, x, dy, dz);
-            let far = gradient_dot(cell_hash((address[0] + 1) & top, cy, cz, seed) >> 7, x - Q16, dy, dz);
-            row[j] = near + mul_q16(far - near, u);
-            j += 1;
-        }
-        layer[k] = row[0] + mul_q16(row[1] - row[0], v);
-        k += 1;
-    }
-    layer[0] + mul_q16(layer[1] - layer[0], w)
+    let row = |j: usize, k: usize| {
+        let (dy, dz) = (y - j as i32 * Q16, z - k as i32 * Q16);
+        let [near, far] = [0, 1].map(|i| kept.hashes[i + 2 * j + 4 * k]);
+        blend(gradient_dot(near, x, dy, dz), gradient_dot(far, x - Q16, dy, dz), u)
+    };
+    let layer = |k: usize| blend(row(0, k), row(1, k), v);
+    blend(layer(0), layer(1), w)
 }
 
-/// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of the last.
-pub const fn fbm(point: [i32; 3], cell: u32, octaves: u32, gain: i32, seed: u32) -> i32 {
+#[inline]
+const fn blend(a: i32, b: i32, t: i32) -> i32 {
+    a + mul_q16(b - a, t)
+}
+
+/// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of the last. As many as
+/// there are `kept` cells, at most `cell`.
+pub fn fbm(kept: &mut [Corners], point: [i32; 3], cell: u32, gain: i32, seed: u32) -> i32 {
     let mut sum = 0;
     let mut weight = Q16;
-    let mut octave = 0;
-    while octave < octaves && octave < cell {
-        sum += mul_q16(
-            gradient(point, cell - octave, seed.wrapping_add(octave.wrapping_mul(0x68bc_21eb))),
-            weight,
-        );
+    for (octave, kept) in (0..cell).zip(kept) {
+        let seed = seed.wrapping_add(octave.wrapping_mul(0x68bc_21eb));
+        sum += mul_q16(gradient(kept, point, cell - octave, seed), weight);
         weight = mul_q16(weight, gain);
-        octave += 1;
     }
     sum
 }
@@ -108,6 +129,11 @@ mod tests {
     use super::super::super::fixed::ONE;
     use super::super::super::seed::{pcg, share};
     use super::*;
+
+    /// The noise at a point that nothing was asked before.
+    fn gradient(point: [i32; 3], cell: u32, seed: u32) -> i32 {
+        super::gradient(&mut Corners::default(), point, cell, seed)
+    }
 
     fn points(count: u32) -> impl Iterator<Item = [i32; 3]> {
         (0..count).map(|i| {
@@ -178,12 +204,26 @@ mod tests {
     }
 
     #[test]
+    fn what_is_kept_changes_no_bit() {
+        for cell in [1, 9, 16, 17, 30] {
+            let mut kept = Corners::default();
+            for (k, p) in (0..).zip(points(300)) {
+                // Every point twice, the second time a little farther on.
+                for step in [0, 1 << cell >> (k % 8)] {
+                    let at = p.map(|x| x.wrapping_add(step));
+                    assert_eq!(super::gradient(&mut kept, at, cell, 5), gradient(at, cell, 5));
+                }
+            }
+        }
+    }
+
+    #[test]
     fn bits_are_pinned() {
         assert_eq!(cell_hash(1, 2, 3, 4), cell_hash(1, 2, 3, 4));
         let got = [
             gradient([ONE, 0, 0], 24, 5),
             gradient([-3, 1 << 30, 77], 10, 6),
-            fbm([ONE / 3, ONE / 3, ONE / 2], 20, 6, 32_768, 9),
+            fbm(&mut [Corners::default(); 6], [ONE / 3, ONE / 3, ONE / 2], 20, 32_768, 9),
         ];
         assert_eq!(got, [29_333, -4_965, 4_097]);
     }

@@ -77,13 +77,14 @@ pub const fn archetype(valley: u8, x: i32) -> i32 {
     }
 }
 
-/// The ground of a vertex after its river has carved it. `edge` is the mean edge of the control mesh, grains.
-pub fn carve(rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
+/// The ground of a vertex after its river has carved it. `edge` is the mean edge of the control mesh, grains; `kept` is
+/// what the vertex before left.
+pub fn carve(kept: &mut ocean::Kept, rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
     match vertex.kind {
         VertexKind::Lake => Carved { ground: vertex.bed.min(vertex.water), water: vertex.water },
         VertexKind::River => Carved { ground: vertex.bed, water: vertex.water.max(vertex.bed) },
         VertexKind::Sea => {
-            let ground = vertex.height + ocean::relief(vertex, edge);
+            let ground = vertex.height + ocean::relief(kept, vertex, edge);
             Carved { ground, water: ground.max(0) }
         }
         _ if vertex.river_distance >= FAR => dry(vertex.height),
@@ -150,7 +151,7 @@ mod tests {
             valley,
             ..Vertex::default()
         };
-        carve(&Rules::default(), &vertex, m(52_000))
+        carve(&mut ocean::Kept::default(), &Rules::default(), &vertex, m(52_000))
     }
 
     #[test]

@@ -9,41 +9,50 @@ pub mod phasor;
 use super::super::arith::{mul_q16, ratio, smoothstep, square};
 use super::super::fixed::{GRAINS, ONE, Q16};
 use super::super::vertex::Vertex;
-use super::noise::fbm;
-use phasor::phasor;
+use super::noise::{Corners, fbm};
+use phasor::{Packets, phasor};
 
 /// Age at which half of the young floor's relief is left, 1/64 My: 25 My.
 const HALF_AGE: i32 = 25 * 64;
 
+/// What the noises drew for the last vertex: vertices of a patch share most of it. It changes no bit of a relief.
+#[derive(Clone, Debug, Default)]
+pub struct Kept {
+    fine: [Corners; 13],
+    coarse: [Corners; 4],
+    faults: Packets,
+    hills: Packets,
+}
+
 /// Offset of the sea floor at a vertex, grains. `edge` is the mean edge of the control mesh, grains: on small planets
 /// the relief shrinks with it.
-pub fn relief(vertex: &Vertex, edge: i32) -> i32 {
+pub fn relief(kept: &mut Kept, vertex: &Vertex, edge: i32) -> i32 {
     let depth = -vertex.height;
     if depth <= 0 {
         return 0;
     }
     // 52 km carry the full relief.
     let size = ratio(edge, 52_000 * GRAINS);
-    let fine = fbm(vertex.direction, 21, 13, 31_457, 0x0cea_0001);
-    let coarse = fbm(vertex.direction, 25, 4, 36_045, 0x0cea_0002);
+    let fine = fbm(&mut kept.fine, vertex.direction, 21, 31_457, 0x0cea_0001);
+    let coarse = fbm(&mut kept.coarse, vertex.direction, 25, 36_045, 0x0cea_0002);
     let rough = mul_q16(120 * GRAINS, fine) + mul_q16(260 * GRAINS, coarse);
-    let offset = mul_q16(rough + ridge_relief(vertex), size);
+    let offset = mul_q16(rough + ridge_relief(kept, vertex), size);
     // A shelf 130 m deep keeps a fiftieth, the deep sea all.
     let room = smoothstep(0, 2_500 * GRAINS, depth);
     mul_q16(offset, room).min(depth / 2)
 }
 
 /// Transform faults and abyssal hills.
-fn ridge_relief(vertex: &Vertex) -> i32 {
+fn ridge_relief(kept: &mut Kept, vertex: &Vertex) -> i32 {
     if vertex.oceanic == 0 || vertex.ridge == [0; 3] {
         return 0;
     }
     let young = ratio(HALF_AGE, HALF_AGE + i32::from(vertex.ocean_age));
-    let faults = phasor(vertex.direction, vertex.ridge, 25, 98_304, 0x0cea_0003);
+    let faults = phasor(&mut kept.faults, vertex.direction, vertex.ridge, 25, 98_304, 0x0cea_0003);
     // A trough where the cosine is -1: ((1 - cos) / 2)⁴, sharp.
     let trough = square(square((Q16 - faults.cosine) / 2));
     let deep = mul_q16(mul_q16(900 * GRAINS, Q16 / 6 - trough), smoothstep(9_830, 45_875, faults.presence));
-    let hills = phasor(vertex.direction, spreading(vertex), 22, 131_072, 0x0cea_0004);
+    let hills = phasor(&mut kept.hills, vertex.direction, spreading(vertex), 22, 131_072, 0x0cea_0004);
     let low = mul_q16(mul_q16(150 * GRAINS, hills.cosine), hills.presence);
     let buried =
         mul_q16(deep, Q16 / 5 + mul_q16(young, 52_429)) + mul_q16(low, Q16 / 4 + mul_q16(young, 49_152));
@@ -63,6 +72,11 @@ fn spreading(vertex: &Vertex) -> [i16; 3] {
 mod tests {
     use super::*;
     use crate::amplify::control::VertexKind;
+
+    /// The relief at a vertex that nothing was asked before.
+    fn relief(vertex: &Vertex, edge: i32) -> i32 {
+        super::relief(&mut Kept::default(), vertex, edge)
+    }
 
     fn floor(y: i32, age_my: u16, depth_m: i32) -> Vertex {
         Vertex {

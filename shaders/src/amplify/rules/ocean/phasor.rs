@@ -18,24 +18,60 @@ pub struct Phasor {
     pub presence: i32,
 }
 
+/// A wave packet: where it lies, and the hash that drew it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Packet {
+    place: [i32; 3],
+    hash: u32,
+}
+
+/// The packets of a cell and of those around it; points of a patch share them.
+#[derive(Clone, Copy, Debug)]
+pub struct Packets {
+    home: [i32; 3],
+    packets: [Packet; 27],
+}
+
+impl Default for Packets {
+    /// Those of no cell: addresses have 14 bits at most.
+    fn default() -> Self {
+        Self { home: [i32::MIN; 3], packets: [Packet::default(); 27] }
+    }
+}
+
+impl Packets {
+    fn around(home: [i32; 3], cell: u32, seed: u32) -> Self {
+        let packet = |k: usize| {
+            let k = k as i32;
+            let at = [home[0] + k % 3 - 1, home[1] + k / 3 % 3 - 1, home[2] + k / 9 - 1];
+            let hash = cell_hash(at[0] as u32, at[1] as u32, at[2] as u32, seed);
+            // Ten bits of place an axis, two bits more of phase and pitch.
+            let inside = |i: u32| ((hash >> (10 * i) & 1023) as i32) << (cell - 10);
+            Packet { place: [0, 1, 2].map(|i| (at[i] << cell).wrapping_add(inside(i as u32))), hash }
+        };
+        Self { home, packets: core::array::from_fn(packet) }
+    }
+}
+
 /// The stripes at a point. `axis` is the direction across them, components times 32767; `waves` their number in a
-/// cell, Q16; `cell` 18..=26.
-pub fn phasor(point: [i32; 3], axis: [i16; 3], cell: u32, waves: i32, seed: u32) -> Phasor {
+/// cell, Q16; `cell` 18..=26. `kept` is what the last point of the same `cell` and `seed` left; it changes no bit.
+pub fn phasor(
+    kept: &mut Packets,
+    point: [i32; 3],
+    axis: [i16; 3],
+    cell: u32,
+    waves: i32,
+    seed: u32,
+) -> Phasor {
     let (mut real, mut imaginary, mut total) = (0_i32, 0_i32, 0_i32);
     let home = point.map(|c| c >> cell);
-    for k in 0..27 {
-        let at = [home[0] + k % 3 - 1, home[1] + k / 3 % 3 - 1, home[2] + k / 9 - 1];
-        let hash = cell_hash(at[0] as u32, at[1] as u32, at[2] as u32, seed);
-        // Ten bits of place an axis, two bits more of phase and pitch.
-        let place = [hash & 1023, hash >> 10 & 1023, hash >> 20 & 1023];
-        let mut away = [0; 3];
-        let mut square = 0;
-        for i in 0..3 {
-            let packet = (at[i] << cell).wrapping_add((place[i] as i32) << (cell - 10));
-            away[i] = point[i].wrapping_sub(packet);
-            let near = away[i] >> (cell - 8);
-            square += near * near;
-        }
+    if kept.home != home {
+        *kept = Packets::around(home, cell, seed);
+    }
+    for &Packet { place, hash } in &kept.packets {
+        let away = [0, 1, 2].map(|i| point[i].wrapping_sub(place[i]));
+        let near = away.map(|x| x >> (cell - 8));
+        let square = near[0] * near[0] + near[1] * near[1] + near[2] * near[2];
         if square >= Q16 {
             continue;
         }
@@ -70,6 +106,11 @@ const fn signed_ratio(x: i32, size: i32) -> i32 {
 mod tests {
     use super::super::super::super::fixed::ONE;
     use super::*;
+
+    /// The stripes at a point that nothing was asked before.
+    fn phasor(point: [i32; 3], axis: [i16; 3], cell: u32, waves: i32, seed: u32) -> Phasor {
+        super::phasor(&mut Packets::default(), point, axis, cell, waves, seed)
+    }
 
     /// Energy of the noise's changes over a step of a sixteenth of a wave along a direction.
     fn energy(step: [i32; 3]) -> f64 {
@@ -121,6 +162,16 @@ mod tests {
             );
             // Floors of negative numbers differ by a unit of a far packet.
             assert!((a.cosine - b.cosine).abs() < 512 || a.presence < 3_000, "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_kept_changes_no_bit() {
+        let mut kept = Packets::default();
+        for i in 0..500 {
+            let p = [ONE / 2 + i * 777_777, i * 1_234_567, ONE / 3];
+            let want = phasor(p, [9_000, 30_000, -8_000], 25, Q16, 3);
+            assert_eq!(super::phasor(&mut kept, p, [9_000, 30_000, -8_000], 25, Q16, 3), want);
         }
     }
 
