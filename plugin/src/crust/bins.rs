@@ -128,7 +128,8 @@ fn project(p: DVec3) -> (usize, f64, f64) {
         4 + usize::from(p.z < 0.0)
     };
     let (depth, u, v) = components(face, p);
-    (face, u / depth, v / depth)
+    let scale = 1.0 / depth;
+    (face, u * scale, v * scale)
 }
 
 /// Depth along the face's normal, and the two coordinates across it.

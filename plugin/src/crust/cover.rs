@@ -15,7 +15,7 @@ use super::frame::{Frame, FrameId};
 use crate::parallel;
 use crate::plate::contact::PolarityMemory;
 use crate::sphere::SphereMesh;
-use bevy::math::DVec3;
+use bevy::math::{DMat3, DVec3};
 use bevy::prelude::*;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -158,6 +158,8 @@ pub struct CoverIndex {
     world: Vec<u64>,
     /// Frames with samples in or near each coarse bin of the lattice.
     lattice: Vec<u64>,
+    /// The way from the world to the lattice for every frame: a matrix turns a point at half the cost of a quaternion.
+    to_lattice: Vec<DMat3>,
 }
 
 impl CoverIndex {
@@ -182,6 +184,8 @@ impl CoverIndex {
 
     /// Renews the table of the world after frames have moved.
     pub fn turn(&mut self, frames: &[Frame]) {
+        self.to_lattice.clear();
+        self.to_lattice.extend(frames.iter().map(|frame| DMat3::from_quat(frame.rotation.conjugate())));
         let (bins, words, lattice) = (&self.coarse, self.words, &self.lattice);
         let blocks = (0..bins.shape.len().div_ceil(BLOCK)).into_par_iter().map(|block| {
             let mut found: Vec<(u32, u32)> = Vec::with_capacity(16 * BLOCK);
@@ -209,30 +213,29 @@ impl CoverIndex {
         &self.world[cell * self.words..(cell + 1) * self.words]
     }
 
-    /// The frame's hit at `p`, if it covers the point.
+    /// A vector of the world in lattice coordinates of a frame.
     #[inline]
-    pub fn hit(
-        &self,
-        mesh: &SphereMesh,
-        crust: &Crust,
-        frames: &[Frame],
-        id: FrameId,
-        p: DVec3,
-    ) -> Option<Hit> {
-        let frame = &frames[usize::from(id)];
-        let rest = frame.is_at_rest();
-        let local = if rest { p } else { frame.to_lattice(p) };
+    pub fn to_lattice(&self, id: FrameId, v: DVec3) -> DVec3 {
+        self.to_lattice[usize::from(id)] * v
+    }
+
+    /// The frame's hit at the unit direction `p`, if it covers the point. Frames made since the last [`turn`](Self::turn)
+    /// cover nothing yet.
+    #[inline]
+    pub fn hit(&self, mesh: &SphereMesh, crust: &Crust, id: FrameId, p: DVec3) -> Option<Hit> {
+        // A frame at rest keeps the bits of `p`; the others keep its length as well as rounding can.
+        let local = *self.to_lattice.get(usize::from(id))? * p;
         let cell = self.fine.grid.cell(local);
         let word = self.near[cell * self.words + usize::from(id) / 64];
         if word >> (id % 64) & 1 == 0 {
             return None;
         }
-        let local = if rest { local } else { local.normalize() };
         let sample = mesh.nearest(local);
         (crust.frame[sample as usize] == id).then_some(Hit { frame: id, sample, local })
     }
 
     /// The hit on top at the unit direction `p` among a choice of frames.
+    #[inline]
     pub fn top_if(
         &self,
         mesh: &SphereMesh,
@@ -242,17 +245,21 @@ impl CoverIndex {
         p: DVec3,
         choice: impl Fn(&Frame) -> bool,
     ) -> Option<Hit> {
-        let hits = ones(self.candidates(p))
-            .filter(|&id| choice(&frames[id]))
-            .filter_map(|id| self.hit(mesh, crust, frames, id as FrameId, p));
-        hits.reduce(|top, hit| if overrides(crust, frames, polarity, hit, top, p) { hit } else { top })
+        let mut top: Option<Hit> = None;
+        for id in ones(self.candidates(p)).filter(|&id| choice(&frames[id])) {
+            let Some(hit) = self.hit(mesh, crust, id as FrameId, p) else { continue };
+            if top.is_none_or(|top| overrides(crust, frames, polarity, hit, top, p)) {
+                top = Some(hit);
+            }
+        }
+        top
     }
 
     /// All frames that cover the unit direction `p`, in order of their numbers.
-    pub fn covering(&self, mesh: &SphereMesh, crust: &Crust, frames: &[Frame], p: DVec3) -> Hits {
+    pub fn covering(&self, mesh: &SphereMesh, crust: &Crust, p: DVec3) -> Hits {
         let mut hits = Hits::default();
         for id in ones(self.candidates(p)) {
-            if let Some(hit) = self.hit(mesh, crust, frames, id as FrameId, p) {
+            if let Some(hit) = self.hit(mesh, crust, id as FrameId, p) {
                 hits.push(hit);
             }
         }
@@ -261,15 +268,33 @@ impl CoverIndex {
 }
 
 /// Positions of the ones in a set.
-fn ones(words: &[u64]) -> impl Iterator<Item = usize> + '_ {
-    words.iter().enumerate().flat_map(|(k, &word)| {
-        let mut rest = word;
-        core::iter::from_fn(move || {
-            let bit = rest.trailing_zeros() as usize;
-            rest &= rest.wrapping_sub(1);
-            (bit < 64).then_some(k * 64 + bit)
-        })
-    })
+#[inline]
+fn ones(words: &[u64]) -> Ones<'_> {
+    let (&rest, later) = words.split_first().unwrap_or((&0, &[]));
+    Ones { rest, base: 0, later }
+}
+
+/// See [`ones`].
+struct Ones<'a> {
+    rest: u64,
+    base: usize,
+    later: &'a [u64],
+}
+
+impl Iterator for Ones<'_> {
+    type Item = usize;
+
+    #[inline]
+    fn next(&mut self) -> Option<usize> {
+        while self.rest == 0 {
+            let (&word, later) = self.later.split_first()?;
+            (self.rest, self.later) = (word, later);
+            self.base += 64;
+        }
+        let bit = self.rest.trailing_zeros() as usize;
+        self.rest &= self.rest - 1;
+        Some(self.base + bit)
+    }
 }
 
 /// Whether the crust of `a` lies on top of that of `b` at `p`.

@@ -55,8 +55,10 @@ impl Rim {
     /// Renews the rims after the samples `changed`, in order, have gone to other frames.
     pub fn renew(&mut self, mesh: &SphereMesh, frame: &[FrameId], frames: &Frames, changed: &[u32]) {
         let plate: Vec<_> = frames.iter().map(|frame| frame.plate).collect();
-        let mut near: Vec<u32> =
-            changed.iter().flat_map(|&i| mesh.ring(i).iter().copied().chain([i])).collect();
+        // Amid others that went to the same frame nothing can change.
+        let amid = |i: u32| mesh.ring(i).iter().all(|&j| frame[j as usize] == frame[i as usize]);
+        let at_edge = changed.iter().filter(|&&i| self.index[i as usize] != INTERIOR || !amid(i));
+        let mut near: Vec<u32> = at_edge.flat_map(|&i| mesh.ring(i).iter().copied().chain([i])).collect();
         near.par_sort_unstable();
         near.dedup();
         let fresh = parallel::map_chunks(near.len(), |range| {

@@ -93,8 +93,10 @@ pub fn find_contacts(
     polarity: &mut PolarityMemory,
     hysteresis: f64,
 ) -> Contacts {
-    let mut contacts: Vec<Contact> =
-        (0..rim.len()).into_par_iter().with_min_len(256).map(|k| meet(input, rim, polarity, k)).collect();
+    let spins: Vec<DVec3> =
+        input.frames.iter().map(|frame| input.plates.angular_velocity(frame.plate)).collect();
+    let meet = |k| meet(input, rim, &spins, polarity, k);
+    let mut contacts: Vec<Contact> = (0..rim.len()).into_par_iter().with_min_len(256).map(meet).collect();
     polarity.update(&evidence(input, rim, &contacts), hysteresis);
     contacts
         .par_iter_mut()
@@ -105,18 +107,23 @@ pub fn find_contacts(
 }
 
 /// What rim sample `k` meets; the role of converging plates is still open ([`Role::Overriding`] stands for both).
-fn meet(input: &ContactInput, rim: &Rim, polarity: &PolarityMemory, k: usize) -> Contact {
-    let &ContactInput { mesh, crust, frames, cover, plates, radius } = input;
+/// `spins` are the frames' angular velocities in the world.
+fn meet(input: &ContactInput, rim: &Rim, spins: &[DVec3], polarity: &PolarityMemory, k: usize) -> Contact {
+    let &ContactInput { mesh, crust, frames, cover, radius, .. } = input;
     let sample = rim.samples[k];
-    let frame = frames[usize::from(crust.frame[sample as usize])];
+    let id = crust.frame[sample as usize];
+    let frame = &frames[usize::from(id)];
     let local = mesh.point(sample);
-    let probe = (local + rim.normal[k] * (0.75 * mesh.spacing())).normalize();
-    let p = frame.to_world(probe).normalize();
-    let other = |other: &Frame| other.plate != frame.plate;
-    let Some(hit) = cover.top_if(mesh, crust, frames, polarity, p, other) else { return Contact::default() };
+    // The normal is a unit tangent: every probe has the same length before it is put on the sphere.
+    let reach = 0.75 * mesh.spacing();
+    let probe = (local + rim.normal[k] * reach) * (1.0 / (1.0 + reach * reach).sqrt());
+    let p = frame.to_world(probe);
+    let foreign = |other: &Frame| other.plate != frame.plate;
+    let Some(hit) = cover.top_if(mesh, crust, frames, polarity, p, foreign) else {
+        return Contact::default();
+    };
     let other = frames.plate(hit.frame);
-    let relative = plates.angular_velocity(frame.plate) - plates.angular_velocity(other);
-    let relative = frame.to_lattice(relative);
+    let relative = cover.to_lattice(id, spins[usize::from(id)] - spins[usize::from(hit.frame)]);
     let approach = relative.cross(local).dot(rim.normal[k]) * radius;
     let met = hit.sample as usize;
     let role = if approach > SLIDING {

@@ -141,7 +141,7 @@ impl Scene<'_> {
         (0..=(length / stride) as usize).rev().all(|step| {
             let (s, c) = crate::math::sin_cos(stride * step as f64);
             let back = frame.to_world(p * c - forward * s);
-            let hit = self.cover.hit(self.mesh, crust, frames, contact.frame, back);
+            let hit = self.cover.hit(self.mesh, crust, contact.frame, back);
             hit.is_some_and(|hit| crust.is_continental(hit.sample as usize))
         })
     }
@@ -224,7 +224,7 @@ impl Scene<'_> {
             .with_min_len(512)
             .filter_map(|&i| {
                 let p = frame.to_world(self.mesh.point(i));
-                let hit = self.cover.hit(self.mesh, crust, frames, to, p)?;
+                let hit = self.cover.hit(self.mesh, crust, to, p)?;
                 crust.is_continental(hit.sample as usize).then_some((i, hit.sample))
             })
             .collect();

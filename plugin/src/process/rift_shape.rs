@@ -4,7 +4,10 @@
 //! outside of the plate: the gap opens like a pair of scissors, and nowhere do they meet again. *Three or four*
 //! are sectors around a junction and move away from it; the normal velocity along every line is
 //! `cos r` times that at the junction. *A user's line* is followed from its first point to its last and
-//! extended by great circles.
+//! extended by great circles. *A plate wider than half the sphere* has no such circle: it sheds a bite, which a small
+//! circle about a point near its border cuts off; the same turn opens that, as long as the arc within the plate is
+//! less than half of the circle. *A plate that goes all the way round*, as the last one of a planet does, is torn along
+//! a whole great circle: one half of it opens, and along the other the fragments converge.
 //!
 //! A warp shifts a line by an amount that depends only on the position along it: the line stays a graph over the
 //! great circle, so that rigid fragments slide off each other without catching. Voronoi cells of random
@@ -18,12 +21,16 @@ use bevy::math::DVec3;
 /// How a plate is split. All directions are in world coordinates.
 #[derive(Clone, Debug)]
 pub enum RiftShape {
-    /// Two fragments on either side of a warped great circle.
+    /// Two fragments on either side of a warped circle.
     Line {
-        /// Unit normal of the circle; the first fragment lies on its side.
-        normal: DVec3,
-        /// Unit direction on the circle from which positions along it are counted.
+        /// Unit direction of the circle's centre; the first fragment lies on its side.
+        center: DVec3,
+        /// Angular radius in radians; a quarter of a turn makes it a great circle.
+        radius: f64,
+        /// Unit vector normal to `center`: positions along the circle are azimuths from it.
         origin: DVec3,
+        /// Whether the line is a whole circle within the plate, of which one half opens.
+        all_round: bool,
         /// Warp of the line.
         warp: Warp,
     },
@@ -83,14 +90,32 @@ impl RiftShape {
         if fragments == 2 {
             let (s, c) = sin_cos(PI * draw(2));
             let tangent = any_tangent(junction);
-            let normal = tangent * c + junction.cross(tangent) * s;
-            return Self::Line { normal, origin: junction, warp };
+            let center = tangent * c + junction.cross(tangent) * s;
+            return Self::Line { center, radius: 0.5 * PI, origin: junction, all_round: false, warp };
         }
         let width = TAU / f64::from(fragments);
         let azimuths = (0..fragments)
             .map(|k| width * (f64::from(k) + 0.3 * draw(3 + u64::from(k))) + 0.5 * width * draw(9))
             .collect();
         Self::Sectors { junction, azimuths, warp }
+    }
+
+    /// A bite out of a plate at the direction `at` on its border, where `outward` is the border's normal.
+    pub fn bite(stream: &Stream, counter: u64, at: DVec3, outward: DVec3, warp: Warp) -> Self {
+        let draw = |k: u64| stream.unit(16 * counter + k);
+        let radius = 0.5 + 0.7 * draw(10);
+        // The farther its centre lies outside, the shorter is the arc within the plate.
+        let (s, c) = sin_cos(radius * (0.2 + 0.5 * draw(11)));
+        let (center, origin) = (at * c + outward * s, outward * c - at * s);
+        let warp = Warp { amplitude: warp.amplitude.min(0.08 * radius), frequency: 2.0 / radius, ..warp };
+        Self::Line { center, radius, origin: -origin, all_round: false, warp }
+    }
+
+    /// Two halves of the sphere.
+    pub fn halves(stream: &Stream, counter: u64, warp: Warp) -> Self {
+        let center = stream.direction(16 * counter + 10);
+        let warp = Warp { amplitude: warp.amplitude.min(0.1), frequency: 2.0, ..warp };
+        Self::Line { center, radius: 0.5 * PI, origin: any_tangent(center), all_round: true, warp }
     }
 
     /// Number of fragments.
@@ -105,15 +130,17 @@ impl RiftShape {
     /// `near` radians it is any number above that.
     pub fn split(&self, p: DVec3, near: f64) -> (usize, f64) {
         match self {
-            Self::Line { normal, origin, warp } => {
+            Self::Line { center, radius, origin, warp, .. } => {
                 // Noise is dear, and beyond its reach it decides nothing.
                 let reach = near + 2.0 * warp.amplitude;
-                let height = p.dot(*normal);
-                if reach < 0.5 * PI && height.abs() > sin(reach) {
-                    return (usize::from(height < 0.0), reach);
+                let latitude = 0.5 * PI - radius;
+                let limit = |latitude: f64| sin(latitude.clamp(-0.5 * PI, 0.5 * PI));
+                let height = p.dot(*center);
+                if height > limit(latitude + reach) || height < limit(latitude - reach) {
+                    return (usize::from(height < sin(latitude)), reach);
                 }
-                let along = atan2(p.dot(normal.cross(*origin)), p.dot(*origin));
-                let side = asin(p.dot(*normal)) - warp.shift(along, 0);
+                let along = atan2(p.dot(center.cross(*origin)), p.dot(*origin)) * sin(*radius);
+                let side = asin(height) - latitude - warp.shift(along, 0);
                 (usize::from(side < 0.0), side.abs())
             }
             Self::Path { points, warp } => {
@@ -131,7 +158,16 @@ impl RiftShape {
     /// `None` if the plate reaches so far that no motion opens all of it.
     pub fn motions(&self, plate: &[DVec3], speed: f64, far_end: bool) -> Option<Vec<DVec3>> {
         match self {
-            Self::Line { normal, origin, .. } => open_line(*normal, *origin, plate, speed, far_end),
+            Self::Line { origin, all_round: true, .. } => {
+                let half = *origin * (0.5 * speed);
+                Some(if far_end { vec![half, -half] } else { vec![-half, half] })
+            }
+            Self::Line { center, radius, origin, warp, .. } => {
+                let beside =
+                    |p: &DVec3| (asin(p.dot(*center)) + radius - 0.5 * PI).abs() < BESIDE + warp.amplitude;
+                let plate: Vec<DVec3> = plate.iter().copied().filter(beside).collect();
+                open_line(*center, *origin, &plate, speed, far_end)
+            }
             Self::Path { points, .. } => {
                 let (first, last) = (points[0], points[points.len() - 1]);
                 let normal = first.cross(last).try_normalize()?;
@@ -196,10 +232,14 @@ fn sector(junction: DVec3, azimuths: &[f64], warp: &Warp, p: DVec3) -> (usize, f
     (found.0, found.2)
 }
 
+/// Fragments touch where a plate lies nearer to the line than this, in radians.
+const BESIDE: f64 = 0.06;
+
 /// The ends of nothing.
 const NOWHERE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
-/// Two fragments turn about a pole on the line's extension beyond the plate.
+/// Two fragments turn about a pole on the line's extension beyond what of the plate lies beside it. Of a small circle
+/// it is the great circle with the same centre that carries the pole: normal velocities are the same.
 fn open_line(normal: DVec3, origin: DVec3, plate: &[DVec3], speed: f64, far_end: bool) -> Option<Vec<DVec3>> {
     let tangent = normal.cross(origin);
     let ends = crate::parallel::map_chunks(plate.len(), |range| {
@@ -208,7 +248,7 @@ fn open_line(normal: DVec3, origin: DVec3, plate: &[DVec3], speed: f64, far_end:
     });
     let (low, high) = ends.into_iter().fold(NOWHERE, |all, part| (all.0.min(part.0), all.1.max(part.1)));
     let margin = 0.15;
-    if high - low + 2.0 * margin >= PI {
+    if low > high || high - low + 2.0 * margin >= PI {
         return None;
     }
     let at = if far_end { high + margin } else { low - margin };
@@ -240,91 +280,5 @@ fn open_sectors(junction: DVec3, azimuths: &[f64], speed: f64) -> Vec<DVec3> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math::{direction, rotation};
-    use crate::random::Purpose;
-
-    fn warp(amplitude: f64) -> Warp {
-        Warp { noise: Noise::new(1, Purpose::RiftWarp, 0), amplitude, frequency: 6.0 }
-    }
-
-    fn cap(center: DVec3, reach: f64) -> Vec<DVec3> {
-        let stream = Stream::new(2, Purpose::RiftShape, 0);
-        (0..4000)
-            .map(|i| (center + stream.direction(i) * reach).normalize())
-            .filter(|p| angle_between(*p, center) < reach)
-            .collect()
-    }
-
-    /// Normal velocity across every line is positive: fragments move away from each other wherever they touch.
-    fn opens(shape: &RiftShape, plate: &[DVec3], far_end: bool) {
-        let motions = shape.motions(plate, 0.006, far_end).unwrap();
-        let mut touching = 0;
-        for p in plate {
-            let (a, _) = shape.split(*p, 1.0);
-            for k in 0..6 {
-                let (s, c) = sin_cos(TAU * f64::from(k) / 6.0);
-                let t = any_tangent(*p);
-                let step = (t * c + p.cross(t) * s) * 0.01;
-                let q = (*p + step).normalize();
-                let (b, _) = shape.split(q, 1.0);
-                if a != b {
-                    touching += 1;
-                    // Over 20 My neither fragment may run into the other: points of a moved by its
-                    // motion relative to b stay in a.
-                    let relative = motions[a] - motions[b];
-                    for age in [2.0, 10.0, 20.0] {
-                        let moved = rotation(relative.normalize(), relative.length() * age) * *p;
-                        assert_ne!(shape.split(moved, 1.0).0, b, "{p} enters after {age} My");
-                    }
-                }
-            }
-        }
-        assert!(touching > 20);
-    }
-
-    #[test]
-    fn all_shapes_open() {
-        let center = direction(20.0, 50.0);
-        let plate = cap(center, 0.5);
-        let stream = Stream::new(4, Purpose::RiftShape, 7);
-        for counter in 0..6 {
-            for far_end in [false, true] {
-                let shape = RiftShape::random(&stream, counter, center, 0.5, 2, warp(0.05));
-                opens(&shape, &plate, far_end);
-            }
-        }
-        for fragments in [3, 4] {
-            let shape = RiftShape::random(&stream, 9, center, 0.5, fragments, warp(0.0));
-            assert_eq!(shape.fragments(), fragments as usize);
-            opens(&shape, &plate, false);
-        }
-        let points = vec![direction(0.0, 40.0), direction(20.0, 48.0), direction(40.0, 60.0)];
-        opens(&RiftShape::Path { points, warp: warp(0.01) }, &plate, true);
-    }
-
-    #[test]
-    fn the_gap_grows_with_the_distance_from_the_pole() {
-        let shape = RiftShape::Line { normal: DVec3::Z, origin: DVec3::X, warp: warp(0.0) };
-        let plate = cap(DVec3::X, 0.4);
-        let motions = shape.motions(&plate, 0.006, true).unwrap();
-        let relative = motions[0] - motions[1];
-        let opening = |lon: f64| relative.cross(direction(0.0, lon)).dot(DVec3::Z);
-        assert!(opening(20.0) > 0.0);
-        assert!(opening(0.0) > opening(20.0) && opening(-20.0) > opening(0.0));
-        assert!((opening(-22.9) - 0.006).abs() < 2e-4);
-    }
-
-    #[test]
-    fn a_path_is_followed_and_extended() {
-        let points = vec![direction(0.0, 0.0), direction(0.0, 10.0), direction(10.0, 20.0)];
-        let shape = RiftShape::Path { points, warp: warp(0.0) };
-        for (lat, lon, left) in
-            [(1.0, 5.0, 0), (-1.0, 5.0, 1), (1.0, -30.0, 0), (-1.0, -30.0, 1), (9.0, 14.0, 0), (1.0, 16.0, 1)]
-        {
-            assert_eq!(shape.split(direction(lat, lon), 1.0).0, left, "{lat} {lon}");
-        }
-        assert!((shape.split(direction(2.0, 5.0), 1.0).1 - 2.0_f64.to_radians()).abs() < 1e-9);
-    }
-}
+#[path = "rift_shape_tests.rs"]
+mod tests;

@@ -13,10 +13,11 @@
 use super::rift_shape::{RiftShape, Warp};
 use crate::crust::{Cause, Crust, Frame, FrameId, Frames, Ledger};
 use crate::events::PlateRifted;
-use crate::math::{PI, exp};
+use crate::math::{PI, acos, exp};
 use crate::noise::Noise;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::plate::boundary::Rim;
 use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateRow, PlateStats};
 use crate::process::plate_table;
 use crate::random::{Purpose, Stream};
@@ -34,8 +35,17 @@ const FEWEST_SAMPLES: u32 = 200;
 /// Each fragment of a random rift has at least this share of the plate.
 const SMALLEST_SHARE: f64 = 0.15;
 
-/// Shapes that are tried before a random rift is given up.
-const ATTEMPTS: u64 = 12;
+/// Plates that fill a cap of more than so many radians break by shedding bites.
+const WIDE: f64 = 1.2;
+
+/// A plate that fills a cap of more than so many radians may break all round.
+const ALL_ROUND: f64 = 2.0;
+
+/// A bite has at least this share of the plate.
+const SMALLEST_BITE: f64 = 0.025;
+
+/// Shapes that are tried before a random rift is given up: of plates that great circles break, and of wide ones.
+const ATTEMPTS: [u64; 2] = [12, 48];
 
 /// Adds [`rifting`] to the step.
 pub struct RiftingPlugin;
@@ -99,22 +109,45 @@ pub fn rift_at_random(
 ) -> Result<Vec<PlateId>, RiftError> {
     let (row, stream, warp) = prepare(world, planet, id)?;
     let reach = (row.stats.area / PI).sqrt() / radius(world, planet);
+    // The cap of the same area.
+    let extent = acos(1.0 - 0.5 * reach * reach);
     let step = world.get::<GeologicClock>(planet).map_or(0, |clock| clock.step);
     let count = fragments.unwrap_or_else(|| match stream.unit(64 * step) {
-        u if u < 0.75 => 2,
+        u if u < 0.75 || extent > WIDE => 2,
         u if u < 0.93 => 3,
         _ => 4,
     });
-    for attempt in 0..ATTEMPTS {
+    let wide = count == 2 && extent > WIDE;
+    for attempt in 0..ATTEMPTS[usize::from(wide)] {
         let counter = 4 + 64 * step + attempt;
-        let shape = RiftShape::random(&stream, counter, row.stats.centroid, reach, count, warp);
         let far_end = stream.bits(counter) & 1 == 0;
-        match rift(world, planet, id, &shape, SMALLEST_SHARE, far_end) {
+        let (shape, smallest) = if wide && extent > ALL_ROUND && attempt % 16 == 15 {
+            (RiftShape::halves(&stream, counter, warp), SMALLEST_SHARE)
+        } else if wide && attempt % 4 != 0 {
+            let Some((at, outward)) = border(world, planet, id, stream.bits(16 * counter + 9)) else {
+                continue;
+            };
+            (RiftShape::bite(&stream, counter, at, outward, warp), SMALLEST_BITE)
+        } else {
+            let shape = RiftShape::random(&stream, counter, row.stats.centroid, reach, count, warp);
+            (shape, SMALLEST_SHARE)
+        };
+        match rift(world, planet, id, &shape, smallest, far_end) {
             Err(RiftError::NoShape | RiftError::Misses) => {}
             done => return done,
         }
     }
     Err(RiftError::NoShape)
+}
+
+/// A place on the rim of a plate, which the number `draw` chooses, and the rim's outward normal, in world coordinates.
+fn border(world: &World, planet: Entity, id: PlateId, draw: u64) -> Option<(DVec3, DVec3)> {
+    let (lattice, rim) = (world.get::<Lattice>(planet)?, world.get::<Rim>(planet)?);
+    let (crust, frames) = (world.get::<Crust>(planet)?, world.get::<Frames>(planet)?);
+    let frame = |k: usize| frames[usize::from(crust.frame[rim.samples[k] as usize])];
+    let start = (draw % rim.len().max(1) as u64) as usize;
+    let k = (start..rim.len()).chain(0..start).find(|&k| frame(k).plate == id)?;
+    Some((frame(k).to_world(lattice.point(rim.samples[k])), frame(k).to_world(rim.normal[k])))
 }
 
 /// Breaks a plate along a line through `points`, unit directions in world coordinates.
@@ -214,8 +247,8 @@ fn rift(
         shape.motions(&plate, speed, far_end).ok_or(RiftError::NoShape)
     };
     if smallest > 0.0 {
-        // Most random shapes are refused; some thousand samples are enough to see it.
-        let stride = (row.stats.samples as usize / 2000).clamp(1, 16);
+        // Most random shapes are refused; some hundred samples are enough to see it.
+        let stride = (row.stats.samples as usize / 400).clamp(1, 64);
         let coarse = split(lattice, &crust, &frames, id, shape, near, stride);
         check_shares(&coarse, shape, smallest)?;
         opens(&coarse)?;

@@ -166,7 +166,7 @@ fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
         };
     }
     let p = mesh.points()[i];
-    let hits = cover.covering(mesh, crust, frames, p);
+    let hits = cover.covering(mesh, crust, p);
     let Some(top) = topmost(crust, frames, polarity, &hits, p) else {
         return Found {
             row: Row::read(crust, i),

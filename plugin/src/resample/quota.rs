@@ -75,7 +75,7 @@ fn flip_coast(input: &ProjectInput, surface: &mut Surface, notes: &Notes, target
             break;
         }
         let p = input.mesh.point(i);
-        let hits = input.cover.covering(input.mesh, input.crust, input.frames, p);
+        let hits = input.cover.covering(input.mesh, input.crust, p);
         let Some(top) = topmost(input.crust, input.frames, input.polarity, &hits, p) else { continue };
         let (row, _) = sample_frame(input, top, Some(to));
         if row.kind == to {
