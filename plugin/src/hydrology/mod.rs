@@ -5,6 +5,7 @@
 //! ```text
 //! base      the base mesh: Poisson-disk points, triangles, winds; once per seed
 //! terrain   the ground and the landforms of its vertices, from the crust or from a user's maps
+//! landform  what the crust says about the relief around a vertex
 //! coast     sea, coast and land, such that estuaries have room
 //! flood     which way water leaves every place
 //! sinks     basins without an outlet
@@ -21,6 +22,8 @@
 pub mod base;
 
 pub mod terrain;
+
+mod landform;
 
 pub mod coast;
 

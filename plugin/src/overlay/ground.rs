@@ -135,13 +135,14 @@ pub(crate) fn rivers(bake: &Bake) -> Vec<Stretch> {
 
 /// Draws rivers as lines.
 fn draw_rivers(bake: &Bake, raster: &mut Raster) {
+    let (width, height) = (f64::from(raster.width), f64::from(raster.height));
     let pixel = |i: u32| {
         let (lat, lon) = math::lat_lon(bake.mesh().point(i));
-        ((lon + 180.0) / 360.0 * f64::from(raster.width), (90.0 - lat) / 180.0 * f64::from(raster.height))
+        ((lon + 180.0) / 360.0 * width, (90.0 - lat) / 180.0 * height)
     };
     for stretch in rivers(bake) {
         let [from, to] = stretch.ends.map(pixel);
-        let half = stretch.half_width() * f64::from(raster.width) / 2048.0;
+        let half = stretch.half_width() * width / 2048.0;
         line(raster, from, to, half, order_color(stretch.order));
     }
 }
