@@ -241,7 +241,9 @@ fn nonsense() -> Vec<TectonicCommand> {
         out.push(TectonicCommand::SetPlateCrust { plate: gone, kind: CrustKind::Continental });
     }
     for fragments in [0, 1, 5, u32::MAX] {
-        out.push(TectonicCommand::RiftPlate { plate, line: Vec::new(), fragments });
+        for line in [Vec::new(), vec![(-60.0, 0.0), (60.0, 0.0)]] {
+            out.push(TectonicCommand::RiftPlate { plate, line, fragments });
+        }
     }
     out.push(TectonicCommand::RiftPlate { plate, line: vec![(0.0, 0.0)], fragments: 2 });
     out.push(TectonicCommand::RiftPlate { plate, line: vec![(10.0, 10.0); 2], fragments: 2 });
@@ -249,6 +251,7 @@ fn nonsense() -> Vec<TectonicCommand> {
     out.push(TectonicCommand::SetPlateMotion { plate, pole: (0.0, 0.0), speed: 100.1 });
     out.push(TectonicCommand::SetParam { name: "magic".into(), value: 1.0 });
     out.push(TectonicCommand::SetParam { name: String::new(), value: 1.0 });
+    out.push(TectonicCommand::SetParam { name: "abyss_elevation".into(), value: -0.5 });
     out.push(TectonicCommand::SetProcess { name: "magic".into(), on: true });
     out
 }
@@ -288,7 +291,7 @@ fn a_line_that_misses_the_plate_is_refused() {
 }
 
 #[test]
-fn a_plate_that_was_consumed_is_refused_by_name() {
+fn a_plate_that_is_not_there_is_refused_by_name() {
     let (mut app, planet) = planet();
     assert!(!obey(
         &mut app,
@@ -298,4 +301,19 @@ fn a_plate_that_was_consumed_is_refused_by_name() {
     let error = heard::<CommandRejected>(&app).pop().unwrap().error;
     assert_eq!(error, CommandError::NoPlate(PlateId(77)));
     assert_eq!(error.to_string(), "there is no plate 77");
+}
+
+#[test]
+fn plates_never_exceed_a_highest_speed_that_was_lowered() {
+    let (mut app, planet) = planet();
+    accept(&mut app, planet, TectonicCommand::SetParam { name: "max_speed".into(), value: 5.0 });
+    let radius = get::<Planet>(&app, planet).radius;
+    assert!(plates(&app, planet).rows().iter().all(|row| row.motion.speed * radius < 5.0 + 1e-9));
+}
+
+#[test]
+fn oceans_may_change_their_law() {
+    let (mut app, planet) = planet();
+    accept(&mut app, planet, TectonicCommand::SetOceanFloor { law: OceanFloor::Paper });
+    assert_eq!(get::<TectonicParams>(&app, planet).ocean_floor, OceanFloor::Paper);
 }

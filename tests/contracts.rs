@@ -45,9 +45,7 @@ fn declared(stage: Stage) -> &'static [&'static str] {
             "plates",
             "polarity",
         ],
-        Stage::Rifting => {
-            &["frame", "frames", "plates", "thickness", "elevation", "ledger", "clock", "polarity"]
-        }
+        Stage::Rifting => &["frame", "frames", "plates", "thickness", "ledger", "clock", "polarity"],
         Stage::Relief => &["elevation", "thickness", "ocean_age", "orogeny_age", "kind", "orogeny", "ledger"],
         Stage::Resample => &[
             "frame",

@@ -64,7 +64,7 @@ fn erupt(
         }
     }
     // The causes are a closed list; magma from below is what arcs grow by as well.
-    ledger.book(Cause::ArcGrowth, 0.0, volume);
+    ledger.book(Cause::Custom, 0.0, volume);
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -64,7 +64,7 @@ pub mod prelude {
         CommandApplied, CommandRejected, CrustResampled, PlateConsumed, PlateRifted, StepCompleted,
         TerraneCollided,
     };
-    pub use crate::params::{ProcessSwitches, TectonicParams};
+    pub use crate::params::{OceanFloor, ProcessSwitches, TectonicParams};
     pub use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
     pub use crate::plate::{PlateId, PlateMotion, PlateOf, Plates};
     pub use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};

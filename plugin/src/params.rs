@@ -48,6 +48,14 @@ pub enum ParamError {
         /// Unit of the limits.
         unit: &'static str,
     },
+    /// Two parameters stand the wrong way round.
+    #[error("{lower} is above {upper}")]
+    Order {
+        /// The one that must not be above the other.
+        lower: &'static str,
+        /// The other.
+        upper: &'static str,
+    },
 }
 
 /// A refused number as a message shows it: a huge one with an exponent, not with three hundred digits.
@@ -337,12 +345,21 @@ impl TectonicParams {
         self.subduction_distance * self.subduction_reach
     }
 
-    /// Checks every parameter.
+    /// Checks every parameter, and that trenches lie below abysses, and those below ridges.
     ///
     /// # Errors
-    /// The first [`ParamError::OutOfRange`].
+    /// The first [`ParamError::OutOfRange`], or [`ParamError::Order`].
     pub fn validate(&self) -> Result<(), ParamError> {
-        Self::TABLE.iter().try_for_each(|info| info.check((info.get)(self)))
+        Self::TABLE.iter().try_for_each(|info| info.check((info.get)(self)))?;
+        let depths = [
+            ("trench_elevation", self.trench_elevation),
+            ("abyss_elevation", self.abyss_elevation),
+            ("ridge_elevation", self.ridge_elevation),
+        ];
+        match depths.windows(2).find(|pair| pair[0].1 > pair[1].1) {
+            Some(pair) => Err(ParamError::Order { lower: pair[0].0, upper: pair[1].0 }),
+            None => Ok(()),
+        }
     }
 }
 

@@ -188,10 +188,11 @@ impl PlanetRecipe {
         if plates * 10 > self.samples as usize {
             return Err(PlanetError::TooManyPlates { plates, needed: plates * 10, samples: self.samples });
         }
+        self.params.validate()?;
         for plate in &self.plates {
             within("plate latitude", plate.centroid.0, -90.0, 90.0)?;
             within("plate longitude", plate.centroid.1, -360.0, 360.0)?;
-            within("plate speed", plate.speed, -300.0, 300.0)?;
+            within("plate speed", plate.speed, -self.params.max_speed, self.params.max_speed)?;
             if let Some((lat, lon)) = plate.pole {
                 within("pole latitude", lat, -90.0, 90.0)?;
                 within("pole longitude", lon, -360.0, 360.0)?;
@@ -202,7 +203,7 @@ impl PlanetRecipe {
             within("continent longitude", disc.center.1, -360.0, 360.0)?;
             within("continent radius", disc.radius, 1.0, 20_000.0)?;
         }
-        Ok(self.params.validate()?)
+        Ok(())
     }
 }
 

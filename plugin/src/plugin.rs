@@ -27,7 +27,7 @@ use bevy::prelude::*;
 /// | [`ResamplePlugin`] | even samples again, new ocean crust, the surface for pictures |
 /// | [`CommitPlugin`] | commands, clock, ledger |
 /// | [`BakePlugin`] | climate, rivers and control maps in the background, where asked for |
-/// | [`PresetPlugin`](crate::io::PresetPlugin) | `*.planet.ron` as hot-reloaded assets, where there are assets |
+/// | [`PresetPlugin`](crate::io::PresetPlugin) | `*.planet.ron` as assets, where there are assets |
 pub struct PangaeaPlugins;
 
 impl PluginGroup for PangaeaPlugins {

@@ -292,8 +292,9 @@ fn run_planet(world: &mut World, planet: Entity, delta: f64) {
     let at_boundary = world.get::<StepCursor>(planet).is_some_and(StepCursor::at_boundary);
     let Some(mut debt) = world.get_mut::<TimeDebt>(planet) else { return };
     if !clock.paused {
-        // A slow machine owes at most one step: it lags instead of working off a backlog.
-        debt.0 = (debt.0 + delta * clock.speed).min(2.0 * step);
+        // A slow machine owes at most two steps: it lags instead of working off a backlog.
+        let owed = debt.0 + delta * clock.speed;
+        debt.0 = if owed.is_finite() { owed.clamp(0.0, 2.0 * step) } else { 0.0 };
     }
     let wanted = (!clock.paused && debt.0 >= step) || clock.single_steps > 0;
     if at_boundary && !wanted {

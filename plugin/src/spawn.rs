@@ -1,6 +1,6 @@
 //! Making a planet: from a recipe to an entity with plates.
 
-use crate::authoring::{Inbox, Recording};
+use crate::authoring::{Inbox, Recording, Scenario};
 use crate::crust::{Crust, Frames, Ledger, Surface};
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe};
 use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateStats};
@@ -33,6 +33,8 @@ pub struct PlanetState {
     pub ledger: Ledger,
     /// What was done to the planet.
     pub recording: Recording,
+    /// Commands to come.
+    pub pending: Scenario,
     /// The memory of subduction polarity.
     pub polarity: crate::plate::contact::PolarityMemory,
     /// Distances to fronts.
@@ -79,6 +81,7 @@ impl PlanetState {
             params: recipe.params.clone(),
             ledger,
             recording: Recording::default(),
+            pending: Scenario::default(),
             polarity: default(),
             fronts,
         })
@@ -95,6 +98,9 @@ impl PlanetState {
                 (Name::new("planet"), crate::process::ProcessState::default()),
             ))
             .id();
+        if !self.pending.0.is_empty() {
+            world.entity_mut(planet).insert(self.pending);
+        }
         let mut plates = Vec::with_capacity(self.plates.len());
         for (id, motion, born) in self.plates {
             let name = Name::new(format!("plate {}", id.0));

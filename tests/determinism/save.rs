@@ -96,3 +96,28 @@ fn equal_planets_give_equal_bytes_and_digests_see_every_column() {
     paused.clock.speed = 99.0;
     assert_eq!(digest, io::digest(&paused), "the wall clock is no state");
 }
+
+#[test]
+fn commands_that_are_still_to_come_are_saved() {
+    let tear = |step, plate| TimedCommand {
+        step,
+        command: TectonicCommand::RiftPlate { plate: PlateId(plate), line: Vec::new(), fragments: 2 },
+    };
+    let start = || {
+        let (mut app, planet) = planet_app(&lively(8, 3000));
+        let scenario = Scenario(vec![tear(9, 3), tear(2, 1), tear(6, 5)]);
+        app.world_mut().entity_mut(planet).insert(scenario);
+        steps(&mut app, planet, 5);
+        command(&mut app, planet, TectonicCommand::SetParam { name: "erosion".into(), value: 0.2 });
+        (app, planet)
+    };
+    let (mut app, planet) = start();
+    let mut bytes = Vec::new();
+    write_to(&state(&app, planet), &mut bytes).unwrap();
+    steps(&mut app, planet, 10);
+    let (mut again, loaded) = spawn(read_from(&bytes).unwrap());
+    steps(&mut again, loaded, 10);
+    assert_eq!(digest(&again, loaded), digest(&app, planet));
+    assert_eq!(state(&again, loaded).recording.0.len(), state(&app, planet).recording.0.len());
+    assert!(state(&again, loaded).pending.0.is_empty());
+}

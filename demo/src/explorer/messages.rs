@@ -193,6 +193,8 @@ fn describe(command: &TectonicCommand) -> String {
         TectonicCommand::SetProcess { name, on } => {
             format!("{} {}", text::words(name), if *on { "on" } else { "off" })
         }
+        TectonicCommand::SetOceanFloor { law: OceanFloor::Relaxing } => "ocean floor relaxes".into(),
+        TectonicCommand::SetOceanFloor { law: OceanFloor::Paper } => "ocean floor sinks as printed".into(),
         TectonicCommand::Resample => "a resample was asked for".into(),
     }
 }

@@ -1,12 +1,12 @@
 //! Carrying commands out, between two steps.
 
+use super::Inbox;
+use super::check::{direction_of, within};
 use super::command::TectonicCommand;
 use super::paint::{self, paint};
 use super::scenario::{Recording, Scenario, TimedCommand};
-use super::{Brush, Inbox, PaintTarget};
 use crate::crust::{Cause, Crust, Frames, Ledger};
 use crate::events::{CommandApplied, CommandRejected};
-use crate::math::direction;
 use crate::params::{ParamError, TectonicParams};
 use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::{PlateId, PlateMotion};
@@ -40,22 +40,6 @@ pub enum CommandError {
     /// The plate does not rift.
     #[error(transparent)]
     Rift(#[from] RiftError),
-}
-
-/// Checks that `value` lies within limits.
-pub(super) fn within(field: &'static str, value: f64, min: f64, max: f64) -> Result<f64, CommandError> {
-    if value >= min && value <= max {
-        Ok(value)
-    } else {
-        Err(CommandError::OutOfRange { field, value, min, max })
-    }
-}
-
-/// Checks a latitude and longitude in degrees and returns the direction.
-pub(super) fn checked_direction((lat, lon): (f64, f64)) -> Result<bevy::math::DVec3, CommandError> {
-    within("latitude", lat, -90.0, 90.0)?;
-    within("longitude", lon, -360.0, 360.0)?;
-    Ok(direction(lat, lon))
 }
 
 /// The stage of a step in which commands take effect.
@@ -104,17 +88,16 @@ pub fn apply_pending(world: &mut World, planet: Entity) {
 /// # Errors
 /// [`CommandError`]; nothing has changed then.
 pub fn apply(world: &mut World, planet: Entity, command: &TectonicCommand) -> Result<(), CommandError> {
+    command.check()?;
     match command {
         TectonicCommand::SetPlateMotion { plate, pole, speed } => {
             set_motion(world, planet, *plate, *pole, *speed)
         }
         TectonicCommand::RiftPlate { plate, line, fragments } => {
             if line.is_empty() {
-                within("fragments", f64::from(*fragments), 2.0, 4.0)?;
                 rift_at_random(world, planet, *plate, Some(*fragments))?;
             } else {
-                within("points", line.len() as f64, 2.0, 1000.0)?;
-                let points = line.iter().map(|&p| checked_direction(p)).collect::<Result<_, _>>()?;
+                let points = line.iter().map(|&p| direction_of(p)).collect::<Result<_, _>>()?;
                 rift_along(world, planet, *plate, points)?;
             }
             Ok(())
@@ -126,16 +109,25 @@ pub fn apply(world: &mut World, planet: Entity, command: &TectonicCommand) -> Re
             edit_crust(world, planet, |scene| paint::kind_of_plate(scene, *plate, *kind))
         }
         TectonicCommand::PaintCrust { target, brush } => {
-            check_paint(target, brush)?;
             edit_crust(world, planet, |scene| paint(scene, target, brush))
         }
         TectonicCommand::SetParam { name, value } => {
             let Some(mut params) = world.get_mut::<TectonicParams>(planet) else { return Ok(()) };
-            Ok(params.set(name, *value)?)
+            let mut wanted = params.clone();
+            wanted.set(name, *value)?;
+            wanted.validate()?;
+            *params = wanted;
+            slow_down(world, planet);
+            Ok(())
         }
         TectonicCommand::SetProcess { name, on } => {
             let Some(mut params) = world.get_mut::<TectonicParams>(planet) else { return Ok(()) };
             *params.processes.get_mut(name)? = *on;
+            Ok(())
+        }
+        TectonicCommand::SetOceanFloor { law } => {
+            let Some(mut params) = world.get_mut::<TectonicParams>(planet) else { return Ok(()) };
+            params.ocean_floor = *law;
             Ok(())
         }
         TectonicCommand::Resample => {
@@ -154,7 +146,7 @@ fn set_motion(
     pole: (f64, f64),
     speed: f64,
 ) -> Result<(), CommandError> {
-    let axis = checked_direction(pole)?;
+    let axis = direction_of(pole)?;
     let limit = world.get::<TectonicParams>(planet).map_or(100.0, |params| params.max_speed);
     within("speed", speed, -limit, limit)?;
     let row = *plate_table(world, planet).get(id).ok_or(CommandError::NoPlate(id))?;
@@ -164,15 +156,12 @@ fn set_motion(
     Ok(())
 }
 
-fn check_paint(target: &PaintTarget, brush: &Brush) -> Result<(), CommandError> {
-    if let PaintTarget::Disc { center, radius } = target {
-        checked_direction(*center)?;
-        within("radius", *radius, 0.0, 1e5)?;
-    }
-    match *brush {
-        Brush::Raise(dz) => within("height", dz, -20.0, 20.0).map(|_| ()),
-        Brush::Elevation(z) => within("elevation", z, -15.0, 20.0).map(|_| ()),
-        Brush::Kind(_) => Ok(()),
+/// Holds all plates to the highest speed, which may be lower than it was.
+fn slow_down(world: &mut World, planet: Entity) {
+    let limit = world.get::<TectonicParams>(planet).map_or(f64::INFINITY, |params| params.max_speed);
+    let radius = world.get::<Planet>(planet).map_or(6370.0, |planet| planet.radius);
+    for row in plate_table(world, planet).rows().iter().filter(|row| row.motion.speed > limit / radius) {
+        world.entity_mut(row.entity).insert(row.motion.limited(limit / radius));
     }
 }
 

@@ -1,6 +1,7 @@
 //! The commands.
 
 use crate::crust::CrustKind;
+use crate::params::OceanFloor;
 use crate::plate::PlateId;
 use bevy::prelude::*;
 
@@ -55,6 +56,11 @@ pub enum TectonicCommand {
         name: String,
         /// Whether it runs.
         on: bool,
+    },
+    /// Chooses the law by which ocean floor sinks with age.
+    SetOceanFloor {
+        /// The law.
+        law: OceanFloor,
     },
     /// Resamples at the next step.
     Resample,

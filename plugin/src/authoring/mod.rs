@@ -7,6 +7,8 @@ pub mod command;
 
 pub mod apply;
 
+mod check;
+
 pub mod paint;
 
 pub mod scenario;

@@ -1,8 +1,8 @@
 //! The account of continental crust: every change of area and volume has a cause.
 //!
-//! Areas are in km², volumes (thickness x area) in km³, both of continental crust. Area and volume
-//! are also measured independently before and after each stage; what no cause explains is the
-//! largest relative difference seen, [`Ledger::unexplained_max`].
+//! Areas are in km², volumes (thickness x area) in km³, both of continental crust. Area and volume are also measured
+//! independently at the end of each step and at each resample; what no cause explains is the largest relative
+//! difference seen, [`Ledger::unexplained_max`]. (Tests measure before and after each stage.)
 
 use bevy::prelude::*;
 
@@ -30,11 +30,13 @@ pub enum Cause {
     Noise,
     /// A user's command.
     Command,
+    /// A geological process that is not the plugin's own.
+    Custom,
 }
 
 impl Cause {
     /// All causes in the order in which files list them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::ArcGrowth,
         Self::SubductionUplift,
         Self::CollisionUplift,
@@ -45,6 +47,7 @@ impl Cause {
         Self::Delamination,
         Self::Noise,
         Self::Command,
+        Self::Custom,
     ];
 
     /// Name in files, in snake case.
@@ -60,6 +63,7 @@ impl Cause {
             Self::Delamination => "delamination",
             Self::Noise => "noise",
             Self::Command => "command",
+            Self::Custom => "custom",
         }
     }
 }
@@ -80,12 +84,12 @@ pub struct Ledger {
     /// Continental crust that the planet began with.
     pub initial: Amount,
     /// Sum of changes by cause, in the order of [`Cause::ALL`].
-    pub booked: [Amount; 10],
+    pub booked: [Amount; 11],
     /// Area in km² that the last resample could not place, less than half a sample: carried to the next.
     pub carried_area: f64,
-    /// Largest share of the continental area that one resample or stage left unexplained.
+    /// Largest share of the continental area that was unexplained at a step's end or a resample.
     pub unexplained_max: f64,
-    /// Largest share of the continental volume that one stage left unexplained.
+    /// Largest share of the continental volume that was unexplained at a step's end.
     pub unexplained_volume_max: f64,
 }
 

@@ -1,6 +1,6 @@
 //! From a planet in a world to its state.
 
-use crate::authoring::Recording;
+use crate::authoring::{Inbox, Recording, Scenario, TimedCommand};
 use crate::crust::{Crust, Frames, Ledger};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
@@ -13,8 +13,8 @@ use bevy::prelude::*;
 
 /// Copies the state of a planet out of its world, plates in the order of their numbers.
 ///
-/// `None` if the entity is no planet, or while it is in the middle of a step. Commands that still
-/// wait in its inbox are not part of the state.
+/// `None` if the entity is no planet, or while it is in the middle of a step. Commands that wait in its inbox are part
+/// of the state, as those of a scenario are that have still to come.
 pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     let entity = world.get_entity(planet).ok()?;
     if entity.get::<StepCursor>().is_some_and(|cursor| !cursor.at_boundary()) {
@@ -39,7 +39,17 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
         params: entity.get::<TectonicParams>()?.clone(),
         ledger: entity.get::<Ledger>()?.clone(),
         recording: entity.get::<Recording>()?.clone(),
+        pending: pending(entity)?,
         polarity: entity.get::<PolarityMemory>()?.clone(),
         fronts: entity.get::<FrontField>()?.clone(),
     })
+}
+
+/// What is left of the scenario, and the inbox: its commands are due now, after those of the scenario.
+fn pending(planet: EntityRef) -> Option<Scenario> {
+    let step = planet.get::<GeologicClock>()?.step;
+    let mut pending = planet.get::<Scenario>().cloned().unwrap_or_default();
+    let waiting = planet.get::<Inbox>().into_iter().flat_map(|inbox| &inbox.0);
+    pending.0.extend(waiting.map(|command| TimedCommand { step, command: command.clone() }));
+    Some(pending)
 }

@@ -146,29 +146,34 @@ pub(super) fn invalid(problem: String) -> SaveError {
     SaveError::Invalid(problem)
 }
 
-/// A column of `n` finite numbers of a size that crust can have.
-pub(super) fn read_floats(bytes: &[u8], n: usize, what: &str) -> Result<Vec<f32>, SaveError> {
+/// A column of `n` numbers within limits.
+pub(super) fn read_floats(
+    bytes: &[u8],
+    n: usize,
+    what: &str,
+    (low, high): (f32, f32),
+) -> Result<Vec<f32>, SaveError> {
     if bytes.len() != 4 * n {
         return Err(invalid(format!("the column of {what} has the wrong length")));
     }
     let values: Vec<f32> = bytes.as_chunks::<4>().0.iter().map(|&chunk| f32::from_le_bytes(chunk)).collect();
-    match values.iter().position(|value| value.is_nan() || value.abs() > LARGEST) {
+    match values.iter().position(|value| !(low..=high).contains(value)) {
         None => Ok(values),
         Some(i) => Err(invalid(format!("{what} of sample {i} is {}", values[i]))),
     }
 }
 
-/// A column of `n` finite vectors.
+/// A column of `n` vectors no longer than a unit.
 pub(super) fn read_vectors(bytes: &[u8], n: usize, what: &str) -> Result<Vec<Vec3>, SaveError> {
     if bytes.len() != 12 * n {
         return Err(invalid(format!("the column of {what} has the wrong length")));
     }
-    let values = read_floats(bytes, 3 * n, what)?;
+    let values = read_floats(bytes, 3 * n, what, (-LONGEST, LONGEST))?;
     Ok(values.as_chunks::<3>().0.iter().map(|&v| Vec3::from_array(v)).collect())
 }
 
-/// Larger numbers are no crust: not in km, and hardly in My.
-const LARGEST: f32 = 1e6;
+/// Unit vectors may be so long after rounding.
+const LONGEST: f32 = 1.001;
 
 #[cfg(test)]
 mod tests {
@@ -206,13 +211,13 @@ mod tests {
     #[test]
     fn columns_keep_their_bits_and_refuse_what_is_no_number() {
         let column = [0.0, -0.0, 1.5e-40, -11.25];
-        let read = read_floats(&floats(&column), 4, "x").unwrap();
+        let read = read_floats(&floats(&column), 4, "x", (-20.0, 20.0)).unwrap();
         assert!(read.iter().zip(column).all(|(a, b)| a.to_bits() == b.to_bits()));
-        for bad in [f32::NAN, f32::INFINITY, -1e30] {
-            assert!(read_floats(&floats(&[bad]), 1, "x").is_err());
+        for bad in [f32::NAN, f32::INFINITY, -1e30, 20.1] {
+            assert!(read_floats(&floats(&[bad]), 1, "x", (-20.0, 20.0)).is_err());
         }
-        assert!(read_floats(&floats(&column), 5, "x").is_err());
-        let vector = [Vec3::new(1.0, 2.0, 3.0)];
+        assert!(read_floats(&floats(&column), 5, "x", (-20.0, 20.0)).is_err());
+        let vector = [Vec3::new(0.1, -0.2, 0.3)];
         assert_eq!(read_vectors(&vectors(&vector), 1, "v").unwrap(), vector);
     }
 }

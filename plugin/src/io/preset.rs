@@ -1,4 +1,4 @@
-//! Presets `*.planet.ron`: recipes of planets, as files and as hot-reloaded assets.
+//! Presets `*.planet.ron`: recipes of planets, as files and as assets.
 //!
 //! ```ron
 //! (
@@ -70,6 +70,7 @@ fn field_of(error: &PlanetError) -> Option<&str> {
         PlanetError::OutOfRange { field, .. } => field.split(' ').next_back(),
         PlanetError::TooManyPlates { .. } => Some("plates"),
         PlanetError::Sphere(_) => Some("samples"),
+        PlanetError::Param(ParamError::Order { lower, .. }) => Some(lower),
         PlanetError::Param(ParamError::Unknown(_)) => None,
     }
 }

@@ -22,7 +22,7 @@ use thiserror::Error;
 const MAGIC: &[u8; 8] = b"PANGAEA\x1a";
 
 /// The version of the format that this program writes and reads.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// Bytes of magic and version, and of the hash at the end.
 const HEAD: usize = 12;

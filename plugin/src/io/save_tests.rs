@@ -1,7 +1,7 @@
 //! Tests of the save file on a small planet with every kind of state.
 
 use super::*;
-use crate::authoring::{Brush, Inbox, PaintTarget, Recording, TectonicCommand, TimedCommand};
+use crate::authoring::{Brush, Inbox, PaintTarget, Recording, Scenario, TectonicCommand, TimedCommand};
 use crate::crust::{Cause, Crust, CrustKind, Frame, Frames, Ledger, Orogeny};
 use crate::io::{capture, digest};
 use crate::math;
@@ -63,7 +63,8 @@ fn state() -> PlanetState {
         },
         params,
         ledger,
-        recording: Recording(vec![TimedCommand { step: 4, command: paint }]),
+        recording: Recording(vec![TimedCommand { step: 4, command: paint.clone() }]),
+        pending: Scenario(vec![TimedCommand { step: 40, command: paint }]),
         polarity: PolarityMemory(vec![Segment {
             pair: (PlateId(0), PlateId(1)),
             bin: 17,

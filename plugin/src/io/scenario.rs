@@ -11,8 +11,7 @@
 
 use super::preset::{TextError, parse};
 use super::{IoError, read_text};
-use crate::authoring::{Brush, PaintTarget, Scenario, TectonicCommand, TimedCommand};
-use crate::params::{ProcessSwitches, TectonicParams};
+use crate::authoring::{Scenario, TimedCommand};
 use std::path::Path;
 
 /// Reads a scenario and checks what can be known without a planet: names, limits and coordinates.
@@ -22,7 +21,7 @@ use std::path::Path;
 pub fn parse_scenario(text: &str) -> Result<Scenario, TextError> {
     let commands: Vec<TimedCommand> = parse(text)?;
     for (i, timed) in commands.iter().enumerate() {
-        check(&timed.command).map_err(|problem| TextError {
+        timed.command.check().map_err(|problem| TextError {
             line: 0,
             problem: format!("command {} (step {}): {problem}", i + 1, timed.step),
         })?;
@@ -38,63 +37,10 @@ pub fn load_scenario(path: &Path) -> Result<Scenario, IoError> {
     parse_scenario(&read_text(path)?).map_err(|error| error.in_file(path))
 }
 
-/// Checks the numbers and names of a command, as far as they do not depend on a planet. What a planet
-/// accepts passes, so recordings are checked by it, too.
-///
-/// # Errors
-/// What is wrong, in words.
-pub fn check(command: &TectonicCommand) -> Result<(), String> {
-    match command {
-        TectonicCommand::SetPlateMotion { pole, speed, .. } => {
-            coordinates(*pole)?;
-            within("speed", *speed, -300.0, 300.0)
-        }
-        TectonicCommand::RiftPlate { line, fragments, .. } => {
-            if line.len() == 1 || line.len() > 1000 {
-                return Err("a line has 2 to 1000 points".into());
-            }
-            line.iter().try_for_each(|&point| coordinates(point))?;
-            within("fragments", f64::from(*fragments), 2.0, 4.0)
-        }
-        TectonicCommand::PaintCrust { target, brush } => {
-            if let PaintTarget::Disc { center, radius } = target {
-                coordinates(*center)?;
-                within("radius", *radius, 0.0, 100_000.0)?;
-            }
-            match brush {
-                Brush::Raise(km) => within("height", *km, -20.0, 20.0),
-                Brush::Elevation(km) => within("elevation", *km, -15.0, 20.0),
-                Brush::Kind(_) => Ok(()),
-            }
-        }
-        TectonicCommand::SetParam { name, value } => {
-            let info = TectonicParams::info(name).ok_or_else(|| format!("unknown parameter `{name}`"))?;
-            info.check(*value).map_err(|error| error.to_string())
-        }
-        TectonicCommand::SetProcess { name, .. } => ProcessSwitches::default()
-            .get_mut(name)
-            .map(|_| ())
-            .map_err(|_| format!("unknown process `{name}`")),
-        TectonicCommand::SetPlateCrust { .. } | TectonicCommand::Resample => Ok(()),
-    }
-}
-
-fn coordinates((latitude, longitude): (f64, f64)) -> Result<(), String> {
-    within("latitude", latitude, -90.0, 90.0)?;
-    within("longitude", longitude, -360.0, 360.0)
-}
-
-fn within(what: &str, value: f64, low: f64, high: f64) -> Result<(), String> {
-    if (low..=high).contains(&value) {
-        Ok(())
-    } else {
-        Err(format!("{what} = {} is outside of {low}..={high}", crate::params::shown(value)))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::authoring::TectonicCommand;
     use crate::plate::PlateId;
 
     #[test]

@@ -9,7 +9,7 @@ use super::save::SaveError;
 use crate::params::{OceanFloor, ProcessSwitches, TectonicParams};
 use crate::planet::{GeologicClock, Planet};
 use crate::spawn::PlanetState;
-use account::{ledger, read_ledger, read_recording, recording};
+use account::{ledger, pending, read_ledger, read_pending, read_recording, recording};
 use bevy::math::DVec3;
 use crust::{carried, mesh, read_crust, read_mesh};
 use plates::{frames, fronts, plates, polarity, read_frames, read_fronts, read_plates, read_polarity};
@@ -28,6 +28,7 @@ pub(super) const SECTIONS: &[Section] = &[
     Section { tag: b"FRMS", encode: frames },
     Section { tag: b"LEDG", encode: ledger },
     Section { tag: b"RECO", encode: recording },
+    Section { tag: b"PEND", encode: pending },
     Section { tag: b"POLA", encode: polarity },
     Section { tag: b"FRON", encode: fronts },
     Section { tag: b"MESH", encode: mesh },
@@ -44,7 +45,7 @@ pub(super) const SECTIONS: &[Section] = &[
 
 /// Makes a planet of the contents of all sections. The mesh, which takes longest, comes last.
 pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
-    let &[head, parm, plat, frms, ledg, reco, pola, fron, mesh, ref columns @ ..] = contents else {
+    let &[head, parm, plat, frms, ledg, reco, pend, pola, fron, mesh, ref columns @ ..] = contents else {
         return Err(SaveError::Truncated);
     };
     let (planet, clock) = read_planet(head)?;
@@ -53,6 +54,7 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
     let frames = read_frames(frms, clock.next_plate)?;
     let ledger = read_ledger(ledg)?;
     let recording = read_recording(reco)?;
+    let pending = read_pending(pend)?;
     let polarity = read_polarity(pola)?;
     let samples = Decoder(mesh.get(1..).unwrap_or(&[])).u32()?;
     let crust = read_crust(columns, samples as usize, frames.len())?;
@@ -71,6 +73,7 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
         params,
         ledger,
         recording,
+        pending,
         polarity,
         fronts,
     })

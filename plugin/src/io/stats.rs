@@ -80,7 +80,7 @@ pub struct OrogenyFraction {
 #[derive(Clone, Debug, PartialEq)]
 pub struct LedgerShares {
     /// Shares in the order of [`Cause::ALL`].
-    pub causes: [f64; 10],
+    pub causes: [f64; 11],
     /// Worst share of the continental area without a cause.
     pub unexplained_max: f64,
 }

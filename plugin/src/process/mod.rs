@@ -7,7 +7,7 @@
 //! | [`subduction`] | §4.1 | contacts | elevation, thickness, fold, orogeny |
 //! | [`slab_pull`] | §4.1 | contacts | motions |
 //! | [`collision`] | §4.2 | contacts, crust | frames, elevation, thickness, fold, orogeny |
-//! | [`rifting`] | §4.4 | plates, crust | plates, frames, thickness, elevation |
+//! | [`rifting`] | §4.4 | plates, crust | plates, frames, thickness |
 //! | [`relief`] | §4.5 | crust | elevation, thickness, ages, kind |
 //! | [`margin`] | §4.5 | elevation, kind | elevation of ocean crust |
 //! | [`commit`] | | crust | clock, ledger |

@@ -240,7 +240,7 @@ fn rift(
     else {
         return Err(RiftError::NoPlate(id));
     };
-    let speed = params.rift_speed / body.radius;
+    let speed = params.rift_speed.min(params.max_speed) / body.radius;
     let near = params.rift_width / body.radius;
     let opens = |parts: &[Split]| {
         let plate: Vec<DVec3> = parts.iter().map(|part| part.world).collect();

@@ -41,6 +41,12 @@ fn processes(ui: &mut Ui, view: &View, out: &mut Outbox) {
             }
         }
     });
+    let mut printed = view.params.ocean_floor == OceanFloor::Paper;
+    let printed_law = ui.checkbox(&mut printed, "Ocean floor sinks as printed");
+    if printed_law.on_hover_text("The form of the paper, in which old floor ends in a trench").changed() {
+        let law = if printed { OceanFloor::Paper } else { OceanFloor::Relaxing };
+        out.command(TectonicCommand::SetOceanFloor { law });
+    }
 }
 
 fn parameter(ui: &mut Ui, view: &View, info: &'static ParamInfo, out: &mut Outbox) {
@@ -114,5 +120,7 @@ fn resets(params: &TectonicParams) -> Vec<TectonicCommand> {
         .iter()
         .filter(|info| is_changed(info, params))
         .map(|info| TectonicCommand::SetParam { name: info.name.into(), value: info.default });
-    switches.chain(values).collect()
+    let law = OceanFloor::default();
+    let floor = (params.ocean_floor != law).then_some(TectonicCommand::SetOceanFloor { law });
+    switches.chain(values).chain(floor).collect()
 }

@@ -1,11 +1,10 @@
-//! The ledger and the recording of commands.
+//! The ledger, the recording of commands, and the commands to come.
 
-use crate::authoring::{Recording, TimedCommand};
+use crate::authoring::{Recording, Scenario, TimedCommand};
 use crate::crust::ledger::Amount;
 use crate::crust::{Cause, Ledger};
 use crate::io::codec::{Decoder, Encoder, invalid};
 use crate::io::save::SaveError;
-use crate::io::scenario::check;
 use crate::spawn::PlanetState;
 
 pub(super) fn ledger(state: &PlanetState) -> Vec<u8> {
@@ -44,14 +43,27 @@ pub(super) fn recording(state: &PlanetState) -> Vec<u8> {
 }
 
 pub(super) fn read_recording(bytes: &[u8]) -> Result<Recording, SaveError> {
-    let text = core::str::from_utf8(bytes).map_err(|_| invalid("the recording is no UTF-8".into()))?;
-    let commands: Vec<TimedCommand> =
-        ron::from_str(text).map_err(|error| invalid(format!("the recording: {}", error.code)))?;
+    let commands = read_commands(bytes, "recording")?;
     if commands.windows(2).any(|pair| pair[0].step > pair[1].step) {
         return Err(invalid("the recording is out of order".into()));
     }
-    if let Some(problem) = commands.iter().find_map(|timed| check(&timed.command).err()) {
-        return Err(invalid(format!("the recording: {problem}")));
-    }
     Ok(Recording(commands))
+}
+
+pub(super) fn pending(state: &PlanetState) -> Vec<u8> {
+    ron::to_string(&state.pending.0).unwrap_or_default().into_bytes()
+}
+
+pub(super) fn read_pending(bytes: &[u8]) -> Result<Scenario, SaveError> {
+    read_commands(bytes, "list of commands to come").map(Scenario)
+}
+
+fn read_commands(bytes: &[u8], what: &str) -> Result<Vec<TimedCommand>, SaveError> {
+    let text = core::str::from_utf8(bytes).map_err(|_| invalid(format!("the {what} is no UTF-8")))?;
+    let commands: Vec<TimedCommand> =
+        ron::from_str(text).map_err(|error| invalid(format!("the {what}: {}", error.code)))?;
+    match commands.iter().find_map(|timed| timed.command.check().err()) {
+        Some(problem) => Err(invalid(format!("the {what}: {problem}"))),
+        None => Ok(commands),
+    }
 }

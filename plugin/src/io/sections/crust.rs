@@ -14,6 +14,11 @@ use std::sync::Arc;
 const FIBONACCI: u8 = 0;
 const POINTS: u8 = 1;
 
+/// What crust can be: km, km, My.
+const THICKNESS: (f32, f32) = (-1.0, 1000.0);
+const ELEVATION: (f32, f32) = (-100.0, 100.0);
+const AGE: (f32, f32) = (0.0, 1e6);
+
 pub(super) fn mesh(state: &PlanetState) -> Vec<u8> {
     let mesh = &state.lattice.0;
     let mut out = Encoder::default();
@@ -64,11 +69,11 @@ pub(super) fn read_crust(columns: &[&[u8]], n: usize, frames: usize) -> Result<C
     Ok(Crust {
         frame,
         kind: kind.ok_or_else(|| unknown("crust type"))?,
-        thickness: read_floats(thickness, n, "thickness")?,
-        elevation: read_floats(elevation, n, "elevation")?,
-        ocean_age: read_floats(ocean_age, n, "ocean age")?,
+        thickness: read_floats(thickness, n, "thickness", THICKNESS)?,
+        elevation: read_floats(elevation, n, "elevation", ELEVATION)?,
+        ocean_age: read_floats(ocean_age, n, "ocean age", AGE)?,
         ridge: read_vectors(ridge, n, "ridge direction")?,
-        orogeny_age: read_floats(orogeny_age, n, "orogeny age")?,
+        orogeny_age: read_floats(orogeny_age, n, "orogeny age", AGE)?,
         orogeny: orogeny.ok_or_else(|| unknown("orogeny"))?,
         fold: read_vectors(fold, n, "fold direction")?,
     })

@@ -1,0 +1,60 @@
+//! What can be said of a command without a planet: names, limits, coordinates.
+
+use super::apply::CommandError;
+use super::{Brush, PaintTarget, TectonicCommand};
+use crate::math::direction;
+use crate::params::{ProcessSwitches, TectonicParams};
+use bevy::math::DVec3;
+
+impl TectonicCommand {
+    /// Checks names and numbers, as far as they do not depend on a planet. Commands are checked by this before they take
+    /// effect, and scenarios and recordings when they are read: what one accepts the others accept.
+    ///
+    /// # Errors
+    /// [`CommandError`] for the first name or number that is refused.
+    pub fn check(&self) -> Result<(), CommandError> {
+        match self {
+            Self::SetPlateMotion { pole, speed, .. } => {
+                direction_of(*pole)?;
+                within("speed", *speed, -300.0, 300.0)
+            }
+            Self::RiftPlate { line, fragments, .. } => {
+                if !line.is_empty() {
+                    within("points", line.len() as f64, 2.0, 1000.0)?;
+                }
+                line.iter().try_for_each(|&point| direction_of(point).map(|_| ()))?;
+                within("fragments", f64::from(*fragments), 2.0, 4.0)
+            }
+            Self::PaintCrust { target, brush } => {
+                if let PaintTarget::Disc { center, radius } = target {
+                    direction_of(*center)?;
+                    within("radius", *radius, 0.0, 1e5)?;
+                }
+                match *brush {
+                    Brush::Raise(km) => within("height", km, -20.0, 20.0),
+                    Brush::Elevation(km) => within("elevation", km, -15.0, 20.0),
+                    Brush::Kind(_) => Ok(()),
+                }
+            }
+            Self::SetParam { name, value } => Ok(TectonicParams::default().set(name, *value)?),
+            Self::SetProcess { name, .. } => Ok(ProcessSwitches::default().get_mut(name).map(|_| ())?),
+            Self::SetPlateCrust { .. } | Self::SetOceanFloor { .. } | Self::Resample => Ok(()),
+        }
+    }
+}
+
+/// Checks that `value` lies within limits.
+pub(super) fn within(field: &'static str, value: f64, min: f64, max: f64) -> Result<(), CommandError> {
+    if value >= min && value <= max {
+        Ok(())
+    } else {
+        Err(CommandError::OutOfRange { field, value, min, max })
+    }
+}
+
+/// Checks a latitude and longitude in degrees and returns the direction.
+pub(super) fn direction_of((lat, lon): (f64, f64)) -> Result<DVec3, CommandError> {
+    within("latitude", lat, -90.0, 90.0)?;
+    within("longitude", lon, -360.0, 360.0)?;
+    Ok(direction(lat, lon))
+}
