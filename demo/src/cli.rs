@@ -261,6 +261,9 @@ pub struct ExportArgs {
         value_parser = |s: &str| integer(s, 2, 16_384)
     )]
     pub pixels: u64,
+    /// Level of detail, 0 (edges of about 52 km) to 17 (0.4 m) [default: the one whose edges fit the pixels]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 0, 17))]
+    pub level: Option<u64>,
     /// The file; its extension says in which format
     ///
     /// .tif: one band of f32 in metres, georeferenced. .png: 16-bit grey, with a .json of the same name to decode it:

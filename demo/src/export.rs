@@ -5,7 +5,7 @@ use crate::error::CliError;
 use crate::ground::open_ground;
 use crate::output::{check_file, say};
 use bevy_pangaea::io::export::{self as squares, Format};
-use bevy_pangaea::query::{AzimuthalEquidistant, Ground, Square};
+use bevy_pangaea::query::{AzimuthalEquidistant, GroundError, Square};
 
 /// Runs the command.
 pub fn export(args: &ExportArgs) -> Result<(), CliError> {
@@ -16,12 +16,31 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     if format == Format::Grey {
         check_file(&args.out.with_extension("json"))?;
     }
-    let ground = open_ground(&args.planet)?;
-    let middle = args.region.middle;
-    let projection = AzimuthalEquidistant::new(middle.lat, middle.lon, ground.radius_m())?;
-    let square = Square::new(projection, 1000.0 * args.region.size_km, args.pixels as usize)?;
+    let (ground, square) = open_ground(&args.planet, |radius_m| square(args, radius_m))?;
+    say(&format!("level {}, {:.3} m to a pixel", square.level(), square.pixel_m()));
     for path in squares::export(&ground, &square, &args.out)? {
         say(&path.display().to_string());
     }
     Ok(())
+}
+
+/// The square that is asked for, on a planet of `radius_m`.
+fn square(args: &ExportArgs, radius_m: f64) -> Result<Square, CliError> {
+    let middle = args.region.middle;
+    let projection = AzimuthalEquidistant::new(middle.lat, middle.lon, radius_m)?;
+    let square = Square::new(projection, 1000.0 * args.region.size_km, args.pixels as usize);
+    let square = square.map_err(|error| match error {
+        GroundError::Length { min, max, .. } => CliError::input(format!(
+            "--region: with {} pixels SIZE_KM is {} to {:.0}, not {}",
+            args.pixels,
+            1e-3 * min,
+            1e-3 * max,
+            args.region.size_km
+        )),
+        error => error.into(),
+    })?;
+    match args.level {
+        Some(level) => Ok(square.at_level(level as u8)?),
+        None => Ok(square),
+    }
 }

@@ -5,6 +5,7 @@ use crate::headless::Headless;
 use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::io::load;
 use bevy_pangaea::query::{PlanetGround, Rules};
+use bevy_pangaea::spawn::PlanetState;
 use std::path::Path;
 
 /// Loads a planet, looks at its surface, and makes its climate and rivers.
@@ -12,7 +13,11 @@ use std::path::Path;
 /// # Errors
 /// If the file is refused.
 pub fn open_planet(path: &Path) -> Result<Headless, CliError> {
-    let mut headless = Headless::new(load(path)?);
+    bake(load(path)?)
+}
+
+fn bake(state: PlanetState) -> Result<Headless, CliError> {
+    let mut headless = Headless::new(state);
     headless.look();
     headless.bake()?;
     Ok(headless)
@@ -26,10 +31,15 @@ pub fn ground(headless: &Headless) -> Result<PlanetGround, CliError> {
     Ok(PlanetGround::of_bake(headless.get::<PlanetBake>()?, Rules::default())?)
 }
 
-/// The ground of the planet in a file.
+/// The ground of the planet in a file. `check` sees the planet's radius in m before the work begins.
 ///
 /// # Errors
-/// If the file is refused.
-pub fn open_ground(path: &Path) -> Result<PlanetGround, CliError> {
-    ground(&open_planet(path)?)
+/// If the file is refused, and those of `check`.
+pub fn open_ground<T>(
+    path: &Path,
+    check: impl FnOnce(f64) -> Result<T, CliError>,
+) -> Result<(PlanetGround, T), CliError> {
+    let state = load(path)?;
+    let checked = check(1000.0 * state.planet.radius)?;
+    Ok((ground(&bake(state)?)?, checked))
 }

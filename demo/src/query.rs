@@ -18,14 +18,19 @@ const MAX_LINE: usize = 1000;
 /// Points asked for at once by a thread.
 const BATCH: usize = 64;
 
+/// Points whose lines are printed at once.
+const BLOCK: usize = 4096;
+
 /// Runs the command.
 pub fn query(args: &QueryArgs) -> Result<(), CliError> {
-    let ground = open_ground(&args.planet)?;
+    // A wrong line is told before a planet is loaded.
     let places = match args.at {
         Some(place) => vec![place],
         None => read_places(io::stdin().lock())?,
     };
-    print(&table(&ground, &places, args.level as u8)?)
+    let (ground, ()) = open_ground(&args.planet, |_| Ok(()))?;
+    print(&format!("{HEADER}\n"))?;
+    places.chunks(BLOCK).try_for_each(|places| print(&table(&ground, places, args.level as u8)?))
 }
 
 /// Reads lines "lat,lon"; empty lines are passed over.
@@ -42,15 +47,17 @@ fn read_places(mut input: impl BufRead) -> Result<Vec<PlaceSpec>, CliError> {
         if line.len() > MAX_LINE {
             return Err(refused("it is too long"));
         }
-        let text = str::from_utf8(&line).map_err(|_| refused("it is no text"))?.trim();
+        let text = str::from_utf8(&line).map_err(|_| refused("it is no text"))?;
+        // Spreadsheets begin their files with a byte order mark.
+        let text = text.trim_start_matches('\u{feff}').trim();
         if !text.is_empty() {
-            places.push(place(text).map_err(|problem| refused(&problem))?);
+            places.push(place(text).map_err(|problem| refused(&format!("`{text}`: {problem}")))?);
         }
     }
     Ok(places)
 }
 
-/// The header and a line for each place, in their order.
+/// A line for each place, in their order.
 fn table(ground: &impl Ground, places: &[PlaceSpec], level: u8) -> Result<String, CliError> {
     let lines = |places: &[PlaceSpec]| -> Result<String, GroundError> {
         let mut text = String::new();
@@ -61,11 +68,7 @@ fn table(ground: &impl Ground, places: &[PlaceSpec], level: u8) -> Result<String
         Ok(text)
     };
     let parts: Vec<Result<String, GroundError>> = places.par_chunks(BATCH).map(lines).collect();
-    let mut text = format!("{HEADER}\n");
-    for part in parts {
-        text.push_str(&part?);
-    }
-    Ok(text)
+    parts.into_iter().collect::<Result<String, GroundError>>().map_err(CliError::from)
 }
 
 fn line(place: &PlaceSpec, found: &Sample) -> String {
@@ -101,19 +104,19 @@ mod tests {
 
     #[test]
     fn lines_come_in_the_order_of_the_input() {
-        let input = b"10,20\n\n -33 , -70.5\r\n0,360".as_slice();
-        let places = read_places(input).unwrap();
+        let input = "\u{feff}10,20\n\n -33 , -70.5\r\n0,360";
+        let places = read_places(input.as_bytes()).unwrap();
         let text = table(&Slope, &places, 17).unwrap();
         let lines: Vec<&str> = text.lines().collect();
-        assert_eq!(lines[0], HEADER);
-        assert!(lines[1].starts_with("10,20,1000.000,1000.000,"), "{text}");
+        assert!(lines[0].starts_with("10,20,1000.000,1000.000,"), "{text}");
         assert!(
-            lines[2].starts_with("-33,-70.5,-3300.000,0.000,") && lines[2].ends_with(",sea_floor"),
+            lines[1].starts_with("-33,-70.5,-3300.000,0.000,") && lines[1].ends_with(",sea_floor"),
             "{text}"
         );
-        assert!(lines[3].starts_with("0,360,") && lines.len() == 4);
-        assert!(lines.iter().all(|line| line.split(',').count() == 8));
-        assert_eq!(table(&Slope, &[], 17).unwrap().lines().count(), 1);
+        assert!(lines[2].starts_with("0,360,") && lines.len() == 3);
+        let columns = HEADER.split(',').count();
+        assert!(lines.iter().all(|line| line.split(',').count() == columns));
+        assert_eq!(table(&Slope, &[], 17).unwrap(), "");
     }
 
     #[test]
@@ -122,7 +125,7 @@ mod tests {
             ("1,2\n3\n", ["line 2", "LAT,LON"]),
             ("91,2\n", ["line 1", "latitude"]),
             ("1,2\n1,2\n\n5,NaN\n", ["line 4", "longitude"]),
-            ("lat,lon\n1,2\n", ["line 1", "latitude"]),
+            ("lat,lon\n1,2\n", ["line 1 of the input: `lat,lon`", "latitude"]),
             ("1,2,3\n", ["line 1", "LAT,LON"]),
         ] {
             let problem = read_places(bad.as_bytes()).unwrap_err().to_string();

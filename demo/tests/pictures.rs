@@ -1,10 +1,11 @@
-//! Pictures of the globe without a window. They need a Vulkan adapter, lavapipe included: without one the tests say
-//! SKIPPED, or fail where `PANGAEA_GPU=require`.
+//! Pictures of the globe, without a window and of one. They need a Vulkan adapter, lavapipe included: without one the
+//! tests say SKIPPED, or fail where `PANGAEA_GPU=require`. The window needs the X server Xvfb besides.
 
 use std::fs::{self, File};
-use std::io::BufReader;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 fn pangaea(folder: &Path, args: &[&str]) -> Command {
@@ -99,4 +100,71 @@ fn without_an_adapter_the_reason_and_the_cure_are_printed_and_nothing_is_written
     assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(text.contains("no GPU adapter") && text.contains("mesa-vulkan-drivers"), "{text}");
     assert!(!folder.path().join("a.png").exists());
+}
+
+/// An X server without a screen, which ends with the test.
+struct Display {
+    server: Child,
+    name: String,
+}
+
+impl Display {
+    /// `None` where there is no Xvfb.
+    fn open() -> Option<Self> {
+        let mut server = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-screen", "0", "1280x720x24"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .ok()?;
+        let mut number = String::new();
+        BufReader::new(server.stdout.take()?).read_line(&mut number).ok()?;
+        Some(Self { server, name: format!(":{}", number.trim()) })
+    }
+}
+
+impl Drop for Display {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+/// Lets a program run for some minutes at most.
+fn within_minutes(mut program: Child, minutes: u64) -> Output {
+    let deadline = Instant::now() + Duration::from_secs(60 * minutes);
+    while program.try_wait().unwrap().is_none() {
+        if Instant::now() > deadline {
+            program.kill().unwrap();
+        }
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    program.wait_with_output().unwrap()
+}
+
+#[test]
+fn the_explorer_opens_a_window_with_panels_around_a_globe() {
+    let Some(display) = Display::open() else {
+        eprintln!("SKIPPED: there is no Xvfb");
+        return;
+    };
+    let folder = TempDir::new().unwrap();
+    let run = ["--samples", "2000", "--plates", "12", "--frames", "30", "--capture", "window.png"];
+    let explorer = pangaea(folder.path(), &run)
+        .env("DISPLAY", &display.name)
+        .env_remove("WAYLAND_DISPLAY")
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    if !drew(&within_minutes(explorer, 5)) {
+        return;
+    }
+    let window = Picture::read(&folder.path().join("window.png"));
+    let (width, height) = (window.width, window.height);
+    assert!(width >= 640 && height >= 360, "{width} x {height}");
+    // The globe is brighter than the panels, and the panels are written on.
+    assert!((0.05..0.9).contains(&window.lit()), "{}", window.lit());
+    let edge = (0..height).flat_map(|y| (0..width / 8).map(move |x| (x, y)));
+    let written = edge.filter(|&(x, y)| window.brightness(x, y) > 300).count();
+    assert!(written > 200, "{written}");
 }

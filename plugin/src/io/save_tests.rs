@@ -16,6 +16,7 @@ use crate::schedule::run_steps;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::App;
+use rayon::prelude::*;
 use std::sync::Arc;
 
 fn stats(continental: f64) -> PlateStats {
@@ -159,30 +160,42 @@ fn every_truncation_and_every_flipped_bit_is_seen() {
     }
 }
 
-/// A forger who repairs the checksum gets an error or a planet, but no panic and no huge allocation.
+/// A forger who repairs the checksum gets an error or a planet that lives, but no panic and no huge allocation.
 #[test]
 fn resealed_mutations_do_no_harm() {
     let saved = bytes(&state());
+    let loaded = (0..100_000_u64).into_par_iter().filter_map(|k| {
+        let planet = read_from(&sealed(forge(&saved, k))).ok()?;
+        // One in a hundred is brought to life.
+        Some((k % 101 == 0).then_some(planet))
+    });
+    let loaded: Vec<_> = loaded.collect();
+    assert!((1000..80_000).contains(&loaded.len()), "{}", loaded.len());
+    let mut app = App::new();
+    app.add_plugins(crate::PangaeaPlugins);
+    for state in loaded.into_iter().flatten() {
+        assert!(state.crust.elevation.iter().all(|z| z.abs() <= 100.0));
+        let planet = state.spawn(app.world_mut());
+        run_steps(app.world_mut(), planet, 3);
+        app.world_mut().despawn(planet);
+    }
+}
+
+/// The bytes of a save with up to four changes, without its old hash.
+fn forge(saved: &[u8], k: u64) -> Vec<u8> {
     let stream = Stream::new(2, Purpose::Coast, 0);
     let random = |k: u64, below: usize| stream.bits(k) as usize % below;
-    let mut refused = 0;
-    for k in 0..20_000_u64 {
-        let mut forged = saved.clone();
-        for m in 0..1 + random(100 * k, 4) as u64 {
-            let at = HEAD + random(100 * k + 10 * m + 1, forged.len() - HEAD);
-            match random(100 * k + 10 * m + 2, 4) {
-                0 => forged[at] ^= 1 << random(100 * k + 10 * m + 3, 8),
-                1 => forged[at] = [0, 1, 127, 128, 255][random(100 * k + 10 * m + 3, 5)],
-                2 => drop(forged.remove(at)),
-                _ => forged.truncate(at.max(HEAD + HASH)),
-            }
-        }
-        match read_from(&sealed(forged)) {
-            Ok(planet) => assert!(planet.crust.elevation.iter().all(|z| z.is_finite())),
-            Err(_) => refused += 1,
+    let mut forged = saved.to_vec();
+    for m in 0..1 + random(100 * k, 4) as u64 {
+        let at = HEAD + random(100 * k + 10 * m + 1, forged.len() - HEAD);
+        match random(100 * k + 10 * m + 2, 4) {
+            0 => forged[at] ^= 1 << random(100 * k + 10 * m + 3, 8),
+            1 => forged[at] = [0, 1, 127, 128, 255][random(100 * k + 10 * m + 3, 5)],
+            2 => drop(forged.remove(at)),
+            _ => forged.truncate(at.max(HEAD + HASH)),
         }
     }
-    assert!(refused > 5_000, "{refused}");
+    forged
 }
 
 #[test]

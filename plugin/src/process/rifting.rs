@@ -41,11 +41,11 @@ const WIDE: f64 = 1.2;
 /// A plate that fills a cap of more than so many radians may break all round.
 const ALL_ROUND: f64 = 2.0;
 
-/// A bite has at least this share of the plate.
-const SMALLEST_BITE: f64 = 0.025;
+/// A bite has at least this share of the plate, where none of the first so many shapes gives a larger one.
+const SMALLEST_BITE: (f64, u64) = (0.025, 36);
 
 /// Shapes that are tried before a random rift is given up: of plates that great circles break, and of wide ones.
-const ATTEMPTS: [u64; 2] = [12, 48];
+const ATTEMPTS: [u64; 2] = [12, 56];
 
 /// Adds [`rifting`] to the step.
 pub struct RiftingPlugin;
@@ -121,17 +121,18 @@ pub fn rift_at_random(
     for attempt in 0..ATTEMPTS[usize::from(wide)] {
         let counter = 4 + 64 * step + attempt;
         let far_end = stream.bits(counter) & 1 == 0;
-        let (shape, smallest) = if wide && extent > ALL_ROUND && attempt % 16 == 15 {
-            (RiftShape::halves(&stream, counter, warp), SMALLEST_SHARE)
+        let shape = if wide && extent > ALL_ROUND && attempt % 16 == 15 {
+            RiftShape::halves(&stream, counter, warp)
         } else if wide && attempt % 4 != 0 {
             let Some((at, outward)) = border(world, planet, id, stream.bits(16 * counter + 9)) else {
                 continue;
             };
-            (RiftShape::bite(&stream, counter, at, outward, warp), SMALLEST_BITE)
+            RiftShape::bite(&stream, counter, at, outward, warp)
         } else {
-            let shape = RiftShape::random(&stream, counter, row.stats.centroid, reach, count, warp);
-            (shape, SMALLEST_SHARE)
+            RiftShape::random(&stream, counter, row.stats.centroid, reach, count, warp)
         };
+        let (bite, patience) = SMALLEST_BITE;
+        let smallest = if attempt < patience { SMALLEST_SHARE } else { bite };
         match rift(world, planet, id, &shape, smallest, far_end) {
             Err(RiftError::NoShape | RiftError::Misses) => {}
             done => return done,

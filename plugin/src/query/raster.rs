@@ -1,6 +1,6 @@
 //! Heights on squares: what exports, statistics and pictures read.
 
-use super::{AzimuthalEquidistant, Ground, GroundError, level_for};
+use super::{AzimuthalEquidistant, Ground, GroundError, LEVELS, level_for};
 use crate::parallel;
 use bevy::math::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -37,6 +37,7 @@ pub struct Square {
     projection: AzimuthalEquidistant,
     side_m: f64,
     pixels: usize,
+    level: Option<u8>,
 }
 
 impl Square {
@@ -57,7 +58,15 @@ impl Square {
         if !(min..=max).contains(&side_m) {
             return Err(GroundError::Length { what: "the side of the square", value: side_m, min, max });
         }
-        Ok(Self { projection, side_m, pixels })
+        Ok(Self { projection, side_m, pixels, level: None })
+    }
+
+    /// The same at a level of its own, whatever its pixels are.
+    ///
+    /// # Errors
+    /// [`GroundError::Level`] beyond the finest.
+    pub fn at_level(self, level: u8) -> Result<Self, GroundError> {
+        if level > LEVELS { Err(GroundError::Level(level)) } else { Ok(Self { level: Some(level), ..self }) }
     }
 
     /// The projection.
@@ -86,9 +95,9 @@ impl Square {
         self.projection.direction(DVec2::new(from_middle(column), -from_middle(row)))
     }
 
-    /// The level whose edges are not longer than a pixel.
+    /// Its own level, or the one whose edges are not longer than a pixel.
     pub fn level(&self) -> u8 {
-        level_for(self.projection.radius_m(), self.pixel_m())
+        self.level.unwrap_or_else(|| level_for(self.projection.radius_m(), self.pixel_m()))
     }
 
     /// Heights at all pixels, in batches on all threads.
@@ -155,6 +164,8 @@ mod tests {
     fn levels_follow_pixels() {
         assert_eq!(square(0.0, 0.0, 60_004.8, 648).level(), 10);
         assert_eq!(square(0.0, 0.0, 64.0, 128).level(), 17);
+        assert_eq!(square(0.0, 0.0, 64.0, 128).at_level(9).unwrap().level(), 9);
+        assert_eq!(square(0.0, 0.0, 64.0, 128).at_level(18), Err(GroundError::Level(18)));
     }
 
     #[test]
