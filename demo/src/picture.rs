@@ -70,7 +70,7 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
 pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
     let seedling = Seedling::new(None, &args.recipe)?;
     // Refused now rather than after the planet has grown.
-    Files::new(&args.out)?;
+    Files::new(&args.out, [])?;
     let mut studio = Offscreen::new(ORBIT_SIZE).map_err(PictureError::from)?;
     let files = eight_orbit_views(&mut studio, seedling.grow()?, &args.out)?;
     let list: String = files.iter().map(|path| format!("{}\n", path.display())).collect();

@@ -193,11 +193,8 @@ fn generate_writes_the_same_bytes_on_any_number_of_threads() {
         assert!(!a.is_empty() && a == b, "{name}");
     }
     names.push("stats.json".into());
-    let mut found: Vec<String> =
-        fs::read_dir(&one).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    found.sort();
     names.sort();
-    assert_eq!(found, names);
+    assert_eq!(names_in(&one), names);
 }
 
 #[test]
@@ -314,6 +311,28 @@ fn unwritable_places_are_refused_before_the_planet_grows() {
     assert_eq!(fs::read_to_string(folder.path().join("file")).unwrap(), "x");
     refused_in(folder.path(), &["bench", "--json", "no/such/folder.json"], &["no/such"]);
     refused_in(folder.path(), &["bench", "--json", "."], &["."]);
+}
+
+/// The names of all there is in a folder, sorted.
+fn names_in(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_folder_in_the_way_of_one_file_stops_all_of_them_before_the_planet_grows() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("out");
+    for name in ["plates.png", "elevation_color.png", "planet.pangaea", "stats.json"] {
+        fs::create_dir_all(out.join(name)).unwrap();
+        let args = ["generate", "--samples", "2000000", "--out", "out"];
+        refused_in(folder.path(), &args, &["cannot write", name, "folder"]);
+        assert_eq!(names_in(&out), [name]);
+        fs::remove_dir(out.join(name)).unwrap();
+    }
 }
 
 #[cfg(target_os = "linux")]
