@@ -3,6 +3,7 @@
 use crate::cli::GenerateArgs;
 use crate::error::CliError;
 use crate::headless::{Headless, scenario, set_threads, sprout, steps_until};
+use crate::interrupt;
 use crate::output::{Files, say};
 use crate::progress;
 use bevy_pangaea::control::PlanetBake;
@@ -24,6 +25,7 @@ const STATS: &str = "stats.json";
 
 /// Runs the command.
 pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
+    interrupt::watch();
     set_threads(args.recipe.threads)?;
     let recipe = args.recipe.recipe()?;
     let scenario = scenario(&args.recipe)?;
@@ -53,6 +55,7 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     add_maps(&headless, &mut files, |drawn| bar.set_position(drawn))?;
     bar.finish_and_clear();
     files.add(STATS, figures(&headless, hash, timings)?);
+    interrupt::check()?;
     let written = files.write()?;
     say(&format!("{} files in {}", written.len(), args.out.display()));
     Ok(())
@@ -77,6 +80,7 @@ fn add_maps(headless: &Headless, files: &mut Files, mut drawn: impl FnMut(u64)) 
     let elevation = map.elevation(surface);
     files.add(ELEVATION, png::elevation_png(map.width(), &elevation).map_err(broken)?);
     for (count, overlay) in Overlay::ALL.into_iter().enumerate() {
+        interrupt::check()?;
         let picture = png::rgb_png(&map.draw(overlay, &input)).map_err(broken)?;
         files.add(&map_name(overlay), picture);
         drawn(count as u64 + 1);

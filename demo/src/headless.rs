@@ -2,6 +2,7 @@
 
 use crate::cli::RecipeArgs;
 use crate::error::CliError;
+use crate::interrupt;
 use crate::progress;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
@@ -74,9 +75,10 @@ impl Headless {
     /// Takes `count` steps; `seen` hears of each.
     ///
     /// # Errors
-    /// The first command of the scenario that the planet refuses.
+    /// The first command of the scenario that the planet refuses, or an interrupt.
     pub fn run(&mut self, count: u64, mut seen: impl FnMut(u64)) -> Result<(), CliError> {
         for step in 0..count {
+            interrupt::check()?;
             run_steps(self.app.world_mut(), self.planet, 1);
             if let Some(problem) = self.app.world_mut().resource_mut::<Refused>().0.take() {
                 return Err(CliError::input(format!("a command at step {step} is refused: {problem}")));
@@ -179,7 +181,7 @@ impl Seedling {
     /// Grows it, with a progress bar.
     ///
     /// # Errors
-    /// If a command of the scenario is refused.
+    /// If a command of the scenario is refused, or the user interrupts it.
     pub fn grow(self) -> Result<PlanetState, CliError> {
         if self.steps == 0 {
             return Ok(self.state);

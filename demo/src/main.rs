@@ -8,6 +8,7 @@ mod error;
 mod values;
 
 mod headless;
+mod interrupt;
 mod output;
 mod progress;
 

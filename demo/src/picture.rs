@@ -3,6 +3,7 @@
 use crate::cli::{CameraSpec, RenderArgs, ViewsArgs};
 use crate::error::CliError;
 use crate::headless::Seedling;
+use crate::interrupt;
 use crate::offscreen::{Offscreen, OffscreenError};
 use crate::output::{Files, check_file, print};
 use bevy::math::DVec3;
@@ -53,6 +54,7 @@ const ORBIT_SIZE: (u32, u32) = (1280, 720);
 /// # Errors
 /// [`CliError`]; nothing is written then.
 pub fn render(args: &RenderArgs) -> Result<(), CliError> {
+    interrupt::watch();
     let seedling = Seedling::new(args.planet.as_deref(), &args.recipe)?;
     check_file(&args.out)?;
     let view = view(&args.camera, seedling.radius());
@@ -60,6 +62,7 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     let mut studio = Offscreen::new(args.size).map_err(PictureError::from)?;
     studio.show(seedling.grow()?);
     let picture = studio.picture(view, globe).map_err(PictureError::from)?;
+    interrupt::check()?;
     Ok(write_png(&picture, &args.out)?)
 }
 
@@ -68,6 +71,7 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
 /// # Errors
 /// [`CliError`]
 pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
+    interrupt::watch();
     let seedling = Seedling::new(None, &args.recipe)?;
     // Refused now rather than after the planet has grown.
     Files::new(&args.out, [])?;

@@ -4,6 +4,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 fn pangaea(folder: &Path, args: &[&str]) -> Output {
@@ -333,6 +334,35 @@ fn a_folder_in_the_way_of_one_file_stops_all_of_them_before_the_planet_grows() {
         assert_eq!(names_in(&out), [name]);
         fs::remove_dir(out.join(name)).unwrap();
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_a_command_and_leaves_nothing() {
+    let folder = TempDir::new().unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_pangaea"))
+        .args(["generate", "--samples", "5000", "--until", "10000", "--out", "out"])
+        .current_dir(folder.path())
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // It listens before it makes the folder.
+    let patience = Instant::now() + Duration::from_secs(60);
+    while !folder.path().join("out").exists() && Instant::now() < patience {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let kill = format!("kill -INT {}", child.id());
+    let sent = Command::new("sh").args(["-c", &kill]).status().unwrap();
+    if !sent.success() {
+        let _ = child.kill();
+    }
+    let output = child.wait_with_output().unwrap();
+    let text = stderr(&output);
+    assert_eq!(output.status.code(), Some(130), "{text}");
+    assert_eq!(text, "error: interrupted; nothing is written\n");
+    assert!(names_in(folder.path()).is_empty());
 }
 
 #[cfg(target_os = "linux")]
