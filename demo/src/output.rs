@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 /// Files for one folder, kept in memory until all are there.
 pub struct Files {
     folder: PathBuf,
-    made: bool,
+    /// Folders that were made for the files, the innermost first.
+    made: Vec<PathBuf>,
     files: Vec<(PathBuf, Vec<u8>)>,
 }
 
@@ -21,9 +22,11 @@ impl Files {
     pub fn new<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<Self, CliError> {
         let refused =
             |error: io::Error| CliError::input(format!("cannot write to {}: {error}", folder.display()));
-        let made = !folder.exists();
-        fs::create_dir_all(folder).map_err(refused)?;
+        let missing = folder.ancestors().take_while(|f| !f.as_os_str().is_empty() && !f.exists());
+        let made = missing.map(Path::to_path_buf).collect();
+        // From here on an early return removes what was made.
         let files = Self { folder: folder.to_path_buf(), made, files: Vec::new() };
+        fs::create_dir_all(folder).map_err(refused)?;
         for name in names {
             check_file(&folder.join(name))?;
         }
@@ -45,16 +48,16 @@ impl Files {
     /// If one cannot be written; no file is changed then.
     pub fn write(mut self) -> Result<Vec<PathBuf>, CliError> {
         write_all_atomically(&self.files)?;
-        self.made = false;
+        self.made.clear();
         Ok(self.files.drain(..).map(|(path, _)| path).collect())
     }
 }
 
 impl Drop for Files {
-    /// A folder that was made for files that never came goes again.
+    /// Folders that were made for files that never came go again, unless someone else uses them by now.
     fn drop(&mut self) {
-        if self.made {
-            let _ = fs::remove_dir(&self.folder);
+        for folder in &self.made {
+            let _ = fs::remove_dir(folder);
         }
     }
 }

@@ -336,6 +336,26 @@ fn a_folder_in_the_way_of_one_file_stops_all_of_them_before_the_planet_grows() {
     }
 }
 
+#[test]
+fn a_refused_command_removes_the_folders_that_it_made_and_no_other() {
+    let folder = TempDir::new().unwrap();
+    fs::write(
+        folder.path().join("a.scenario.ron"),
+        "[(step: 1, command: SetPlateMotion(plate: 999, pole: (0, 0), speed: 1))]",
+    )
+    .unwrap();
+    let play =
+        ["generate", "--samples", "500", "--plates", "10", "--until", "20", "--scenario", "a.scenario.ron"];
+    let too_long = format!("n1/n2/{}", "x".repeat(300));
+    for out in ["n1/n2/n3", "n1/../n4/n5", "./n1/n2/", &too_long] {
+        refused_in(folder.path(), &[&play[..], &["--out", out]].concat(), &[]);
+        assert_eq!(names_in(folder.path()), ["a.scenario.ron"], "{out}");
+    }
+    fs::create_dir(folder.path().join("mine")).unwrap();
+    refused_in(folder.path(), &[&play[..], &["--out", "mine/n2/n3"]].concat(), &["999"]);
+    assert!(names_in(&folder.path().join("mine")).is_empty());
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupt_ends_a_command_and_leaves_nothing() {
