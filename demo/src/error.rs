@@ -70,9 +70,6 @@ impl From<ExportError> for CliError {
 
 impl From<PictureError> for CliError {
     fn from(error: PictureError) -> Self {
-        match error {
-            PictureError::Io(error) => error.into(),
-            other => Self::Failed(other.to_string()),
-        }
+        Self::Failed(error.to_string())
     }
 }

@@ -334,6 +334,10 @@ fn a_folder_in_the_way_of_one_file_stops_all_of_them_before_the_planet_grows() {
         assert_eq!(names_in(&out), [name]);
         fs::remove_dir(out.join(name)).unwrap();
     }
+    fs::create_dir_all(out.join("orbit-8-south.png")).unwrap();
+    let args = ["views", "--samples", "2000000", "--out", "out"];
+    refused_in(folder.path(), &args, &["cannot write", "orbit-8-south.png", "folder"]);
+    assert_eq!(names_in(&out), ["orbit-8-south.png"]);
 }
 
 #[test]
