@@ -1,8 +1,9 @@
 //! `pangaea generate`: grows a planet and writes it, its maps and its figures.
 
 use crate::cli::GenerateArgs;
+use crate::course::Course;
 use crate::error::CliError;
-use crate::headless::{Headless, scenario, set_threads, sprout, steps_until};
+use crate::headless::{Headless, set_threads, sprout};
 use crate::interrupt;
 use crate::output::{Files, say};
 use crate::progress;
@@ -28,19 +29,15 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     interrupt::watch();
     set_threads(args.recipe.threads)?;
     let recipe = args.recipe.recipe()?;
-    let scenario = scenario(&args.recipe)?;
+    let course = Course::new(&args.recipe)?;
     let maps = Overlay::ALL.map(map_name);
     let names = [PLANET, ELEVATION, STATS].into_iter().chain(maps.iter().map(String::as_str));
     let mut files = Files::new(&args.out, names)?;
     let start = Instant::now();
     let (state, mesh_ms) = sprout(&recipe)?;
     let mut headless = Headless::new(state);
-    headless.play(scenario);
-    let steps = steps_until(args.recipe.until(), recipe.params.time_step);
-    let bar = progress::bar(steps, &format!("growing {} samples", recipe.samples));
-    headless.run(steps, |step| bar.set_position(step))?;
+    course.run(&mut headless)?;
     let total = start.elapsed().as_secs_f64() * 1e3;
-    bar.finish_and_clear();
     headless.look();
     headless.bake()?;
 
@@ -51,7 +48,7 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
         ..Timings::of_stages(headless.get::<StageTimings>()?)
     };
     let hash = add_planet(&headless, &mut files)?;
-    let bar = progress::bar(Overlay::ALL.len() as u64, "drawing maps");
+    let bar = progress::bar(Overlay::ALL.len() as u64, "maps", "drawing");
     add_maps(&headless, &mut files, |drawn| bar.set_position(drawn))?;
     bar.finish_and_clear();
     files.add(STATS, figures(&headless, hash, timings)?);

@@ -1,9 +1,9 @@
 //! Planets without a window: an app that has the simulation and nothing else.
 
 use crate::cli::RecipeArgs;
+use crate::course::Course;
 use crate::error::CliError;
 use crate::interrupt;
-use crate::progress;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::authoring::Scenario;
@@ -11,7 +11,7 @@ use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::crust::{Ledger, Surface};
 use bevy_pangaea::events::CommandRejected;
 use bevy_pangaea::io::stats::StatsInput;
-use bevy_pangaea::io::{capture, load, load_scenario};
+use bevy_pangaea::io::{capture, load};
 use bevy_pangaea::overlay::OverlayInput;
 use bevy_pangaea::params::TectonicParams;
 use bevy_pangaea::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
@@ -72,20 +72,18 @@ impl Headless {
         bake_now(self.app.world_mut(), self.planet).map_err(|error| CliError::Failed(error.to_string()))
     }
 
-    /// Takes `count` steps; `seen` hears of each.
+    /// Takes a step.
     ///
     /// # Errors
     /// The first command of the scenario that the planet refuses, or an interrupt.
-    pub fn run(&mut self, count: u64, mut seen: impl FnMut(u64)) -> Result<(), CliError> {
-        for step in 0..count {
-            interrupt::check()?;
-            run_steps(self.app.world_mut(), self.planet, 1);
-            if let Some(problem) = self.app.world_mut().resource_mut::<Refused>().0.take() {
-                return Err(CliError::input(format!("a command at step {step} is refused: {problem}")));
-            }
-            seen(step + 1);
+    pub fn step(&mut self) -> Result<(), CliError> {
+        interrupt::check()?;
+        let step = self.get::<GeologicClock>()?.step;
+        run_steps(self.app.world_mut(), self.planet, 1);
+        match self.app.world_mut().resource_mut::<Refused>().0.take() {
+            None => Ok(()),
+            Some(problem) => Err(CliError::input(format!("a command at step {step} is refused: {problem}"))),
         }
-        Ok(())
     }
 
     /// A component of the planet; every planet has those that are asked for here.
@@ -139,22 +137,10 @@ pub fn sprout(recipe: &PlanetRecipe) -> Result<(PlanetState, f64), CliError> {
     Ok((PlanetState::on(recipe, Arc::new(mesh))?, mesh_ms))
 }
 
-/// Steps that reach `until` My, rounded up to whole ones.
-pub fn steps_until(until: f64, time_step: f64) -> u64 {
-    // A hair less, so that 0.3 / 0.1 is three steps.
-    (until / time_step - 1e-9).ceil().max(1.0) as u64
-}
-
-/// The scenario of `--scenario`, if it is given.
-pub fn scenario(args: &RecipeArgs) -> Result<Option<Scenario>, CliError> {
-    Ok(args.scenario.as_deref().map(load_scenario).transpose()?)
-}
-
 /// A planet, and what is still to come of it.
 pub struct Seedling {
     state: PlanetState,
-    scenario: Option<Scenario>,
-    steps: u64,
+    course: Option<Course>,
 }
 
 impl Seedling {
@@ -165,12 +151,11 @@ impl Seedling {
     pub fn new(file: Option<&Path>, args: &RecipeArgs) -> Result<Self, CliError> {
         set_threads(args.threads)?;
         if let Some(path) = file {
-            return Ok(Self { state: load(path)?, scenario: None, steps: 0 });
+            return Ok(Self { state: load(path)?, course: None });
         }
         let recipe = args.recipe()?;
-        let scenario = scenario(args)?;
-        let steps = steps_until(args.until(), recipe.params.time_step);
-        Ok(Self { state: sprout(&recipe)?.0, scenario, steps })
+        let course = Some(Course::new(args)?);
+        Ok(Self { state: sprout(&recipe)?.0, course })
     }
 
     /// Radius in km.
@@ -183,15 +168,9 @@ impl Seedling {
     /// # Errors
     /// If a command of the scenario is refused, or the user interrupts it.
     pub fn grow(self) -> Result<PlanetState, CliError> {
-        if self.steps == 0 {
-            return Ok(self.state);
-        }
-        let what = format!("growing {} samples", self.state.lattice.len());
+        let Some(course) = self.course else { return Ok(self.state) };
         let mut headless = Headless::new(self.state);
-        headless.play(self.scenario);
-        let bar = progress::bar(self.steps, &what);
-        headless.run(self.steps, |step| bar.set_position(step))?;
-        bar.finish_and_clear();
+        course.run(&mut headless)?;
         headless.state()
     }
 }
@@ -201,17 +180,4 @@ pub fn set_threads(threads: Option<u64>) -> Result<(), CliError> {
     let Some(threads) = threads else { return Ok(()) };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads as usize);
     pool.build_global().map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn times_are_rounded_up_to_whole_steps() {
-        assert_eq!(steps_until(250.0, 2.0), 125);
-        assert_eq!(steps_until(251.0, 2.0), 126);
-        assert_eq!(steps_until(0.3, 0.1), 3);
-        assert_eq!(steps_until(0.1, 5.0), 1);
-    }
 }

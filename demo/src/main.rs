@@ -7,6 +7,7 @@ mod cli;
 mod error;
 mod values;
 
+mod course;
 mod headless;
 mod interrupt;
 mod output;

@@ -154,6 +154,25 @@ fn scenarios_are_checked_before_and_while_they_play() {
     assert_ne!(digest("pangaea-out"), digest("plain"));
 }
 
+#[test]
+fn a_planet_grows_until_the_time_even_where_a_scenario_changes_the_step() {
+    let folder = TempDir::new().unwrap();
+    let step_of_4 = "[(step: 1, command: SetParam(name: \"time_step\", value: 4))]";
+    fs::write(folder.path().join("a.scenario.ron"), step_of_4).unwrap();
+    for (until, steps, time) in [("30", 8, 30.0), ("31", 9, 34.0), ("0.1", 1, 2.0)] {
+        let more: &[&str] = if steps > 1 { &["--scenario", "a.scenario.ron"] } else { &[] };
+        let args = ["generate", "--samples", "500", "--plates", "10", "--until", until, "--out", "a"];
+        let output = pangaea(folder.path(), &[&args[..], more].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        let stats = stats(&folder.path().join("a"));
+        assert_eq!(
+            (&stats["steps"], &stats["time_my"]),
+            (&Value::from(steps), &Value::from(time)),
+            "{until}"
+        );
+    }
+}
+
 fn stats(folder: &Path) -> Value {
     serde_json::from_str(&fs::read_to_string(folder.join("stats.json")).unwrap()).unwrap()
 }
