@@ -154,7 +154,7 @@ impl Seedling {
             return Ok(Self { state: load(path)?, course: None });
         }
         let recipe = args.recipe()?;
-        let course = Some(Course::new(args)?);
+        let course = Some(Course::new(args, recipe.params.time_step)?);
         Ok(Self { state: sprout(&recipe)?.0, course })
     }
 

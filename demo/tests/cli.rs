@@ -173,6 +173,26 @@ fn a_planet_grows_until_the_time_even_where_a_scenario_changes_the_step() {
     }
 }
 
+#[test]
+fn commands_after_the_end_are_refused_before_the_planet_grows() {
+    let folder = TempDir::new().unwrap();
+    let scenario = folder.path().join("a.scenario.ron");
+    for (first, late, steps) in [
+        ("Resample", 15, "15 steps"),
+        ("Resample", 1000, "15 steps"),
+        ("SetParam(name: \"time_step\", value: 4)", 8, "8 steps"),
+    ] {
+        let text = format!("[(step: 1, command: {first}), (step: {late}, command: Resample)]");
+        fs::write(&scenario, text).unwrap();
+        let play = ["--samples", "2000000", "--until", "30", "--scenario", "a.scenario.ron", "--out", "out"];
+        let words = ["a.scenario.ron", "command 2", &format!("step {late}"), "after the end", steps];
+        for command in ["generate", "render", "views"] {
+            refused_in(folder.path(), &[&[command], &play[..]].concat(), &words);
+        }
+    }
+    assert_eq!(names_in(folder.path()), ["a.scenario.ron"]);
+}
+
 fn stats(folder: &Path) -> Value {
     serde_json::from_str(&fs::read_to_string(folder.join("stats.json")).unwrap()).unwrap()
 }
