@@ -340,6 +340,23 @@ fn info_tells_the_facts_and_refuses_damaged_files() {
 }
 
 #[test]
+fn the_explorer_refuses_files_before_it_opens_a_window() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("text.pangaea"), "no planet").unwrap();
+    fs::create_dir(folder.path().join("folder.png")).unwrap();
+    for (args, words) in [
+        (&["--open", "missing.pangaea"][..], &["missing.pangaea"][..]),
+        (&["--open", "text.pangaea"], &["text.pangaea", "no Pangaea planet"]),
+        (&["--open", "missing.pangaea", "--frames", "1"], &["missing.pangaea"]),
+        (&["--preset", "missing.planet.ron"], &["missing.planet.ron"]),
+        (&["--frames", "1", "--capture", "folder.png"], &["folder.png"]),
+        (&["--frames", "1", "--capture", "no/such.png"], &["no/such.png"]),
+    ] {
+        refused_in(folder.path(), args, words);
+    }
+}
+
+#[test]
 fn unwritable_places_are_refused_before_the_planet_grows() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("file"), "x").unwrap();

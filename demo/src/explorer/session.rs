@@ -12,7 +12,7 @@ use bevy_pangaea::io;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::schedule::StepCursor;
 use bevy_pangaea::spawn::PlanetState;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The planet on show and what is under way.
 #[derive(Resource, Default)]
@@ -101,16 +101,28 @@ pub fn finish_jobs(world: &mut World) {
             replace(world, *state);
             world.resource_mut::<Messages>().note(format!("a new planet from seed {seed}"));
         }
-        Ok(Outcome::Loaded(state, path)) => {
-            replace(world, *state);
-            world.resource_mut::<Messages>().note(format!("loaded {}", path.display()));
-        }
+        Ok(Outcome::Loaded(state, path)) => show_loaded(world, *state, &path),
         Ok(Outcome::Preset(recipe, path)) => {
             world.resource_mut::<PlanetForm>().take_preset(*recipe, &path);
             world.resource_mut::<Messages>().note(format!("read {}", path.display()));
         }
         Err(error) => world.resource_mut::<Messages>().error(error),
     }
+}
+
+/// Shows a planet that was loaded before the app runs, as the first one.
+pub fn begin_with(app: &mut App, planet: Box<PlanetState>, path: PathBuf) {
+    let mut planet = Some(planet);
+    app.add_systems(Startup, move |world: &mut World| {
+        if let Some(planet) = planet.take() {
+            show_loaded(world, *planet, &path);
+        }
+    });
+}
+
+fn show_loaded(world: &mut World, state: PlanetState, path: &Path) {
+    replace(world, state);
+    world.resource_mut::<Messages>().note(format!("loaded {}", path.display()));
 }
 
 /// Spawns the planet in place of the present one; whether time runs, and how fast, stays.

@@ -86,6 +86,19 @@ fn a_saved_planet_comes_back_and_bad_files_are_refused() {
 }
 
 #[test]
+fn a_planet_that_was_loaded_before_is_the_first_on_show() {
+    let mut app = app();
+    let state = PlanetState::new(&recipe()).unwrap();
+    begin_with(&mut app, Box::new(state), "a.pangaea".into());
+    app.update();
+    let planet = app.world().resource::<Session>().planet.unwrap();
+    assert!(app.world().get::<Crust>(planet).is_some());
+    assert_eq!(app.world().resource::<Messages>().entries().next().unwrap().text, "loaded a.pangaea");
+    app.update();
+    assert_eq!(app.world().resource::<Session>().planet, Some(planet));
+}
+
+#[test]
 fn a_second_planet_is_not_begun_while_one_is_on_its_way() {
     let mut app = app();
     app.world_mut().write_message(Action::Grow(recipe()));
