@@ -96,7 +96,7 @@ fn help_and_version_go_to_stdout() {
     let folder = TempDir::new().unwrap();
     for (args, words) in [
         (&["--version"][..], &["pangaea 0."][..]),
-        (&["--help"], &["generate", "render", "bench", "info", "export", "relief", "query"]),
+        (&["--help"], &["generate", "render", "views", "bench", "info", "export", "relief", "query"]),
         (&["generate", "--help"], &["--samples", "60000", "--until", "250", "pangaea-out"]),
         (&["render", "--help"], &["LAT,LON,ALTITUDE_M[,HEADING,PITCH]", "1280x720"]),
     ] {
@@ -354,6 +354,17 @@ fn the_explorer_refuses_files_before_it_opens_a_window() {
     ] {
         refused_in(folder.path(), args, words);
     }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn without_a_display_the_explorer_points_to_the_commands() {
+    let folder = TempDir::new().unwrap();
+    let program = env!("CARGO_BIN_EXE_pangaea");
+    let output = Command::new(program).current_dir(folder.path()).env_remove("DISPLAY").output().unwrap();
+    let text = stderr(&output);
+    assert_eq!((output.status.code(), text.lines().count()), (Some(1), 1), "{text}");
+    assert!(text.contains("DISPLAY") && text.contains("pangaea --help"), "{text}");
 }
 
 #[test]

@@ -200,9 +200,7 @@ fn add_update_systems(app: &mut App) {
 fn has_display() -> Result<(), String> {
     let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     if cfg!(target_os = "linux") && !set("DISPLAY") {
-        return Err(
-            "no display: DISPLAY is not set; the commands generate, render, bench and info need none".into(),
-        );
+        return Err("no display: DISPLAY is not set; the commands of pangaea --help need none".into());
     }
     Ok(())
 }
