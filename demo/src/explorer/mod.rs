@@ -4,6 +4,7 @@
 //! background  long work on threads of its own
 //! camera      orbit camera, and the viewport between the panels
 //! session     growing, loading and saving planets in the background
+//! discard     the question before a planet that is not saved goes
 //! state       actions, selection, look; what panels read
 //! select      the ground under the pointer, and clicks on it
 //! keys        the keyboard
@@ -21,6 +22,8 @@ mod background;
 mod camera;
 
 mod capture;
+
+mod discard;
 
 mod keys;
 

@@ -86,6 +86,35 @@ fn a_saved_planet_comes_back_and_bad_files_are_refused() {
 }
 
 #[test]
+fn a_planet_that_is_not_saved_goes_when_that_is_asked_for_twice() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("planet.pangaea");
+    let (mut app, first) = grown();
+    let step = |app: &mut App| {
+        let planet = app.world().resource::<Session>().planet.unwrap();
+        app.world_mut().get_mut::<GeologicClock>(planet).unwrap().step += 1;
+    };
+    // What is saved may go.
+    step(&mut app);
+    assert!(ask(&mut app, Action::Save(path.clone())).1.starts_with("saved"));
+    assert!(ask(&mut app, Action::Grow(recipe())).1.starts_with("a new planet"));
+    let second = app.world().resource::<Session>().planet.unwrap();
+    assert_ne!(first, second);
+    // What is not is asked about, for each wish anew.
+    step(&mut app);
+    assert_eq!(ask(&mut app, Action::Grow(recipe())).1, QUESTION);
+    assert_eq!(ask(&mut app, Action::Load(path.clone())).1, QUESTION);
+    assert_eq!(app.world().resource::<Session>().planet, Some(second));
+    step(&mut app);
+    assert!(ask(&mut app, Action::Load(path.clone())).1.starts_with("loaded"));
+    // A command is a change, too.
+    let third = app.world().resource::<Session>().planet.unwrap();
+    let command = TimedCommand { step: 1, command: TectonicCommand::Resample };
+    app.world_mut().get_mut::<Recording>(third).unwrap().0.push(command);
+    assert_eq!(ask(&mut app, Action::Load(path)).1, QUESTION);
+}
+
+#[test]
 fn a_planet_that_was_loaded_before_is_the_first_on_show() {
     let mut app = app();
     let state = PlanetState::new(&recipe()).unwrap();
