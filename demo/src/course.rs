@@ -1,6 +1,6 @@
 //! How far a planet grows, and what is done to it on the way.
 
-use crate::cli::RecipeArgs;
+use crate::cli::GrowthArgs;
 use crate::error::CliError;
 use crate::headless::Headless;
 use crate::progress;
@@ -22,7 +22,7 @@ impl Course {
     ///
     /// # Errors
     /// If the scenario is refused, or has commands that would come after the end.
-    pub fn new(args: &RecipeArgs, time_step: f64) -> Result<Self, CliError> {
+    pub fn new(args: &GrowthArgs, time_step: f64) -> Result<Self, CliError> {
         let until = args.until();
         let Some(path) = &args.scenario else { return Ok(Self { until, scenario: None }) };
         let scenario = load_scenario(path)?;

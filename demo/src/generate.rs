@@ -27,9 +27,9 @@ const STATS: &str = "stats.json";
 /// Runs the command.
 pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     interrupt::watch();
-    set_threads(args.recipe.threads)?;
-    let recipe = args.recipe.recipe()?;
-    let course = Course::new(&args.recipe, recipe.params.time_step)?;
+    set_threads(args.growth.threads)?;
+    let recipe = args.growth.recipe.checked()?;
+    let course = Course::new(&args.growth, recipe.params.time_step)?;
     let maps = Overlay::ALL.map(map_name);
     let names = [PLANET, ELEVATION, STATS].into_iter().chain(maps.iter().map(String::as_str));
     let mut files = Files::new(&args.out, names)?;

@@ -1,6 +1,6 @@
 //! Planets without a window: an app that has the simulation and nothing else.
 
-use crate::cli::RecipeArgs;
+use crate::cli::GrowthArgs;
 use crate::course::Course;
 use crate::error::CliError;
 use crate::interrupt;
@@ -148,12 +148,12 @@ impl Seedling {
     ///
     /// # Errors
     /// If the file, or what the options say, is refused.
-    pub fn new(file: Option<&Path>, args: &RecipeArgs) -> Result<Self, CliError> {
+    pub fn new(file: Option<&Path>, args: &GrowthArgs) -> Result<Self, CliError> {
         set_threads(args.threads)?;
         if let Some(path) = file {
             return Ok(Self { state: load(path)?, course: None });
         }
-        let recipe = args.recipe()?;
+        let recipe = args.recipe.checked()?;
         let course = Some(Course::new(args, recipe.params.time_step)?);
         Ok(Self { state: sprout(&recipe)?.0, course })
     }

@@ -58,7 +58,7 @@ fn main() -> ExitCode {
 
 /// Opens the explorer. Files are read and tried first: a window is no place to refuse the command line.
 fn explore(cli: &Cli) -> Result<(), CliError> {
-    let recipe = cli.start.recipe()?;
+    let recipe = cli.start.recipe.checked()?;
     if let Some(path) = &cli.capture {
         output::check_file(path)?;
     }

@@ -49,7 +49,7 @@ const ORBIT_SIZE: (u32, u32) = (1280, 720);
 /// [`CliError`]; nothing is written then.
 pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     interrupt::watch();
-    let seedling = Seedling::new(args.planet.as_deref(), &args.recipe)?;
+    let seedling = Seedling::new(args.planet.as_deref(), &args.growth)?;
     check_file(&args.out)?;
     let view = view(&args.camera, seedling.radius());
     let globe = Globe { overlay: args.overlay, sun: sun(&view), ..default() };
@@ -66,7 +66,7 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
 /// [`CliError`]; nothing is written then.
 pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
     interrupt::watch();
-    let seedling = Seedling::new(None, &args.recipe)?;
+    let seedling = Seedling::new(None, &args.growth)?;
     let names = ORBIT.map(|(name, ..)| format!("{name}.png"));
     let mut files = Files::new(&args.out, names.iter().map(String::as_str))?;
     let mut studio = Offscreen::new(ORBIT_SIZE).map_err(PictureError::from)?;
