@@ -137,41 +137,50 @@ pub fn sprout(recipe: &PlanetRecipe) -> Result<(PlanetState, f64), CliError> {
     Ok((PlanetState::on(recipe, Arc::new(mesh))?, mesh_ms))
 }
 
-/// A planet, and what is still to come of it.
-pub struct Seedling {
-    state: PlanetState,
-    course: Option<Course>,
+/// A planet, or all that is needed to grow it.
+pub enum Seedling {
+    /// A planet that stays as it is.
+    Saved(Box<PlanetState>),
+    /// One that is still to come.
+    Sown(Box<PlanetRecipe>, Course),
 }
 
 impl Seedling {
-    /// The planet in a file, which stays as it is, or the one that the options describe.
+    /// The planet in a file, or the one that the options describe.
     ///
     /// # Errors
     /// If the file, or what the options say, is refused.
     pub fn new(file: Option<&Path>, args: &GrowthArgs) -> Result<Self, CliError> {
         set_threads(args.threads)?;
         if let Some(path) = file {
-            return Ok(Self { state: load(path)?, course: None });
+            return Ok(Self::Saved(Box::new(load(path)?)));
         }
         let recipe = args.recipe.checked()?;
-        let course = Some(Course::new(args, recipe.params.time_step)?);
-        Ok(Self { state: sprout(&recipe)?.0, course })
+        let course = Course::new(args, recipe.params.time_step)?;
+        Ok(Self::Sown(Box::new(recipe), course))
     }
 
     /// Radius in km.
     pub fn radius(&self) -> f64 {
-        self.state.planet.radius
+        match self {
+            Self::Saved(state) => state.planet.radius,
+            Self::Sown(recipe, _) => recipe.radius,
+        }
     }
 
-    /// Grows it, with a progress bar.
+    /// Grows it, with a progress bar; that may take minutes.
     ///
     /// # Errors
     /// If a command of the scenario is refused, or the user interrupts it.
     pub fn grow(self) -> Result<PlanetState, CliError> {
-        let Some(course) = self.course else { return Ok(self.state) };
-        let mut headless = Headless::new(self.state);
-        course.run(&mut headless)?;
-        headless.state()
+        match self {
+            Self::Saved(state) => Ok(*state),
+            Self::Sown(recipe, course) => {
+                let mut headless = Headless::new(sprout(&recipe)?.0);
+                course.run(&mut headless)?;
+                headless.state()
+            }
+        }
     }
 }
 
