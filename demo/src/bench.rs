@@ -66,7 +66,7 @@ fn measure(samples: u32) -> Result<Row, CliError> {
     let start = Instant::now();
     let (state, mesh) = sprout(&recipe)?;
     let mut headless = Headless::new(state);
-    let bar = progress::bar(STEPS, &format!("{samples} samples"));
+    let bar = progress::bar(STEPS, "steps", &format!("{samples} samples"));
     for step in 0..STEPS {
         if RIFTS.contains(&step) {
             tear_largest(&mut headless);
@@ -74,7 +74,8 @@ fn measure(samples: u32) -> Result<Row, CliError> {
         if step == RESAMPLE {
             ask_for_resample(&mut headless);
         }
-        headless.run(1, |_| bar.inc(1))?;
+        headless.step()?;
+        bar.inc(1);
     }
     bar.finish_and_clear();
     let total = start.elapsed().as_secs_f64() * 1e3;

@@ -29,38 +29,15 @@ pub struct Cli {
     pub command: Option<Command>,
 }
 
-/// What the explorer opens with. An option given here replaces what the preset says.
+/// What the explorer opens with.
 #[derive(Args, Debug, Default, Clone)]
 pub struct StartArgs {
     /// A planet file to open instead of growing a planet
     #[arg(long, value_name = "PLANET.pangaea", conflicts_with_all = ["seed", "samples", "plates", "land", "preset"])]
     pub open: Option<PathBuf>,
-    /// Seed of the first planet [default: 1]
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 0, u64::MAX))]
-    pub seed: Option<u64>,
-    /// Number of samples of the sphere, 100 to 2,000,000 [default: 60000]
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 100, 2_000_000))]
-    pub samples: Option<u64>,
-    /// Number of initial plates, 2 to 1000 [default: 40]
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 2, 1000))]
-    pub plates: Option<u64>,
-    /// Share of land, 0 to 0.9 [default: 0.3]
-    #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = |s: &str| number(s, 0.0, 0.9))]
-    pub land: Option<f64>,
-    /// Recipe of the planet, *.planet.ron
-    #[arg(long, value_name = "FILE")]
-    pub preset: Option<PathBuf>,
-}
-
-impl StartArgs {
-    /// The recipe that preset and options make together, checked.
-    ///
-    /// # Errors
-    /// A preset that cannot be read, or a number that is refused.
-    pub fn recipe(&self) -> Result<PlanetRecipe, CliError> {
-        let Self { seed, samples, plates, land, ref preset, .. } = *self;
-        RecipeArgs { seed, samples, plates, land, preset: preset.clone(), ..RecipeArgs::default() }.recipe()
-    }
+    /// The planet to grow.
+    #[command(flatten)]
+    pub recipe: RecipeArgs,
 }
 
 /// The commands.
@@ -84,7 +61,7 @@ pub enum Command {
     Query(QueryArgs),
 }
 
-/// How to grow a planet. An option given here replaces what the preset says.
+/// The planet at time 0. An option given here replaces what the preset says.
 #[derive(Args, Debug, Default, Clone)]
 pub struct RecipeArgs {
     /// Seed of everything random [default: 1]
@@ -99,29 +76,17 @@ pub struct RecipeArgs {
     /// Share of land, 0 to 0.9 [default: 0.3]
     #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = |s: &str| number(s, 0.0, 0.9))]
     pub land: Option<f64>,
-    /// Geological time to simulate in My, rounded up to whole steps [default: 250]
-    #[arg(long, value_name = "MY", allow_hyphen_values = true, value_parser = |s: &str| number(s, 0.1, 10_000.0))]
-    pub until: Option<f64>,
     /// Recipe of the planet, *.planet.ron
     #[arg(long, value_name = "FILE")]
     pub preset: Option<PathBuf>,
-    /// Commands to carry out while the planet grows, *.scenario.ron
-    #[arg(long, value_name = "FILE")]
-    pub scenario: Option<PathBuf>,
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 1, 1024))]
-    pub threads: Option<u64>,
 }
 
 impl RecipeArgs {
-    /// Geological time to simulate in My where `--until` is not given.
-    pub const UNTIL: f64 = 250.0;
-
     /// The recipe that preset and options make together, checked.
     ///
     /// # Errors
     /// A preset that cannot be read, or a number that is refused.
-    pub fn recipe(&self) -> Result<PlanetRecipe, CliError> {
+    pub fn checked(&self) -> Result<PlanetRecipe, CliError> {
         let mut recipe = match &self.preset {
             Some(path) => load_preset(path)?,
             None => PlanetRecipe::default(),
@@ -147,6 +112,28 @@ impl RecipeArgs {
         recipe.validate()?;
         Ok(recipe)
     }
+}
+
+/// How to grow a planet.
+#[derive(Args, Debug, Default, Clone)]
+pub struct GrowthArgs {
+    /// The planet at time 0.
+    #[command(flatten)]
+    pub recipe: RecipeArgs,
+    /// Geological time to simulate in My, rounded up to whole steps [default: 250]
+    #[arg(long, value_name = "MY", allow_hyphen_values = true, value_parser = |s: &str| number(s, 0.1, 10_000.0))]
+    pub until: Option<f64>,
+    /// Commands to carry out while the planet grows, *.scenario.ron
+    #[arg(long, value_name = "FILE")]
+    pub scenario: Option<PathBuf>,
+    /// Number of threads [default: one per core]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 1, 1024))]
+    pub threads: Option<u64>,
+}
+
+impl GrowthArgs {
+    /// Geological time to simulate in My where `--until` is not given.
+    pub const UNTIL: f64 = 250.0;
 
     /// Geological time to simulate in My.
     pub fn until(&self) -> f64 {
@@ -159,7 +146,7 @@ impl RecipeArgs {
 pub struct GenerateArgs {
     /// How to grow the planet.
     #[command(flatten)]
-    pub recipe: RecipeArgs,
+    pub growth: GrowthArgs,
     /// Folder for the files; it is made if it does not exist
     #[arg(long, value_name = "DIR", default_value = "pangaea-out")]
     pub out: PathBuf,
@@ -176,7 +163,7 @@ pub struct RenderArgs {
     pub planet: Option<PathBuf>,
     /// How to grow the planet.
     #[command(flatten)]
-    pub recipe: RecipeArgs,
+    pub growth: GrowthArgs,
     /// Where the camera stands and looks: degrees, degrees, metres above the sea; heading and pitch in degrees
     ///
     /// Without heading and pitch it looks straight down, north up. Heading 90 is east, pitch 0 the
@@ -207,7 +194,7 @@ pub struct RenderArgs {
 pub struct ViewsArgs {
     /// How to grow the planet.
     #[command(flatten)]
-    pub recipe: RecipeArgs,
+    pub growth: GrowthArgs,
     /// Folder for the pictures; it is made if it does not exist
     #[arg(long, value_name = "DIR", default_value = "pangaea-views")]
     pub out: PathBuf,
@@ -325,6 +312,18 @@ mod tests {
     }
 
     #[test]
+    fn the_explorer_and_the_commands_take_the_same_recipe() {
+        let options = ["--seed", "7", "--samples", "500", "--plates", "9", "--land", "0.5"];
+        let started = Cli::try_parse_from(["pangaea"].into_iter().chain(options)).unwrap().start;
+        let line = ["pangaea", "generate", "--until", "20"].into_iter().chain(options);
+        let Some(Command::Generate(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
+        let recipe = args.growth.recipe.checked().unwrap();
+        assert_eq!((recipe.seed, recipe.samples, recipe.plate_count, recipe.land), (7, 500, 9, 0.5));
+        assert_eq!((started.recipe.checked().unwrap(), args.growth.until()), (recipe, 20.0));
+        assert!(Cli::try_parse_from(["pangaea", "--open", "a.pangaea", "--seed", "7"]).is_err());
+    }
+
+    #[test]
     fn negative_coordinates_are_accepted() {
         for line in [["--camera=-33,-70,1e6", "--out=a.png"], ["--out=a.png", "--camera=-33,-70,1e6"]] {
             assert!(Cli::try_parse_from(["pangaea", "render"].into_iter().chain(line)).is_ok());
@@ -360,7 +359,7 @@ mod tests {
             format!("[default: {}]", recipe.samples),
             format!("[default: {}]", recipe.plate_count),
             format!("[default: {}]", recipe.land),
-            format!("[default: {}]", RecipeArgs::UNTIL),
+            format!("[default: {}]", GrowthArgs::UNTIL),
         ] {
             assert!(render.contains(&text), "{text}");
         }

@@ -17,9 +17,15 @@ pub enum CliError {
     /// The machine lacks something that the command needs, such as a GPU adapter. Exit code 1.
     #[error("{0}")]
     Failed(String),
+    /// The user interrupted the command. Exit code 130, as from a shell.
+    #[error("interrupted; nothing is written")]
+    Interrupted,
 }
 
 impl CliError {
+    /// Exit code of an interrupt: 128 and the number of the signal.
+    pub const INTERRUPTED: u8 = 130;
+
     /// Bad input, in the words of `problem`.
     pub fn input(problem: impl Display) -> Self {
         Self::Input(problem.to_string())
@@ -30,6 +36,7 @@ impl CliError {
         match self {
             Self::Input(_) => ExitCode::from(2),
             Self::Failed(_) => ExitCode::from(1),
+            Self::Interrupted => ExitCode::from(Self::INTERRUPTED),
         }
     }
 }
@@ -63,9 +70,6 @@ impl From<ExportError> for CliError {
 
 impl From<PictureError> for CliError {
     fn from(error: PictureError) -> Self {
-        match error {
-            PictureError::Io(error) => error.into(),
-            other => Self::Failed(other.to_string()),
-        }
+        Self::Failed(error.to_string())
     }
 }

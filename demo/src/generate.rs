@@ -1,8 +1,10 @@
 //! `pangaea generate`: grows a planet and writes it, its maps and its figures.
 
 use crate::cli::GenerateArgs;
+use crate::course::Course;
 use crate::error::CliError;
-use crate::headless::{Headless, scenario, set_threads, sprout, steps_until};
+use crate::headless::{Headless, set_threads, sprout};
+use crate::interrupt;
 use crate::output::{Files, say};
 use crate::progress;
 use bevy_pangaea::control::PlanetBake;
@@ -15,21 +17,27 @@ use std::time::Instant;
 /// Size of the maps in pixels.
 const MAP: (u32, u32) = (2048, 1024);
 
+/// The save file.
+const PLANET: &str = "planet.pangaea";
+/// The elevation in 16 bits.
+const ELEVATION: &str = "elevation.png";
+/// The figures.
+const STATS: &str = "stats.json";
+
 /// Runs the command.
 pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
-    set_threads(args.recipe.threads)?;
-    let recipe = args.recipe.recipe()?;
-    let scenario = scenario(&args.recipe)?;
-    let mut files = Files::new(&args.out)?;
+    interrupt::watch();
+    set_threads(args.growth.threads)?;
+    let recipe = args.growth.recipe.checked()?;
+    let course = Course::new(&args.growth, recipe.params.time_step)?;
+    let maps = Overlay::ALL.map(map_name);
+    let names = [PLANET, ELEVATION, STATS].into_iter().chain(maps.iter().map(String::as_str));
+    let mut files = Files::new(&args.out, names)?;
     let start = Instant::now();
     let (state, mesh_ms) = sprout(&recipe)?;
     let mut headless = Headless::new(state);
-    headless.play(scenario);
-    let steps = steps_until(args.recipe.until(), recipe.params.time_step);
-    let bar = progress::bar(steps, &format!("growing {} samples", recipe.samples));
-    headless.run(steps, |step| bar.set_position(step))?;
+    course.run(&mut headless)?;
     let total = start.elapsed().as_secs_f64() * 1e3;
-    bar.finish_and_clear();
     headless.look();
     headless.bake()?;
 
@@ -40,12 +48,13 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
         ..Timings::of_stages(headless.get::<StageTimings>()?)
     };
     let hash = add_planet(&headless, &mut files)?;
-    let bar = progress::bar(Overlay::ALL.len() as u64, "drawing maps");
+    let bar = progress::bar(Overlay::ALL.len() as u64, "maps", "drawing");
     add_maps(&headless, &mut files, |drawn| bar.set_position(drawn))?;
     bar.finish_and_clear();
-    files.add("stats.json", figures(&headless, hash, timings)?);
-    let count = files.write()?;
-    say(&format!("{count} files in {}", args.out.display()));
+    files.add(STATS, figures(&headless, hash, timings)?);
+    interrupt::check()?;
+    let written = files.write()?;
+    say(&format!("{} files in {}", written.len(), args.out.display()));
     Ok(())
 }
 
@@ -54,7 +63,7 @@ fn add_planet(headless: &Headless, files: &mut Files) -> Result<String, CliError
     let state = headless.state()?;
     let mut bytes = Vec::new();
     save::write_to(&state, &mut bytes).map_err(CliError::input)?;
-    files.add("planet.pangaea", bytes);
+    files.add(PLANET, bytes);
     Ok(digest(&state))
 }
 
@@ -66,10 +75,11 @@ fn add_maps(headless: &Headless, files: &mut Files, mut drawn: impl FnMut(u64)) 
     let broken = |error| CliError::Failed(format!("cannot encode a map: {error}"));
     let map = MapProjection::new(input.mesh, MAP.0, MAP.1);
     let elevation = map.elevation(surface);
-    files.add("elevation.png", png::elevation_png(map.width(), &elevation).map_err(broken)?);
+    files.add(ELEVATION, png::elevation_png(map.width(), &elevation).map_err(broken)?);
     for (count, overlay) in Overlay::ALL.into_iter().enumerate() {
+        interrupt::check()?;
         let picture = png::rgb_png(&map.draw(overlay, &input)).map_err(broken)?;
-        files.add(map_name(overlay), picture);
+        files.add(&map_name(overlay), picture);
         drawn(count as u64 + 1);
     }
     Ok(())

@@ -1,8 +1,9 @@
 //! Planets without a window: an app that has the simulation and nothing else.
 
-use crate::cli::RecipeArgs;
+use crate::cli::GrowthArgs;
+use crate::course::Course;
 use crate::error::CliError;
-use crate::progress;
+use crate::interrupt;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::authoring::Scenario;
@@ -10,7 +11,7 @@ use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::crust::{Ledger, Surface};
 use bevy_pangaea::events::CommandRejected;
 use bevy_pangaea::io::stats::StatsInput;
-use bevy_pangaea::io::{capture, load, load_scenario};
+use bevy_pangaea::io::{capture, load};
 use bevy_pangaea::overlay::OverlayInput;
 use bevy_pangaea::params::TectonicParams;
 use bevy_pangaea::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
@@ -71,19 +72,18 @@ impl Headless {
         bake_now(self.app.world_mut(), self.planet).map_err(|error| CliError::Failed(error.to_string()))
     }
 
-    /// Takes `count` steps; `seen` hears of each.
+    /// Takes a step.
     ///
     /// # Errors
-    /// The first command of the scenario that the planet refuses.
-    pub fn run(&mut self, count: u64, mut seen: impl FnMut(u64)) -> Result<(), CliError> {
-        for step in 0..count {
-            run_steps(self.app.world_mut(), self.planet, 1);
-            if let Some(problem) = self.app.world_mut().resource_mut::<Refused>().0.take() {
-                return Err(CliError::input(format!("a command at step {step} is refused: {problem}")));
-            }
-            seen(step + 1);
+    /// The first command of the scenario that the planet refuses, or an interrupt.
+    pub fn step(&mut self) -> Result<(), CliError> {
+        interrupt::check()?;
+        let step = self.get::<GeologicClock>()?.step;
+        run_steps(self.app.world_mut(), self.planet, 1);
+        match self.app.world_mut().resource_mut::<Refused>().0.take() {
+            None => Ok(()),
+            Some(problem) => Err(CliError::input(format!("a command at step {step} is refused: {problem}"))),
         }
-        Ok(())
     }
 
     /// A component of the planet; every planet has those that are asked for here.
@@ -137,60 +137,50 @@ pub fn sprout(recipe: &PlanetRecipe) -> Result<(PlanetState, f64), CliError> {
     Ok((PlanetState::on(recipe, Arc::new(mesh))?, mesh_ms))
 }
 
-/// Steps that reach `until` My, rounded up to whole ones.
-pub fn steps_until(until: f64, time_step: f64) -> u64 {
-    // A hair less, so that 0.3 / 0.1 is three steps.
-    (until / time_step - 1e-9).ceil().max(1.0) as u64
-}
-
-/// The scenario of `--scenario`, if it is given.
-pub fn scenario(args: &RecipeArgs) -> Result<Option<Scenario>, CliError> {
-    Ok(args.scenario.as_deref().map(load_scenario).transpose()?)
-}
-
-/// A planet, and what is still to come of it.
-pub struct Seedling {
-    state: PlanetState,
-    scenario: Option<Scenario>,
-    steps: u64,
+/// A planet, or all that is needed to grow it.
+pub enum Seedling {
+    /// A planet that stays as it is.
+    Saved(Box<PlanetState>),
+    /// One that is still to come.
+    Sown(Box<PlanetRecipe>, Course),
 }
 
 impl Seedling {
-    /// The planet in a file, which stays as it is, or the one that the options describe.
+    /// The planet in a file, or the one that the options describe.
     ///
     /// # Errors
     /// If the file, or what the options say, is refused.
-    pub fn new(file: Option<&Path>, args: &RecipeArgs) -> Result<Self, CliError> {
+    pub fn new(file: Option<&Path>, args: &GrowthArgs) -> Result<Self, CliError> {
         set_threads(args.threads)?;
         if let Some(path) = file {
-            return Ok(Self { state: load(path)?, scenario: None, steps: 0 });
+            return Ok(Self::Saved(Box::new(load(path)?)));
         }
-        let recipe = args.recipe()?;
-        let scenario = scenario(args)?;
-        let steps = steps_until(args.until(), recipe.params.time_step);
-        Ok(Self { state: sprout(&recipe)?.0, scenario, steps })
+        let recipe = args.recipe.checked()?;
+        let course = Course::new(args, recipe.params.time_step)?;
+        Ok(Self::Sown(Box::new(recipe), course))
     }
 
     /// Radius in km.
     pub fn radius(&self) -> f64 {
-        self.state.planet.radius
+        match self {
+            Self::Saved(state) => state.planet.radius,
+            Self::Sown(recipe, _) => recipe.radius,
+        }
     }
 
-    /// Grows it, with a progress bar.
+    /// Grows it, with a progress bar; that may take minutes.
     ///
     /// # Errors
-    /// If a command of the scenario is refused.
+    /// If a command of the scenario is refused, or the user interrupts it.
     pub fn grow(self) -> Result<PlanetState, CliError> {
-        if self.steps == 0 {
-            return Ok(self.state);
+        match self {
+            Self::Saved(state) => Ok(*state),
+            Self::Sown(recipe, course) => {
+                let mut headless = Headless::new(sprout(&recipe)?.0);
+                course.run(&mut headless)?;
+                headless.state()
+            }
         }
-        let what = format!("growing {} samples", self.state.lattice.len());
-        let mut headless = Headless::new(self.state);
-        headless.play(self.scenario);
-        let bar = progress::bar(self.steps, &what);
-        headless.run(self.steps, |step| bar.set_position(step))?;
-        bar.finish_and_clear();
-        headless.state()
     }
 }
 
@@ -199,17 +189,4 @@ pub fn set_threads(threads: Option<u64>) -> Result<(), CliError> {
     let Some(threads) = threads else { return Ok(()) };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads as usize);
     pool.build_global().map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn times_are_rounded_up_to_whole_steps() {
-        assert_eq!(steps_until(250.0, 2.0), 125);
-        assert_eq!(steps_until(251.0, 2.0), 126);
-        assert_eq!(steps_until(0.3, 0.1), 3);
-        assert_eq!(steps_until(0.1, 5.0), 1);
-    }
 }

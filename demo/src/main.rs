@@ -7,7 +7,9 @@ mod cli;
 mod error;
 mod values;
 
+mod course;
 mod headless;
+mod interrupt;
 mod output;
 mod progress;
 
@@ -26,6 +28,7 @@ mod picture;
 
 mod explorer;
 
+use bevy_pangaea::io::load;
 use clap::{Parser, error::ErrorKind};
 use cli::{Cli, Command};
 use error::CliError;
@@ -53,11 +56,19 @@ fn main() -> ExitCode {
     }
 }
 
+/// Opens the explorer. Files are read and tried first: a window is no place to refuse the command line.
 fn explore(cli: &Cli) -> Result<(), CliError> {
+    let recipe = cli.start.recipe.checked()?;
+    if let Some(path) = &cli.capture {
+        output::check_file(path)?;
+    }
+    let open = match &cli.start.open {
+        Some(path) => Some((Box::new(load(path)?), path.clone())),
+        None => None,
+    };
     let frames = cli.frames.map(|frames| frames as u32);
-    let (recipe, open) = (cli.start.recipe()?, cli.start.open.clone());
-    let options = explorer::Options { recipe, open, frames, capture: cli.capture.clone() };
-    explorer::run(options).map_err(CliError::Failed)
+    explorer::run(explorer::Options { recipe, open, frames, capture: cli.capture.clone() })
+        .map_err(CliError::Failed)
 }
 
 fn fail(error: &CliError) -> ExitCode {

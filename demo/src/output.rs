@@ -1,7 +1,7 @@
 //! Files that a command writes, all or none, and text on stdout.
 
 use crate::error::CliError;
-use bevy_pangaea::io::write_atomically;
+use bevy_pangaea::io::{write_all_atomically, write_atomically};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -9,21 +9,27 @@ use std::path::{Path, PathBuf};
 /// Files for one folder, kept in memory until all are there.
 pub struct Files {
     folder: PathBuf,
-    made: bool,
-    files: Vec<(String, Vec<u8>)>,
+    /// Folders that were made for the files, the innermost first.
+    made: Vec<PathBuf>,
+    files: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl Files {
-    /// Makes the folder where it is missing, and tries whether it can be written to.
+    /// Makes the folder where it is missing, and tries whether files of these names can be written to it.
     ///
     /// # Errors
     /// If not.
-    pub fn new(folder: &Path) -> Result<Self, CliError> {
+    pub fn new<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<Self, CliError> {
         let refused =
             |error: io::Error| CliError::input(format!("cannot write to {}: {error}", folder.display()));
-        let made = !folder.exists();
-        fs::create_dir_all(folder).map_err(refused)?;
+        let missing = folder.ancestors().take_while(|f| !f.as_os_str().is_empty() && !f.exists());
+        let made = missing.map(Path::to_path_buf).collect();
+        // From here on an early return removes what was made.
         let files = Self { folder: folder.to_path_buf(), made, files: Vec::new() };
+        fs::create_dir_all(folder).map_err(refused)?;
+        for name in names {
+            check_file(&folder.join(name))?;
+        }
         let probe = folder.join(format!(".pangaea.{}.part", std::process::id()));
         let probed = fs::write(&probe, [0; 4096]);
         let _ = fs::remove_file(&probe);
@@ -32,57 +38,28 @@ impl Files {
     }
 
     /// Adds a file.
-    pub fn add(&mut self, name: impl Into<String>, content: Vec<u8>) {
-        self.files.push((name.into(), content));
+    pub fn add(&mut self, name: &str, content: Vec<u8>) {
+        self.files.push((self.folder.join(name), content));
     }
 
-    /// Writes all files. They are written under hidden names first and renamed when the last one is complete.
+    /// Writes all files, or none, and returns their paths in the order in which they were added.
     ///
     /// # Errors
     /// If one cannot be written; no file is changed then.
-    pub fn write(mut self) -> Result<usize, CliError> {
-        let files = core::mem::take(&mut self.files);
-        let hidden = |name: &str| self.folder.join(format!(".{name}.{}.part", std::process::id()));
-        let write = || -> Result<(), CliError> {
-            for (name, content) in &files {
-                write_plain(&hidden(name), content)?;
-            }
-            for (name, _) in &files {
-                let target = self.folder.join(name);
-                fs::rename(hidden(name), &target).map_err(|error| {
-                    CliError::input(format!("cannot write {}: {error}", target.display()))
-                })?;
-            }
-            Ok(())
-        };
-        let result = write();
-        if result.is_err() {
-            for (name, _) in &files {
-                let _ = fs::remove_file(hidden(name));
-            }
-        } else {
-            self.made = false;
-        }
-        result.map(|()| files.len())
+    pub fn write(mut self) -> Result<Vec<PathBuf>, CliError> {
+        write_all_atomically(&self.files)?;
+        self.made.clear();
+        Ok(self.files.drain(..).map(|(path, _)| path).collect())
     }
 }
 
 impl Drop for Files {
-    /// A folder that was made for files that never came goes again.
+    /// Folders that were made for files that never came go again, unless someone else uses them by now.
     fn drop(&mut self) {
-        if self.made {
-            let _ = fs::remove_dir(&self.folder);
+        for folder in &self.made {
+            let _ = fs::remove_dir(folder);
         }
     }
-}
-
-fn write_plain(path: &Path, content: &[u8]) -> Result<(), CliError> {
-    let write = || -> io::Result<()> {
-        let mut file = fs::File::create(path)?;
-        file.write_all(content)?;
-        file.sync_all()
-    };
-    write().map_err(|error| CliError::input(format!("cannot write {}: {error}", path.display())))
 }
 
 /// Refuses a path at which no file can be, before minutes are spent on its content.

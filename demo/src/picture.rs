@@ -3,28 +3,23 @@
 use crate::cli::{CameraSpec, RenderArgs, ViewsArgs};
 use crate::error::CliError;
 use crate::headless::Seedling;
+use crate::interrupt;
 use crate::offscreen::{Offscreen, OffscreenError};
-use crate::output::{Files, check_file, print};
+use crate::output::{Files, check_file, print, write_file};
 use bevy::math::DVec3;
 use bevy::prelude::*;
-use bevy_pangaea::io::{self, IoError};
+use bevy_pangaea::io::png::rgb_png;
 use bevy_pangaea::math;
 use bevy_pangaea::overlay::{Overlay, Raster};
 use bevy_pangaea::render::{Globe, to_bevy};
-use bevy_pangaea::spawn::PlanetState;
-use std::fs;
-use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Why a picture was not written.
+/// Why there is no picture.
 #[derive(Debug, Error)]
 pub enum PictureError {
     /// It could not be drawn.
     #[error(transparent)]
     Offscreen(#[from] OffscreenError),
-    /// A file could not be read or written.
-    #[error(transparent)]
-    Io(#[from] IoError),
     /// The picture could not be encoded.
     #[error("cannot encode the picture: {0}")]
     Encode(String),
@@ -53,52 +48,45 @@ const ORBIT_SIZE: (u32, u32) = (1280, 720);
 /// # Errors
 /// [`CliError`]; nothing is written then.
 pub fn render(args: &RenderArgs) -> Result<(), CliError> {
-    let seedling = Seedling::new(args.planet.as_deref(), &args.recipe)?;
+    interrupt::watch();
+    let seedling = Seedling::new(args.planet.as_deref(), &args.growth)?;
     check_file(&args.out)?;
     let view = view(&args.camera, seedling.radius());
     let globe = Globe { overlay: args.overlay, sun: sun(&view), ..default() };
     let mut studio = Offscreen::new(args.size).map_err(PictureError::from)?;
     studio.show(seedling.grow()?);
     let picture = studio.picture(view, globe).map_err(PictureError::from)?;
-    Ok(write_png(&picture, &args.out)?)
+    interrupt::check()?;
+    write_file(&args.out, &png(&picture)?)
 }
 
 /// Grows a planet, draws it from eight sides, and says where the pictures are.
 ///
 /// # Errors
-/// [`CliError`]
+/// [`CliError`]; nothing is written then.
 pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
-    let seedling = Seedling::new(None, &args.recipe)?;
-    // Refused now rather than after the planet has grown.
-    Files::new(&args.out)?;
+    interrupt::watch();
+    let seedling = Seedling::new(None, &args.growth)?;
+    let names = ORBIT.map(|(name, ..)| format!("{name}.png"));
+    let mut files = Files::new(&args.out, names.iter().map(String::as_str))?;
     let mut studio = Offscreen::new(ORBIT_SIZE).map_err(PictureError::from)?;
-    let files = eight_orbit_views(&mut studio, seedling.grow()?, &args.out)?;
-    let list: String = files.iter().map(|path| format!("{}\n", path.display())).collect();
+    let radius = seedling.radius();
+    studio.show(seedling.grow()?);
+    for (name, (_, lat, lon)) in names.iter().zip(ORBIT) {
+        interrupt::check()?;
+        files.add(name, orbit_view(&mut studio, radius, lat, lon)?);
+    }
+    interrupt::check()?;
+    let list: String = files.write()?.iter().map(|path| format!("{}\n", path.display())).collect();
     print(&list)
 }
 
-/// Draws a planet from eight sides into `dir`, and returns the files.
-///
-/// # Errors
-/// [`PictureError`]; files of the views before the failure stay.
-fn eight_orbit_views(
-    studio: &mut Offscreen,
-    planet: PlanetState,
-    dir: &Path,
-) -> Result<Vec<PathBuf>, PictureError> {
-    fs::create_dir_all(dir).map_err(|source| IoError::Write { path: dir.to_path_buf(), source })?;
-    let radius = planet.planet.radius;
-    studio.show(planet);
-    let mut files = Vec::new();
-    for (name, lat, lon) in ORBIT {
-        let altitude_m = ORBIT_ALTITUDE * radius * 1000.0;
-        let view = view(&CameraSpec { lat, lon, altitude_m, heading: 0.0, pitch: -90.0 }, radius);
-        let globe = Globe { overlay: Overlay::Elevation, sun: sun(&view), ..default() };
-        let path = dir.join(format!("{name}.png"));
-        write_png(&studio.picture(view, globe)?, &path)?;
-        files.push(path);
-    }
-    Ok(files)
+/// The planet that is on show, from an orbit above `lat` and `lon`, as a PNG file.
+fn orbit_view(studio: &mut Offscreen, radius: f64, lat: f64, lon: f64) -> Result<Vec<u8>, PictureError> {
+    let altitude_m = ORBIT_ALTITUDE * radius * 1000.0;
+    let view = view(&CameraSpec { lat, lon, altitude_m, heading: 0.0, pitch: -90.0 }, radius);
+    let globe = Globe { overlay: Overlay::Elevation, sun: sun(&view), ..default() };
+    png(&studio.picture(view, globe)?)
 }
 
 /// Where the camera stands and looks on a planet of `radius` km.
@@ -130,9 +118,8 @@ fn sun(view: &Transform) -> DVec3 {
     bevy_pangaea::render::from_bevy(0.62 * up + 0.7 * side + 0.35 * side.cross(up)).normalize()
 }
 
-fn write_png(raster: &Raster, path: &Path) -> Result<(), PictureError> {
-    let bytes = io::png::rgb_png(raster).map_err(|error| PictureError::Encode(error.to_string()))?;
-    Ok(io::write_atomically(path, |out| out.write_all(&bytes))?)
+fn png(raster: &Raster) -> Result<Vec<u8>, PictureError> {
+    rgb_png(raster).map_err(|error| PictureError::Encode(error.to_string()))
 }
 
 #[cfg(test)]

@@ -69,7 +69,7 @@ fn classes(headless: &Headless, most: usize) -> Result<Vec<Row>, CliError> {
     };
     let drawn = CLASSES.map(|class| (class, sites(&input, class).into_iter().take(most).collect::<Vec<_>>()));
     let ground = ground(headless)?;
-    let bar = progress::bar(drawn.iter().map(|(_, sites)| sites.len() as u64).sum(), "measuring sites");
+    let bar = progress::bar(drawn.iter().map(|(_, sites)| sites.len() as u64).sum(), "sites", "measuring");
     let mut rows = Vec::new();
     for (class, sites) in &drawn {
         let reliefs = class_relief(&ground, &lattice.0, sites, || bar.inc(1))?;

@@ -90,16 +90,18 @@ fn without_an_adapter_the_reason_and_the_cure_are_printed_and_nothing_is_written
         return;
     }
     let folder = TempDir::new().unwrap();
-    let small = ["render", "--samples", "500", "--plates", "8", "--until", "4", "--out", "a.png"];
-    let output = pangaea(folder.path(), &small)
-        .envs([("VK_ICD_FILENAMES", "/nowhere.json"), ("VK_DRIVER_FILES", "/nowhere.json")])
-        .env("VK_LOADER_DRIVERS_DISABLE", "*")
-        .output()
-        .unwrap();
-    let text = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{text}");
-    assert!(text.contains("no GPU adapter") && text.contains("mesa-vulkan-drivers"), "{text}");
-    assert!(!folder.path().join("a.png").exists());
+    for (command, out) in [("render", "a.png"), ("views", "folder/for/views")] {
+        let small = [command, "--samples", "500", "--plates", "8", "--until", "4", "--out", out];
+        let output = pangaea(folder.path(), &small)
+            .envs([("VK_ICD_FILENAMES", "/nowhere.json"), ("VK_DRIVER_FILES", "/nowhere.json")])
+            .env("VK_LOADER_DRIVERS_DISABLE", "*")
+            .output()
+            .unwrap();
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{text}");
+        assert!(text.contains("no GPU adapter") && text.contains("mesa-vulkan-drivers"), "{text}");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "{command} left files behind");
+    }
 }
 
 /// An X server without a screen, which ends with the test.

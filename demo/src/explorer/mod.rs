@@ -4,6 +4,7 @@
 //! background  long work on threads of its own
 //! camera      orbit camera, and the viewport between the panels
 //! session     growing, loading and saving planets in the background
+//! discard     the question before a planet that is not saved goes
 //! state       actions, selection, look; what panels read
 //! select      the ground under the pointer, and clicks on it
 //! keys        the keyboard
@@ -21,6 +22,8 @@ mod background;
 mod camera;
 
 mod capture;
+
+mod discard;
 
 mod keys;
 
@@ -53,16 +56,16 @@ use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::render::PangaeaRenderPlugin;
 use bevy_pangaea::render::adapter::open_adapter;
+use bevy_pangaea::spawn::PlanetState;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 
 /// How the explorer starts.
-#[derive(Clone, Debug, Default)]
 pub struct Options {
     /// The first planet.
     pub recipe: PlanetRecipe,
-    /// A save to begin with instead.
-    pub open: Option<PathBuf>,
+    /// A planet to begin with instead, and the save that it comes from.
+    pub open: Option<(Box<PlanetState>, PathBuf)>,
     /// Ends after this many frames of the planet.
     pub frames: Option<u32>,
     /// Where a picture of the last of those frames goes.
@@ -131,10 +134,15 @@ fn default_plugins(adapter: RenderCreation) -> impl PluginGroup {
 
 /// The explorer itself, on top of Bevy, egui and the planet.
 fn build(app: &mut App, options: Options) {
-    let first = match options.open {
-        Some(path) => state::Action::Load(path),
-        None => state::Action::Grow(Box::new(options.recipe.clone())),
-    };
+    match options.open {
+        Some((planet, path)) => session::begin_with(app, planet, path),
+        None => {
+            let grow = state::Action::Grow(Box::new(options.recipe.clone()));
+            app.add_systems(Startup, move |mut actions: MessageWriter<state::Action>| {
+                actions.write(grow.clone());
+            });
+        }
+    }
     if let Some(frames) = options.frames {
         app.insert_resource(capture::FixedRun::new(frames, options.capture));
     }
@@ -156,9 +164,6 @@ fn build(app: &mut App, options: Options) {
         .add_message::<state::Action>()
         .add_plugins(messages::plugin)
         .add_systems(Startup, (camera::spawn_cameras, marks::configure))
-        .add_systems(Startup, move |mut actions: MessageWriter<state::Action>| {
-            actions.write(first.clone());
-        })
         .add_systems(EguiPrimaryContextPass, layout::draw);
     add_update_systems(app);
 }
@@ -198,9 +203,7 @@ fn add_update_systems(app: &mut App) {
 fn has_display() -> Result<(), String> {
     let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     if cfg!(target_os = "linux") && !set("DISPLAY") {
-        return Err(
-            "no display: DISPLAY is not set; the commands generate, render, bench and info need none".into(),
-        );
+        return Err("no display: DISPLAY is not set; the commands of pangaea --help need none".into());
     }
     Ok(())
 }

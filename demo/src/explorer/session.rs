@@ -1,9 +1,11 @@
 //! The planet on show: growing, loading and saving in the background.
 //!
-//! A new planet replaces the old one only once it is there; whatever fails is said in a message and
-//! the old planet lives on. A save takes the state at a step boundary and writes it on another thread.
+//! A new planet replaces the old one only once it is there, and one that is not saved only when that is
+//! asked for twice; whatever fails is said in a message and the old planet lives on. A save takes the
+//! state at a step boundary and writes it on another thread.
 
 use super::background::Background;
+use super::discard::{Discard, Mark, QUESTION};
 use super::messages::Messages;
 use super::panels::planet::PlanetForm;
 use super::state::{Action, Selection};
@@ -12,7 +14,7 @@ use bevy_pangaea::io;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::schedule::StepCursor;
 use bevy_pangaea::spawn::PlanetState;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The planet on show and what is under way.
 #[derive(Resource, Default)]
@@ -22,7 +24,14 @@ pub struct Session {
     job: Option<Job>,
     /// Where to save as soon as the planet stands between two steps.
     save_to: Option<PathBuf>,
-    saving: Option<Background<String>>,
+    saving: Option<Saving>,
+    discard: Discard,
+}
+
+/// A save under way: what it holds, and the note when it is written.
+struct Saving {
+    mark: Option<Mark>,
+    work: Background<String>,
 }
 
 struct Job {
@@ -58,11 +67,20 @@ pub fn start_jobs(
     mut actions: MessageReader<Action>,
     mut session: ResMut<Session>,
     mut messages: ResMut<Messages>,
+    planets: Query<(Entity, &GeologicClock, &Recording)>,
 ) {
+    let now = session.planet.and_then(|planet| planets.get(planet).ok()).map(Mark::of);
     for action in actions.read() {
         let wants_job = matches!(action, Action::Grow(_) | Action::Load(_) | Action::ReadPreset(_));
         if wants_job && session.job.is_some() {
             messages.error("a planet is on its way already: wait for it");
+            continue;
+        }
+        let discards = matches!(action, Action::Grow(_) | Action::Load(_));
+        if let Some(now) = now.filter(|_| discards)
+            && !session.discard.allows(action, now)
+        {
+            messages.note(QUESTION);
             continue;
         }
         match action.clone() {
@@ -101,16 +119,28 @@ pub fn finish_jobs(world: &mut World) {
             replace(world, *state);
             world.resource_mut::<Messages>().note(format!("a new planet from seed {seed}"));
         }
-        Ok(Outcome::Loaded(state, path)) => {
-            replace(world, *state);
-            world.resource_mut::<Messages>().note(format!("loaded {}", path.display()));
-        }
+        Ok(Outcome::Loaded(state, path)) => show_loaded(world, *state, &path),
         Ok(Outcome::Preset(recipe, path)) => {
             world.resource_mut::<PlanetForm>().take_preset(*recipe, &path);
             world.resource_mut::<Messages>().note(format!("read {}", path.display()));
         }
         Err(error) => world.resource_mut::<Messages>().error(error),
     }
+}
+
+/// Shows a planet that was loaded before the app runs, as the first one.
+pub fn begin_with(app: &mut App, planet: Box<PlanetState>, path: PathBuf) {
+    let mut planet = Some(planet);
+    app.add_systems(Startup, move |world: &mut World| {
+        if let Some(planet) = planet.take() {
+            show_loaded(world, *planet, &path);
+        }
+    });
+}
+
+fn show_loaded(world: &mut World, state: PlanetState, path: &Path) {
+    replace(world, state);
+    world.resource_mut::<Messages>().note(format!("loaded {}", path.display()));
 }
 
 /// Spawns the planet in place of the present one; whether time runs, and how fast, stays.
@@ -121,11 +151,20 @@ fn replace(world: &mut World, mut state: PlanetState) {
         state.clock.speed = clock.speed;
     }
     let planet = state.spawn(world);
-    world.resource_mut::<Session>().planet = Some(planet);
+    let mark = mark(world, planet);
+    let mut session = world.resource_mut::<Session>();
+    session.planet = Some(planet);
+    if let Some(mark) = mark {
+        session.discard.keep(mark);
+    }
     world.resource_mut::<Selection>().0 = None;
     if let Some(old) = old {
         world.despawn(old);
     }
+}
+
+fn mark(world: &World, planet: Entity) -> Option<Mark> {
+    Some(Mark::of((planet, world.get(planet)?, world.get(planet)?)))
 }
 
 /// Takes the state for a save when the planet stands between two steps, and hands it to a thread.
@@ -139,10 +178,12 @@ pub fn save_at_boundary(world: &mut World) {
     world.resource_mut::<Session>().save_to = None;
     match io::capture(world, planet) {
         Some(state) => {
-            world.resource_mut::<Session>().saving = Some(Background::start(move || {
+            let mark = mark(world, planet);
+            let work = Background::start(move || {
                 io::save(&state, &path).map_err(text)?;
                 Ok(format!("saved {}", path.display()))
-            }));
+            });
+            world.resource_mut::<Session>().saving = Some(Saving { mark, work });
         }
         None => world.resource_mut::<Messages>().error("the planet cannot be saved now"),
     }
@@ -150,10 +191,18 @@ pub fn save_at_boundary(world: &mut World) {
 
 /// Says how a save went.
 pub fn finish_save(mut session: ResMut<Session>, mut messages: ResMut<Messages>) {
-    let Some(outcome) = session.saving.as_mut().and_then(Background::take) else { return };
+    let Some(saving) = session.saving.as_mut() else { return };
+    let Some(outcome) = saving.work.take() else { return };
+    let mark = saving.mark;
     session.saving = None;
     match outcome {
-        Ok(note) => messages.note(note),
+        Ok(note) => {
+            messages.note(note);
+            // Another planet may have come meanwhile.
+            if let Some(mark) = mark.filter(|mark| session.planet == Some(mark.planet)) {
+                session.discard.keep(mark);
+            }
+        }
         Err(error) => messages.error(error),
     }
 }

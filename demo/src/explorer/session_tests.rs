@@ -86,6 +86,48 @@ fn a_saved_planet_comes_back_and_bad_files_are_refused() {
 }
 
 #[test]
+fn a_planet_that_is_not_saved_goes_when_that_is_asked_for_twice() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("planet.pangaea");
+    let (mut app, first) = grown();
+    let step = |app: &mut App| {
+        let planet = app.world().resource::<Session>().planet.unwrap();
+        app.world_mut().get_mut::<GeologicClock>(planet).unwrap().step += 1;
+    };
+    // What is saved may go.
+    step(&mut app);
+    assert!(ask(&mut app, Action::Save(path.clone())).1.starts_with("saved"));
+    assert!(ask(&mut app, Action::Grow(recipe())).1.starts_with("a new planet"));
+    let second = app.world().resource::<Session>().planet.unwrap();
+    assert_ne!(first, second);
+    // What is not is asked about, for each wish anew.
+    step(&mut app);
+    assert_eq!(ask(&mut app, Action::Grow(recipe())).1, QUESTION);
+    assert_eq!(ask(&mut app, Action::Load(path.clone())).1, QUESTION);
+    assert_eq!(app.world().resource::<Session>().planet, Some(second));
+    step(&mut app);
+    assert!(ask(&mut app, Action::Load(path.clone())).1.starts_with("loaded"));
+    // A command is a change, too.
+    let third = app.world().resource::<Session>().planet.unwrap();
+    let command = TimedCommand { step: 1, command: TectonicCommand::Resample };
+    app.world_mut().get_mut::<Recording>(third).unwrap().0.push(command);
+    assert_eq!(ask(&mut app, Action::Load(path)).1, QUESTION);
+}
+
+#[test]
+fn a_planet_that_was_loaded_before_is_the_first_on_show() {
+    let mut app = app();
+    let state = PlanetState::new(&recipe()).unwrap();
+    begin_with(&mut app, Box::new(state), "a.pangaea".into());
+    app.update();
+    let planet = app.world().resource::<Session>().planet.unwrap();
+    assert!(app.world().get::<Crust>(planet).is_some());
+    assert_eq!(app.world().resource::<Messages>().entries().next().unwrap().text, "loaded a.pangaea");
+    app.update();
+    assert_eq!(app.world().resource::<Session>().planet, Some(planet));
+}
+
+#[test]
 fn a_second_planet_is_not_begun_while_one_is_on_its_way() {
     let mut app = app();
     app.world_mut().write_message(Action::Grow(recipe()));
