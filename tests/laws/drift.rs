@@ -11,6 +11,7 @@ fn turntable(samples: u32, degrees: f64) -> PlanetRecipe {
     let mut recipe = hemispheres(samples, speed, speed);
     recipe.params.processes = ProcessSwitches { drift: true, ..ProcessSwitches::all(false) };
     recipe.params.isostasy_time = 200.0;
+    recipe.params.max_speed = 300.0;
     recipe
 }
 

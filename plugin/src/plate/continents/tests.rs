@@ -175,6 +175,7 @@ fn floor_ages_away_from_its_ridge() {
         ..Default::default()
     };
     recipe.params.border_warp = 0.0;
+    recipe.params.max_speed = 300.0;
     let mesh = mesh(40_000);
     let crust = grow(&recipe, &mesh);
     // The plate around 0° E goes east, away from the border at 90° W.
