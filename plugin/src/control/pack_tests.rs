@@ -100,6 +100,25 @@ fn a_bake_is_the_same_on_any_number_of_threads() {
 }
 
 #[test]
+fn valleys_are_shaped_by_ice_plateaus_and_youth() {
+    use ValleyShape::{FlatFloor, IceTrough, Terraced, V};
+    // Temperature, rain, plateau, age.
+    for (expected, temperature, rain, plateau, age) in [
+        (IceTrough, -5.0, 900.0, 0.0, 10.0),
+        (IceTrough, -5.0, 900.0, 0.9, 300.0),
+        (V, -5.0, 100.0, 0.0, 10.0),
+        (V, 15.0, 900.0, 0.2, 10.0),
+        (Terraced, 15.0, 100.0, 0.9, 10.0),
+        (FlatFloor, 15.0, 900.0, 0.2, 300.0),
+        (FlatFloor, 15.0, 900.0, 0.0, f32::INFINITY),
+    ] {
+        let terrain = Terrain { plateau: vec![plateau], age: vec![age], ..Terrain::default() };
+        let climate = Climate { temperature: vec![temperature], rain: vec![rain], ..Climate::default() };
+        assert_eq!(valley_shape(&terrain, &climate, 0), expected);
+    }
+}
+
+#[test]
 fn units_are_those_of_the_contract() {
     assert_eq!((q16(0.5), q16(1.0), q16(-1.0), q16(f32::NAN)), (32_768, 65_535, 0, 0));
     assert_eq!((age(10.0), age(f32::INFINITY), age(5000.0)), (640, u16::MAX, 65_534));
