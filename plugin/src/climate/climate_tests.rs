@@ -95,6 +95,22 @@ fn everything_is_finite_smooth_and_the_same_again() {
 }
 
 #[test]
+fn maps_of_no_climate_are_refused() {
+    let map = |value: f32| EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).ok();
+    let [temperature, rain, wetness] = [288.0, -1.0, 1.5].map(map);
+    for maps in [
+        ClimateMaps { temperature, ..ClimateMaps::default() },
+        ClimateMaps { rain, ..ClimateMaps::default() },
+        ClimateMaps { wetness, ..ClimateMaps::default() },
+    ] {
+        assert!(matches!(maps.check(), Err(MapError::Range { pixel: 0, .. })));
+    }
+    let [temperature, rain, wetness] = [-150.0, 1e6, 1.0].map(map);
+    assert_eq!(ClimateMaps { temperature, rain, wetness }.check(), Ok(()));
+    assert_eq!(ClimateMaps::default().check(), Ok(()));
+}
+
+#[test]
 fn maps_replace_fields_and_the_others_follow() {
     let mesh = SphereMesh::fibonacci(2000).unwrap();
     let winds = Winds::new(&mesh);

@@ -2,7 +2,7 @@
 
 use super::pack::{ControlInput, RiverRule, control_mesh};
 use super::topology::Topology;
-use crate::climate::{Climate, ClimateMaps};
+use crate::climate::{Climate, ClimateMaps, MapError};
 use crate::crust::Surface;
 use crate::hydrology::{BaseMesh, Drainage, RiverNetwork, Terrain, TerrainMaps, Transfer};
 use crate::sphere::{SphereError, SphereMesh};
@@ -77,9 +77,32 @@ pub struct BakeRules {
     pub rivers: RiverRule,
 }
 
+/// Why there is no bake.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum BakeError {
+    /// There is no base mesh of that spacing.
+    #[error(transparent)]
+    Mesh(#[from] SphereError),
+    /// A user's map has values that mean nothing.
+    #[error(transparent)]
+    Map(#[from] MapError),
+}
+
 impl Bake {
     /// Bakes a planet of `radius` km.
-    pub fn new(frame: &Arc<BakeFrame>, radius: f64, source: &BakeSource, rules: &BakeRules) -> Self {
+    ///
+    /// # Errors
+    /// [`BakeError::Map`] for maps with values out of range.
+    pub fn new(
+        frame: &Arc<BakeFrame>,
+        radius: f64,
+        source: &BakeSource,
+        rules: &BakeRules,
+    ) -> Result<Self, BakeError> {
+        rules.climate.check()?;
+        if let BakeSource::Maps(maps) = source {
+            maps.check()?;
+        }
         let base = &frame.base;
         let (version, time) = match source {
             BakeSource::Surface(surface) => (surface.version, surface.time),
@@ -102,7 +125,7 @@ impl Bake {
             rule: rules.rivers,
         };
         let control = control_mesh(&input);
-        Self { version, time, frame: frame.clone(), terrain, climate, drainage, control }
+        Ok(Self { version, time, frame: frame.clone(), terrain, climate, drainage, control })
     }
 
     /// The base mesh.

@@ -13,7 +13,7 @@ fn rough(seed: u64, spacing: f64) -> Bake {
     let crust = EquirectMap::from_fn(256, height).unwrap();
     let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
     let frame = Arc::new(BakeFrame::new(seed, spacing, None).unwrap());
-    Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default())
+    Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default()).unwrap()
 }
 
 #[test]

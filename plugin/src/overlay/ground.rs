@@ -181,7 +181,7 @@ pub(crate) mod tests {
         let crust = EquirectMap::from_fn(64, |lat, _| (lat / 30.0) as f32).unwrap();
         let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
         let frame = Arc::new(BakeFrame::new(1, 0.04, None).unwrap());
-        Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default())
+        Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default()).unwrap()
     }
 
     #[test]
