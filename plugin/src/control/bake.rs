@@ -80,6 +80,9 @@ pub struct BakeRules {
 /// Why there is no bake.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum BakeError {
+    /// A radius that is not above 0, or beyond [`Bake::MAX_RADIUS`].
+    #[error("the planet's radius must be above 0 and at most {max} km, not {0}", max = Bake::MAX_RADIUS)]
+    Radius(f64),
     /// There is no base mesh of that spacing.
     #[error(transparent)]
     Mesh(#[from] SphereError),
@@ -89,16 +92,22 @@ pub enum BakeError {
 }
 
 impl Bake {
-    /// Bakes a planet of `radius` km.
+    /// Largest radius in km: on larger planets the water of a year would not fit into 64 bits.
+    pub const MAX_RADIUS: f64 = 100_000.0;
+
+    /// Bakes a planet of `radius` km. (Ground there is only for radii of 50 to 10,000 km.)
     ///
     /// # Errors
-    /// [`BakeError::Map`] for maps with values out of range.
+    /// [`BakeError::Radius`], and [`BakeError::Map`] for maps with values out of range.
     pub fn new(
         frame: &Arc<BakeFrame>,
         radius: f64,
         source: &BakeSource,
         rules: &BakeRules,
     ) -> Result<Self, BakeError> {
+        if !(radius > 0.0 && radius <= Self::MAX_RADIUS) {
+            return Err(BakeError::Radius(radius));
+        }
         rules.climate.check()?;
         if let BakeSource::Maps(maps) = source {
             maps.check()?;

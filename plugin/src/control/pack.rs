@@ -76,7 +76,7 @@ pub fn control_mesh(input: &ControlInput) -> ControlMesh {
         }
     }
     ControlMesh {
-        radius_m: (input.drainage.radius * 1000.0).round().clamp(50_000.0, 10_000_000.0) as u32,
+        radius_m: (input.drainage.radius * 1000.0).round() as u32,
         vertices: per_sample(input.mesh, |i| vertex(input, &rivers, i as usize)),
         edges,
         faces: input.topology.faces.clone(),

@@ -134,7 +134,7 @@ pub struct ControlFace {
 /// The control mesh of one planet.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ControlMesh {
-    /// Radius of the planet at sea level, metres; 50,000 to 10,000,000.
+    /// Radius of the planet at sea level, metres; there is ground for 50,000 to 10,000,000.
     pub radius_m: u32,
     /// Vertices.
     pub vertices: Vec<ControlVertex>,
