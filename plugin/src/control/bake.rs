@@ -83,6 +83,9 @@ pub enum BakeError {
     /// A radius that is not above 0, or beyond [`Bake::MAX_RADIUS`].
     #[error("the planet's radius must be above 0 and at most {max} km, not {0}", max = Bake::MAX_RADIUS)]
     Radius(f64),
+    /// A spacing that is not above 0, or not a number.
+    #[error("the spacing of the base mesh must be a number of radians above 0, not {0}")]
+    Spacing(f64),
     /// There is no base mesh of that spacing.
     #[error(transparent)]
     Mesh(#[from] SphereError),

@@ -32,6 +32,28 @@ pub struct BakeSettings {
     pub rules: BakeRules,
 }
 
+impl BakeSettings {
+    /// Refuses a spacing that is none.
+    ///
+    /// # Errors
+    /// [`BakeError::Spacing`].
+    pub fn check(&self) -> Result<(), BakeError> {
+        let spacing = self.spacing;
+        if spacing > 0.0 && spacing.is_finite() { Ok(()) } else { Err(BakeError::Spacing(spacing)) }
+    }
+
+    /// Whether both ask for the same bake. Numbers are compared by their bits: one that is none would never equal
+    /// itself, and the planet would be baked for ever.
+    fn asks_for_the_same(&self, other: &Self) -> bool {
+        let bits = |settings: &Self| [settings.spacing, settings.rules.rivers.discharge].map(f64::to_bits);
+        let BakeRules { climate, network, rivers } = &self.rules;
+        bits(self) == bits(other)
+            && rivers.order == other.rules.rivers.order
+            && *network == other.rules.network
+            && *climate == other.rules.climate
+    }
+}
+
 impl Default for BakeSettings {
     fn default() -> Self {
         Self { spacing: SPACING, rules: BakeRules::default() }
@@ -54,6 +76,7 @@ pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
     else {
         return Ok(());
     };
+    settings.check()?;
     let frame = reusable(world.get::<PlanetBake>(planet), own, lattice, &settings);
     let bake = bake(frame, own, &lattice.0, surface, &settings)?;
     world.entity_mut(planet).insert(PlanetBake(Arc::new(bake)));
@@ -113,7 +136,7 @@ struct BakeJob {
 type Outcome = (Result<Bake, BakeError>, f64);
 
 /// What a planet was last baked from, so that a failure is not tried again and again.
-#[derive(Component, PartialEq)]
+#[derive(Component)]
 struct Baked {
     version: u64,
     settings: BakeSettings,
@@ -143,8 +166,16 @@ fn start(
 ) {
     static SERIAL: AtomicU64 = AtomicU64::new(0);
     for (entity, planet, lattice, surface, settings, last, baked) in &planets {
+        let same = baked.filter(|baked| baked.settings.asks_for_the_same(settings));
+        if surface.is_empty() || same.is_some_and(|baked| baked.version == surface.version) {
+            continue;
+        }
         let wanted = Baked { version: surface.version, settings: settings.clone() };
-        if surface.is_empty() || baked == Some(&wanted) {
+        if let Err(error) = settings.check() {
+            if same.is_none() {
+                warn!("the planet is not baked: {error}");
+                commands.entity(entity).insert(wanted);
+            }
             continue;
         }
         let Some(pool) = pool() else { return };
@@ -184,5 +215,43 @@ fn collect(mut commands: Commands, jobs: Query<(Entity, &BakeJob)>) {
         let (version, time) = (bake.version, bake.time);
         commands.entity(planet).insert(PlanetBake(Arc::new(bake)));
         commands.trigger(BakeFinished { planet, version, time, milliseconds });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plate::PlateId;
+
+    #[test]
+    fn settings_that_are_no_numbers_equal_themselves_and_are_refused() {
+        let odd = BakeSettings { spacing: f64::NAN, ..BakeSettings::default() };
+        assert!(odd.asks_for_the_same(&odd) && !odd.asks_for_the_same(&BakeSettings::default()));
+        for spacing in [f64::NAN, f64::INFINITY, 0.0, -0.01] {
+            let settings = BakeSettings { spacing, ..BakeSettings::default() };
+            assert!(matches!(settings.check(), Err(BakeError::Spacing(_))), "{spacing}");
+        }
+        let mut rivers = BakeSettings::default();
+        rivers.rules.rivers.discharge = f64::NAN;
+        assert!(rivers.check().is_ok() && rivers.asks_for_the_same(&rivers.clone()));
+        assert!(!rivers.asks_for_the_same(&BakeSettings::default()));
+    }
+
+    #[test]
+    fn a_planet_that_cannot_be_baked_is_refused_once() {
+        let mut app = App::new();
+        app.add_plugins(BakePlugin);
+        let lattice = Lattice(Arc::new(SphereMesh::fibonacci(500).unwrap()));
+        let surface = Surface { version: 1, plate: vec![PlateId::default(); 500], ..Surface::default() };
+        let settings = BakeSettings { spacing: f64::NAN, ..BakeSettings::default() };
+        let planet =
+            app.world_mut().spawn((Planet { radius: 6370.0, seed: 1 }, lattice, surface, settings)).id();
+        for version in 1..4 {
+            app.world_mut().get_mut::<Surface>(planet).unwrap().version = version;
+            app.update();
+            assert!(app.world().get::<BakeJob>(planet).is_none());
+            assert_eq!(app.world().get::<Baked>(planet).unwrap().version, 1, "refused once");
+        }
+        assert!(matches!(bake_now(app.world_mut(), planet), Err(BakeError::Spacing(_))));
     }
 }
