@@ -70,6 +70,7 @@ fn assert_lawful(drainage: &Drainage) {
         let vertices: Vec<usize> = (0..n).filter(|&i| profile.lake[i] == id as u32).collect();
         assert_eq!(vertices.len(), lake.vertices as usize);
         assert!(vertices.iter().all(|&i| profile.level[i] == lake.level && profile.bed[i] < lake.level));
+        assert!(vertices.iter().all(|&i| lake.level - profile.bed[i] <= profile::DEEPEST_LAKE));
     }
 }
 
