@@ -58,7 +58,7 @@ fn dry_belts_lie_between_15_and_30_degrees() {
 
 #[test]
 fn a_ridge_athwart_the_westerlies_has_a_wet_and_a_dry_side() {
-    // A continent with a ridge 3 km high and 4 degrees wide, parallel to its western coast.
+    // A continent with a ridge 3 km high and 8 degrees wide, parallel to its western coast.
     let (mesh, climate) = planet(|lat, lon| {
         if !(0.0..60.0).contains(&lon) || lat.abs() > 70.0 {
             return -4.0;
