@@ -55,7 +55,7 @@ fn rivers_of_the_earth_keep_the_laws_and_reach_their_mouths() {
     let Some(crust) = earth() else { return };
     let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
     let frame = Arc::new(BakeFrame::new(1, SPACING, None).expect("a base mesh"));
-    let bake = Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default());
+    let bake = Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default()).expect("a bake");
     assert_river_laws(&bake);
     let sites = [
         ("Manaus", (-3.1, -60.0), (0.0, -50.0)),

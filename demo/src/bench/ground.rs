@@ -58,7 +58,8 @@ pub(super) fn measure(headless: &Headless) -> Result<Option<GroundRow>, CliError
     let base = &frame.base;
     let rules = BakeRules::default();
     let start = Instant::now();
-    let bake = Bake::new(&frame, planet.radius, &BakeSource::Surface(surface), &rules);
+    let bake =
+        Bake::new(&frame, planet.radius, &BakeSource::Surface(surface), &rules).map_err(CliError::input)?;
     let bake_ms = milliseconds(start);
     let start = Instant::now();
     let climate = Climate::new(&base.mesh, &base.winds, &bake.terrain.elevation_km(), &rules.climate);

@@ -58,7 +58,7 @@ fn dry_belts_lie_between_15_and_30_degrees() {
 
 #[test]
 fn a_ridge_athwart_the_westerlies_has_a_wet_and_a_dry_side() {
-    // A continent with a ridge 3 km high and 4 degrees wide, parallel to its western coast.
+    // A continent with a ridge 3 km high and 8 degrees wide, parallel to its western coast.
     let (mesh, climate) = planet(|lat, lon| {
         if !(0.0..60.0).contains(&lon) || lat.abs() > 70.0 {
             return -4.0;
@@ -92,6 +92,22 @@ fn everything_is_finite_smooth_and_the_same_again() {
         assert!((0.0..=1.0).contains(&climate.wetness[i]));
         assert!(climate.runoff[i] >= 0.0 && climate.runoff[i] <= climate.rain[i]);
     }
+}
+
+#[test]
+fn maps_of_no_climate_are_refused() {
+    let map = |value: f32| EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).ok();
+    let [temperature, rain, wetness] = [288.0, -1.0, 1.5].map(map);
+    for maps in [
+        ClimateMaps { temperature, ..ClimateMaps::default() },
+        ClimateMaps { rain, ..ClimateMaps::default() },
+        ClimateMaps { wetness, ..ClimateMaps::default() },
+    ] {
+        assert!(matches!(maps.check(), Err(MapError::Range { pixel: 0, .. })));
+    }
+    let [temperature, rain, wetness] = [-150.0, 1e6, 1.0].map(map);
+    assert_eq!(ClimateMaps { temperature, rain, wetness }.check(), Ok(()));
+    assert_eq!(ClimateMaps::default().check(), Ok(()));
 }
 
 #[test]

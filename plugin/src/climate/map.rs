@@ -5,6 +5,7 @@
 
 use crate::math;
 use bevy::math::DVec3;
+use core::ops::RangeInclusive;
 
 /// Numbers on an equirectangular grid.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +16,7 @@ pub struct EquirectMap {
 }
 
 /// Why a map was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum MapError {
     /// A side is 0 or too long.
     #[error("a map of {0} x {1} pixels; sides are 1 to {max}", max = EquirectMap::MAX_SIDE)]
@@ -34,6 +35,18 @@ pub enum MapError {
     /// A value is not a number or infinite.
     #[error("the value of pixel {0} is not a finite number")]
     NotFinite(usize),
+    /// A value is outside of what the map can mean.
+    #[error("{what} is {value} at pixel {pixel}; it must be {allowed}")]
+    Range {
+        /// What the map shows.
+        what: &'static str,
+        /// The refused value.
+        value: f32,
+        /// Its pixel, counted in rows from the top.
+        pixel: usize,
+        /// What would be allowed.
+        allowed: &'static str,
+    },
 }
 
 impl EquirectMap {
@@ -78,6 +91,19 @@ impl EquirectMap {
         let values =
             (0..height).flat_map(|y| (0..2 * height).map(move |x| value(row(y), column(x)))).collect();
         Self::new(2 * height, height, values)
+    }
+
+    /// Refuses a map of `what` with a value outside of `range`, which `allowed` puts into words.
+    pub(crate) fn check(
+        &self,
+        what: &'static str,
+        range: RangeInclusive<f32>,
+        allowed: &'static str,
+    ) -> Result<(), MapError> {
+        match (0..).zip(&self.values).find(|(_, value)| !range.contains(value)) {
+            Some((pixel, &value)) => Err(MapError::Range { what, value, pixel, allowed }),
+            None => Ok(()),
+        }
     }
 
     /// The value at the unit direction `p`.

@@ -54,13 +54,35 @@ pub struct Climate {
 /// Maps that replace fields of the climate.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ClimateMaps {
-    /// Temperature at the ground in °C.
+    /// Temperature at the ground in °C, -150..=150.
     pub temperature: Option<EquirectMap>,
-    /// Rain in mm per year.
+    /// Rain in mm per year, at least 0.
     pub rain: Option<EquirectMap>,
     /// Wetness W, 0..=1.
     pub wetness: Option<EquirectMap>,
 }
+
+impl ClimateMaps {
+    /// Refuses maps of what no climate is.
+    ///
+    /// # Errors
+    /// [`MapError::Range`].
+    pub fn check(&self) -> Result<(), MapError> {
+        let Self { temperature, rain, wetness } = self;
+        let check = |map: &Option<EquirectMap>, what, range, allowed| {
+            map.as_ref().map_or(Ok(()), |map| map.check(what, range, allowed))
+        };
+        check(temperature, "the temperature", -HOTTEST..=HOTTEST, "from -150 to 150 °C")?;
+        check(rain, "the rain", 0.0..=f32::INFINITY, "at least 0 mm per year")?;
+        check(wetness, "the wetness", 0.0..=1.0, "from 0 to 1")
+    }
+}
+
+/// Highest temperature of a map in °C, and its lowest below 0.
+const HOTTEST: f32 = 150.0;
+
+/// Most rain in mm per year that has an effect: more would not fit into the numbers of the greatest rivers.
+const WETTEST: f32 = 30_000.0;
 
 impl Climate {
     /// The climate of a planet with elevations in km at the vertices of `mesh`, whose `winds` are known.
@@ -70,10 +92,10 @@ impl Climate {
         let given = |map: &Option<EquirectMap>, low: f32, high: f32| {
             map.as_ref().map(|map| per_sample(mesh, |i| map.at(mesh.point(i)).clamp(low, high)))
         };
-        let temperature = given(&maps.temperature, -100.0, 100.0)
+        let temperature = given(&maps.temperature, -HOTTEST, HOTTEST)
             .unwrap_or_else(|| per_sample(mesh, |i| temperature::temperature(mesh.point(i).z, height(i))));
-        let rain = given(&maps.rain, 0.0, 30_000.0)
-            .unwrap_or_else(|| rain::rain(mesh, winds, &temperature, &height));
+        let rain =
+            given(&maps.rain, 0.0, WETTEST).unwrap_or_else(|| rain::rain(mesh, winds, &temperature, &height));
         let demand = |i: u32| wetness::evaporation(temperature[i as usize]);
         let wetness = given(&maps.wetness, 0.0, 1.0)
             .unwrap_or_else(|| per_sample(mesh, |i| wetness::wetness(rain[i as usize], demand(i))));

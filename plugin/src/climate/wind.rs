@@ -15,6 +15,10 @@ use rayon::prelude::*;
 /// Where trades give way to westerlies, and westerlies to polar winds, in degrees.
 const BELTS: [f64; 2] = [30.0, 65.0];
 
+/// Where the poleward wind beyond the trades would end, in degrees: beyond the pole, so that some of it crosses the polar
+/// front and reaches the pole.
+const POLEWARD_END: f64 = 100.0;
+
 /// Poleward (or equatorward) part of the wind, relative to the part along the parallel.
 const SLANT: f64 = 0.35;
 
@@ -61,7 +65,7 @@ pub fn wind(latitude: f64) -> (f64, f64) {
         (-math::cos(0.5 * math::PI * a / BELTS[0]), -SLANT * bump(0.0, BELTS[0]))
     } else {
         // Eddies carry moisture poleward across the polar front.
-        let poleward = SLANT * bump(BELTS[0], 100.0);
+        let poleward = SLANT * bump(BELTS[0], POLEWARD_END);
         let east = if a < BELTS[1] { bump(BELTS[0], BELTS[1]) } else { -0.6 * bump(BELTS[1], 90.0) };
         (east, poleward)
     };

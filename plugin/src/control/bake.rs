@@ -2,7 +2,7 @@
 
 use super::pack::{ControlInput, RiverRule, control_mesh};
 use super::topology::Topology;
-use crate::climate::{Climate, ClimateMaps};
+use crate::climate::{Climate, ClimateMaps, MapError};
 use crate::crust::Surface;
 use crate::hydrology::{BaseMesh, Drainage, RiverNetwork, Terrain, TerrainMaps, Transfer};
 use crate::sphere::{SphereError, SphereMesh};
@@ -77,9 +77,44 @@ pub struct BakeRules {
     pub rivers: RiverRule,
 }
 
+/// Why there is no bake.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum BakeError {
+    /// A radius that is not above 0, or beyond [`Bake::MAX_RADIUS`].
+    #[error("the planet's radius must be above 0 and at most {max} km, not {0}", max = Bake::MAX_RADIUS)]
+    Radius(f64),
+    /// A spacing that is not above 0, or not a number.
+    #[error("the spacing of the base mesh must be a number of radians above 0, not {0}")]
+    Spacing(f64),
+    /// There is no base mesh of that spacing.
+    #[error(transparent)]
+    Mesh(#[from] SphereError),
+    /// A user's map has values that mean nothing.
+    #[error(transparent)]
+    Map(#[from] MapError),
+}
+
 impl Bake {
-    /// Bakes a planet of `radius` km.
-    pub fn new(frame: &Arc<BakeFrame>, radius: f64, source: &BakeSource, rules: &BakeRules) -> Self {
+    /// Largest radius in km: on larger planets the water of a year would not fit into 64 bits.
+    pub const MAX_RADIUS: f64 = 100_000.0;
+
+    /// Bakes a planet of `radius` km. (Ground there is only for radii of 50 to 10,000 km.)
+    ///
+    /// # Errors
+    /// [`BakeError::Radius`], and [`BakeError::Map`] for maps with values out of range.
+    pub fn new(
+        frame: &Arc<BakeFrame>,
+        radius: f64,
+        source: &BakeSource,
+        rules: &BakeRules,
+    ) -> Result<Self, BakeError> {
+        if !(radius > 0.0 && radius <= Self::MAX_RADIUS) {
+            return Err(BakeError::Radius(radius));
+        }
+        rules.climate.check()?;
+        if let BakeSource::Maps(maps) = source {
+            maps.check()?;
+        }
         let base = &frame.base;
         let (version, time) = match source {
             BakeSource::Surface(surface) => (surface.version, surface.time),
@@ -102,7 +137,7 @@ impl Bake {
             rule: rules.rivers,
         };
         let control = control_mesh(&input);
-        Self { version, time, frame: frame.clone(), terrain, climate, drainage, control }
+        Ok(Self { version, time, frame: frame.clone(), terrain, climate, drainage, control })
     }
 
     /// The base mesh.

@@ -18,7 +18,7 @@ pub mod bake;
 
 pub mod plugin;
 
-pub use bake::{Bake, BakeFrame, BakeRules, BakeSource};
+pub use bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
 pub use pack::{RiverRule, control_mesh};
 pub use plugin::{BakeFinished, BakePlugin, BakeSettings, PlanetBake, bake_now};
 pub use topology::Topology;

@@ -22,7 +22,7 @@ use crate::hydrology::{Drainage, NONE, Site, Terrain};
 use crate::overlay::relief::per_sample;
 use crate::sphere::SphereMesh;
 use bevy::math::Vec3;
-use pangaea_shaders::amplify::control::{ControlEdge, ControlMesh, ControlVertex, VertexKind};
+use pangaea_shaders::amplify::control::{ControlEdge, ControlMesh, ControlVertex, ValleyShape, VertexKind};
 
 /// Discharge in m³/s at which the flow φ is 1: that of the Amazon.
 const FULL_FLOW: f64 = 200_000.0;
@@ -76,7 +76,7 @@ pub fn control_mesh(input: &ControlInput) -> ControlMesh {
         }
     }
     ControlMesh {
-        radius_m: (input.drainage.radius * 1000.0).round().clamp(50_000.0, 10_000_000.0) as u32,
+        radius_m: (input.drainage.radius * 1000.0).round() as u32,
         vertices: per_sample(input.mesh, |i| vertex(input, &rivers, i as usize)),
         edges,
         faces: input.topology.faces.clone(),
@@ -172,7 +172,7 @@ fn vertex(input: &ControlInput, rivers: &Rivers, i: usize) -> ControlVertex {
         flow: ((flow / FULL_FLOW).sqrt().min(1.0) * 65_536.0).round() as u32,
         crust,
         kind: kind as u8,
-        valley: valley(terrain, climate, i),
+        valley: valley_shape(terrain, climate, i) as u8,
         age: age(terrain.age[i]),
         collision: q16(terrain.collision[i]),
         wetness: q16(climate.wetness[i]),
@@ -185,16 +185,17 @@ fn vertex(input: &ControlInput, rivers: &Rivers, i: usize) -> ControlVertex {
     }
 }
 
-/// The valley's cross-section: 0 flat-floored with a plateau above, 1 straight, 2 cubic, 3 a trough.
-fn valley(terrain: &Terrain, climate: &Climate, i: usize) -> u8 {
-    if terrain.plateau[i] > 0.5 {
-        0
-    } else if climate.temperature[i] < 0.0 && climate.rain[i] > 300.0 {
-        3
+/// What shapes the valleys of vertex `i`. Where it freezes and snows enough there is ice, whatever the crust; then come
+/// canyons of plateaus, gorges of mountains younger than 60 My, and the wide floors of all other land.
+fn valley_shape(terrain: &Terrain, climate: &Climate, i: usize) -> ValleyShape {
+    if climate.temperature[i] < 0.0 && climate.rain[i] > 300.0 {
+        ValleyShape::IceTrough
+    } else if terrain.plateau[i] > 0.5 {
+        ValleyShape::Terraced
     } else if terrain.age[i] < 60.0 {
-        1
+        ValleyShape::V
     } else {
-        2
+        ValleyShape::FlatFloor
     }
 }
 

@@ -1,19 +1,29 @@
 use super::*;
-use crate::climate::EquirectMap;
-use crate::control::bake::{Bake, BakeFrame, BakeRules, BakeSource};
+use crate::climate::{ClimateMaps, EquirectMap};
+use crate::control::bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
 use crate::hydrology::TerrainMaps;
 use crate::noise::Noise;
+use crate::query::{PlanetGround, Rules};
 use crate::random::Purpose;
 use std::sync::Arc;
 
-/// A bake of a rough planet from maps.
-fn rough(seed: u64, spacing: f64) -> Bake {
+/// A rough planet's maps.
+fn maps(seed: u64) -> TerrainMaps {
     let noise = Noise::new(seed, Purpose::Relief, 0);
     let height = |lat: f64, lon: f64| (5.0 * noise.fractal(crate::math::direction(lat, lon), 1.7, 6)) as f32;
     let crust = EquirectMap::from_fn(256, height).unwrap();
-    let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
+    TerrainMaps { crust, age: None, plateau: None, hills: None }
+}
+
+/// A bake of a planet from its maps.
+fn bake(radius: f64, maps: &TerrainMaps, spacing: f64, rules: &BakeRules) -> Result<Bake, BakeError> {
+    let frame = Arc::new(BakeFrame::new(1, spacing, None).unwrap());
+    Bake::new(&frame, radius, &BakeSource::Maps(maps), rules)
+}
+
+fn rough(seed: u64, spacing: f64) -> Bake {
     let frame = Arc::new(BakeFrame::new(seed, spacing, None).unwrap());
-    Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default())
+    Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps(seed)), &BakeRules::default()).unwrap()
 }
 
 #[test]
@@ -97,6 +107,50 @@ fn a_bake_is_the_same_on_any_number_of_threads() {
     let (one, three) = (on(1), on(3));
     assert_eq!(one.control, three.control);
     assert_eq!((one.climate, one.drainage), (three.climate, three.drainage));
+}
+
+#[test]
+fn what_is_no_planet_is_not_baked() {
+    let coarse = |radius, maps: &TerrainMaps, rules: &BakeRules| bake(radius, maps, 0.2, rules).map(|_| ());
+    let (good, plain) = (maps(1), BakeRules::default());
+    for radius in [0.0, -6370.0, f64::NAN, f64::INFINITY, 1e6] {
+        assert!(matches!(coarse(radius, &good, &plain), Err(BakeError::Radius(_))), "{radius}");
+    }
+    let crust = EquirectMap::from_fn(8, |lat, _| (100.0 * lat) as f32).unwrap();
+    let metres = TerrainMaps { crust, ..maps(1) };
+    assert!(matches!(coarse(6370.0, &metres, &plain), Err(BakeError::Map(_))));
+    let rain = EquirectMap::from_fn(8, |_, _| -1.0).ok();
+    let dry = BakeRules { climate: ClimateMaps { rain, ..ClimateMaps::default() }, ..plain.clone() };
+    assert!(matches!(coarse(6370.0, &good, &dry), Err(BakeError::Map(_))));
+}
+
+#[test]
+fn planets_that_are_too_small_or_too_large_have_drainage_but_no_ground() {
+    for (radius, has_ground) in
+        [(0.0001, false), (49.9, false), (50.0, true), (10_000.0, true), (10_001.0, false), (1e5, false)]
+    {
+        let bake = bake(radius, &maps(2), 0.08, &BakeRules::default()).unwrap();
+        assert_eq!(PlanetGround::of_bake(&bake, Rules::default()).is_ok(), has_ground, "{radius} km");
+    }
+}
+
+#[test]
+fn valleys_are_shaped_by_ice_plateaus_and_youth() {
+    use ValleyShape::{FlatFloor, IceTrough, Terraced, V};
+    // Temperature, rain, plateau, age.
+    for (expected, temperature, rain, plateau, age) in [
+        (IceTrough, -5.0, 900.0, 0.0, 10.0),
+        (IceTrough, -5.0, 900.0, 0.9, 300.0),
+        (V, -5.0, 100.0, 0.0, 10.0),
+        (V, 15.0, 900.0, 0.2, 10.0),
+        (Terraced, 15.0, 100.0, 0.9, 10.0),
+        (FlatFloor, 15.0, 900.0, 0.2, 300.0),
+        (FlatFloor, 15.0, 900.0, 0.0, f32::INFINITY),
+    ] {
+        let terrain = Terrain { plateau: vec![plateau], age: vec![age], ..Terrain::default() };
+        let climate = Climate { temperature: vec![temperature], rain: vec![rain], ..Climate::default() };
+        assert_eq!(valley_shape(&terrain, &climate, 0), expected);
+    }
 }
 
 #[test]

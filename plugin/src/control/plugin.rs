@@ -5,11 +5,11 @@
 //! them. The finished bake is the component [`PlanetBake`], and [`BakeFinished`] is triggered on the planet. The
 //! planet's state and its digest are not touched.
 
-use super::bake::{Bake, BakeFrame, BakeRules, BakeSource};
+use super::bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
 use crate::crust::Surface;
 use crate::hydrology::base::SPACING;
 use crate::planet::{Lattice, Planet};
-use crate::sphere::SphereError;
+use crate::sphere::SphereMesh;
 use bevy::prelude::*;
 use core::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
@@ -32,6 +32,28 @@ pub struct BakeSettings {
     pub rules: BakeRules,
 }
 
+impl BakeSettings {
+    /// Refuses a spacing that is none.
+    ///
+    /// # Errors
+    /// [`BakeError::Spacing`].
+    pub fn check(&self) -> Result<(), BakeError> {
+        let spacing = self.spacing;
+        if spacing > 0.0 && spacing.is_finite() { Ok(()) } else { Err(BakeError::Spacing(spacing)) }
+    }
+
+    /// Whether both ask for the same bake. Numbers are compared by their bits: one that is none would never equal
+    /// itself, and the planet would be baked for ever.
+    fn asks_for_the_same(&self, other: &Self) -> bool {
+        let bits = |settings: &Self| [settings.spacing, settings.rules.rivers.discharge].map(f64::to_bits);
+        let BakeRules { climate, network, rivers } = &self.rules;
+        bits(self) == bits(other)
+            && rivers.order == other.rules.rivers.order
+            && *network == other.rules.network
+            && *climate == other.rules.climate
+    }
+}
+
 impl Default for BakeSettings {
     fn default() -> Self {
         Self { spacing: SPACING, rules: BakeRules::default() }
@@ -46,21 +68,34 @@ pub struct PlanetBake(pub Arc<Bake>);
 /// default ones.
 ///
 /// # Errors
-/// [`SphereError`] if the spacing leaves too few vertices; the planet keeps its last bake.
-pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), SphereError> {
+/// [`BakeError`] for settings of which there is no bake; the planet keeps its last one.
+pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
     let settings = world.get::<BakeSettings>(planet).cloned().unwrap_or_default();
     let (Some(own), Some(lattice), Some(surface)) =
         (world.get::<Planet>(planet), world.get::<Lattice>(planet), world.get::<Surface>(planet))
     else {
         return Ok(());
     };
-    let frame = match reusable(world.get::<PlanetBake>(planet), own, lattice, &settings) {
-        Some(frame) => frame,
-        None => Arc::new(BakeFrame::new(own.seed, settings.spacing, Some(&lattice.0))?),
-    };
-    let bake = Bake::new(&frame, own.radius, &BakeSource::Surface(surface), &settings.rules);
+    settings.check()?;
+    let frame = reusable(world.get::<PlanetBake>(planet), own, lattice, &settings);
+    let bake = bake(frame, own, &lattice.0, surface, &settings)?;
     world.entity_mut(planet).insert(PlanetBake(Arc::new(bake)));
     Ok(())
+}
+
+/// The bake of a planet as its surface is; without a frame to use again it makes one.
+fn bake(
+    frame: Option<Arc<BakeFrame>>,
+    planet: &Planet,
+    lattice: &SphereMesh,
+    surface: &Surface,
+    settings: &BakeSettings,
+) -> Result<Bake, BakeError> {
+    let frame = match frame {
+        Some(frame) => frame,
+        None => Arc::new(BakeFrame::new(planet.seed, settings.spacing, Some(lattice))?),
+    };
+    Bake::new(&frame, planet.radius, &BakeSource::Surface(surface), &settings.rules)
 }
 
 /// The frame of the last bake, if it serves the next one.
@@ -97,11 +132,11 @@ struct BakeJob {
     outcome: Arc<Mutex<Option<Outcome>>>,
 }
 
-/// The bake, if there could be one, and its wall-clock time in ms.
-type Outcome = (Option<Bake>, f64);
+/// The bake, or why there is none, and its wall-clock time in ms.
+type Outcome = (Result<Bake, BakeError>, f64);
 
 /// What a planet was last baked from, so that a failure is not tried again and again.
-#[derive(Component, PartialEq)]
+#[derive(Component)]
 struct Baked {
     version: u64,
     settings: BakeSettings,
@@ -131,8 +166,16 @@ fn start(
 ) {
     static SERIAL: AtomicU64 = AtomicU64::new(0);
     for (entity, planet, lattice, surface, settings, last, baked) in &planets {
+        let same = baked.filter(|baked| baked.settings.asks_for_the_same(settings));
+        if surface.is_empty() || same.is_some_and(|baked| baked.version == surface.version) {
+            continue;
+        }
         let wanted = Baked { version: surface.version, settings: settings.clone() };
-        if surface.is_empty() || baked == Some(&wanted) {
+        if let Err(error) = settings.check() {
+            if same.is_none() {
+                warn!("the planet is not baked: {error}");
+                commands.entity(entity).insert(wanted);
+            }
             continue;
         }
         let Some(pool) = pool() else { return };
@@ -143,10 +186,7 @@ fn start(
         let result = outcome.clone();
         pool.spawn(move || {
             let began = std::time::Instant::now();
-            let frame = frame
-                .or_else(|| BakeFrame::new(planet.seed, settings.spacing, Some(&lattice)).map(Arc::new).ok());
-            let source = BakeSource::Surface(&surface);
-            let bake = frame.map(|frame| Bake::new(&frame, planet.radius, &source, &settings.rules));
+            let bake = bake(frame, &planet, &lattice, &surface, &settings);
             let milliseconds = began.elapsed().as_secs_f64() * 1e3;
             if let Ok(mut slot) = result.lock() {
                 *slot = Some((bake, milliseconds));
@@ -165,12 +205,19 @@ fn collect(mut commands: Commands, jobs: Query<(Entity, &BakeJob)>) {
             continue;
         };
         commands.entity(planet).remove::<BakeJob>();
-        let Some(bake) = bake else {
-            warn!("the planet has too few vertices for a bake");
-            continue;
+        let bake = match bake {
+            Ok(bake) => bake,
+            Err(error) => {
+                warn!("the planet is not baked: {error}");
+                continue;
+            }
         };
         let (version, time) = (bake.version, bake.time);
         commands.entity(planet).insert(PlanetBake(Arc::new(bake)));
         commands.trigger(BakeFinished { planet, version, time, milliseconds });
     }
 }
+
+#[cfg(test)]
+#[path = "plugin_tests.rs"]
+mod tests;

@@ -22,8 +22,24 @@ fn rough(seed: u64, radius: f64, dry: bool) -> (BaseMesh, Drainage) {
     (base, drainage)
 }
 
+/// Every lake has one kind, which says where its water ends.
+fn assert_kinds(drainage: &Drainage) {
+    let mut kinds = vec![None; drainage.profile.lakes.len()];
+    for i in 0..drainage.len() {
+        let Some(kind) = drainage.lake_kind(i) else {
+            assert!(!drainage.is_lake(i));
+            continue;
+        };
+        assert_eq!(drainage.is_endorheic(i), kind != LakeKind::Draining);
+        let lake = drainage.profile.lake[i] as usize;
+        assert_eq!(drainage.profile.lakes[lake].outlet == NONE, kind == LakeKind::Closed);
+        assert_eq!(*kinds[lake].get_or_insert(kind), kind, "lake {lake} has two kinds");
+    }
+}
+
 /// The laws that every drainage keeps.
 fn assert_lawful(drainage: &Drainage) {
+    assert_kinds(drainage);
     let Drainage { sites, routes, discharge, supply, profile, .. } = drainage;
     let n = drainage.len();
     // Not a unit of water is lost.
@@ -70,6 +86,7 @@ fn assert_lawful(drainage: &Drainage) {
         let vertices: Vec<usize> = (0..n).filter(|&i| profile.lake[i] == id as u32).collect();
         assert_eq!(vertices.len(), lake.vertices as usize);
         assert!(vertices.iter().all(|&i| profile.level[i] == lake.level && profile.bed[i] < lake.level));
+        assert!(vertices.iter().all(|&i| lake.level - profile.bed[i] <= profile::DEEPEST_LAKE));
     }
 }
 

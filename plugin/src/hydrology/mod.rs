@@ -52,6 +52,18 @@ pub use terrain::{Terrain, TerrainMaps};
 
 use crate::climate::Climate;
 
+/// Where the water of a lake goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum LakeKind {
+    /// On to the sea.
+    Draining = 0,
+    /// Out of the lake, but to a lake or a sink from which it never reaches the sea.
+    Passing = 1,
+    /// Nowhere but into the air: the lake has no outlet.
+    Closed = 2,
+}
+
 /// Where the water of a planet goes, per vertex of its base mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drainage {
@@ -135,6 +147,16 @@ impl Drainage {
     /// Whether vertex `i` lies in a lake.
     pub fn is_lake(&self, i: usize) -> bool {
         self.profile.lake[i] != NONE
+    }
+
+    /// The kind of the lake that covers vertex `i`; none where there is no lake.
+    pub fn lake_kind(&self, i: usize) -> Option<LakeKind> {
+        let lake = self.profile.lakes.get(self.profile.lake[i] as usize)?;
+        Some(match lake.outlet {
+            NONE => LakeKind::Closed,
+            _ if self.is_endorheic(i) => LakeKind::Passing,
+            _ => LakeKind::Draining,
+        })
     }
 
     /// Whether the water of vertex `i` never reaches the sea.

@@ -21,6 +21,11 @@ pub const FALL: i32 = 1024;
 /// Least depth of a hollow that holds a lake, grains: 20 m. Sediment fills shallower ones.
 pub const LAKE_DEPTH: i32 = 20 * 1024;
 
+/// Greatest depth of a lake, grains: 400 m. Crust is too coarse to tell a valley's floor from its rims, so hollows come out
+/// kilometres deep, which sediment would fill. Of the Earth's great lakes only young rifts and the deepest troughs of ice
+/// are deeper (Tanganyika 1470 m, Great Slave Lake 614 m); Lake Superior has 406 m, Lake Ladoga 230 m.
+pub const DEEPEST_LAKE: i32 = 400 * 1024;
+
 /// A lake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lake {
@@ -131,8 +136,8 @@ fn breach(
     wanted
 }
 
-/// Beds: the depth of the river below its level; in lakes the ground, where that is lower. At coasts the bed of
-/// the mouth.
+/// Beds: the depth of the river below its level; in lakes the ground, where that is lower, or the sediment on it. At
+/// coasts the bed of the mouth.
 fn beds(
     mesh: &SphereMesh,
     routes: &Routes,
@@ -151,7 +156,8 @@ fn beds(
             return ground[k];
         }
         let river = level[k] - depth(flow);
-        if lake[k] == NONE { river } else { river.min(ground[k]) }
+        let sediment = level[k].saturating_sub(DEEPEST_LAKE);
+        if lake[k] == NONE { river } else { river.min(ground[k].max(sediment)) }
     })
 }
 
@@ -184,6 +190,7 @@ mod tests {
         assert_eq!(weak.level[3], km - incision(1.0));
         assert_eq!(weak.level[4], weak.level[3]);
         assert_eq!((weak.lake[4], weak.lake[3], weak.lake[5]), (0, NONE, NONE));
+        assert_eq!(weak.bed[4], weak.level[4] - DEEPEST_LAKE, "750 m of water, but for the sediment");
         assert_eq!(weak.lakes, [Lake { level: weak.level[3], outlet: 3, sink: 4, vertices: 1 }]);
         let strong = profile(&mesh, &routes, &ground, |_| 40_000.0, &[], RiverNetwork::Drainage);
         assert!(strong.lakes.is_empty());

@@ -99,8 +99,9 @@ impl Balance<'_> {
         let is_member = |j: u32| inside.binary_search(&j);
         let mut reached = vec![false; inside.len()];
         let sink = members.iter().copied().min_by_key(|&i| (self.ground[i as usize], i)).unwrap_or(NONE);
-        let mut heap =
-            BinaryHeap::from([Reverse((self.ground[sink as usize], self.ground[sink as usize], sink))]);
+        // By the level of the water; what one level covers from the bottom up.
+        let entry = |level: i32, i: u32| Reverse((level, self.ground[i as usize], i));
+        let mut heap = BinaryHeap::from([entry(self.ground[sink as usize], sink)]);
         let mut order = Vec::with_capacity(inside.len());
         routes.receiver[sink as usize] = NONE;
         if let Ok(place) = is_member(sink) {
@@ -108,7 +109,7 @@ impl Balance<'_> {
         }
         let (mut lake, mut shore) = (Vec::new(), None);
         let (mut spent, mut top) = (0, i32::MIN);
-        while let Some(Reverse((level, z, i))) = heap.pop() {
+        while let Some(Reverse((level, _, i))) = heap.pop() {
             order.push(i);
             if shore.is_none() {
                 if lake.is_empty() || (spent + self.cost(i) <= inflow as i64 && level > top - 1) {
@@ -124,10 +125,9 @@ impl Balance<'_> {
                 if !reached[place] {
                     reached[place] = true;
                     routes.receiver[j as usize] = i;
-                    heap.push(Reverse((self.ground[j as usize].max(level), self.ground[j as usize], j)));
+                    heap.push(entry(self.ground[j as usize].max(level), j));
                 }
             }
-            let _ = z;
         }
         // Half way to the next higher ground, and not more than 20 m deep over the last that is covered.
         let rim = shore.unwrap_or(depression.level).max(top);

@@ -3,7 +3,7 @@
 
 use super::base::{BaseMesh, Transfer};
 use super::landform::{BELOW, Crustal};
-use crate::climate::{EARTH_RADIUS, EquirectMap};
+use crate::climate::{EARTH_RADIUS, EquirectMap, MapError};
 use crate::crust::Surface;
 use crate::math;
 use crate::overlay::relief::per_sample;
@@ -38,14 +38,32 @@ pub struct Terrain {
 /// Maps of a user, from which a planet is made without a simulation (paper 002 §3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct TerrainMaps {
-    /// Elevation of the crust in km, negative under the sea.
+    /// Elevation of the crust in km, -15..=15, negative under the sea.
     pub crust: EquirectMap,
-    /// A: age of the last orogeny in My; without it, high ground counts as folded 100 My ago.
+    /// A: age of the last orogeny in My, at least 0; without it, high ground counts as folded 100 My ago.
     pub age: Option<EquirectMap>,
     /// P: presence of plateaus, 0..=1.
     pub plateau: Option<EquirectMap>,
     /// B: presence of hills, 0..=1.
     pub hills: Option<EquirectMap>,
+}
+
+impl TerrainMaps {
+    /// Refuses maps of what no planet is.
+    ///
+    /// # Errors
+    /// [`MapError::Range`].
+    pub fn check(&self) -> Result<(), MapError> {
+        let Self { crust, age, plateau, hills } = self;
+        let metres = "from -15 to 15 km: the values look like metres";
+        crust.check("the elevation of the crust", -15.0..=15.0, metres)?;
+        let check = |map: &Option<EquirectMap>, what, range, allowed| {
+            map.as_ref().map_or(Ok(()), |map| map.check(what, range, allowed))
+        };
+        check(age, "the age of the orogeny", 0.0..=f32::INFINITY, "at least 0 My")?;
+        check(plateau, "the presence of plateaus", 0.0..=1.0, "from 0 to 1")?;
+        check(hills, "the presence of hills", 0.0..=1.0, "from 0 to 1")
+    }
 }
 
 impl Terrain {
@@ -132,9 +150,12 @@ impl Terrain {
     }
 }
 
-/// Grains of a height in km; what is not a number is at sea level.
+/// Highest ground in km that the amplifier takes, and lowest below the sea.
+const HIGHEST: f32 = 100.0;
+
+/// Grains of a height in km, at most 100 km high or deep; what is not a number is at sea level.
 pub fn to_grains(km: f32) -> i32 {
-    (f64::from(km) * 1000.0 * f64::from(GRAINS)).round() as i32
+    (f64::from(km.clamp(-HIGHEST, HIGHEST)) * 1000.0 * f64::from(GRAINS)).round() as i32
 }
 
 /// Steepest slope of the crust from vertex `i` to a neighbour, as on an Earth-sized planet.
@@ -152,6 +173,26 @@ fn steepness(base: &BaseMesh, crustal: &[Crustal], i: u32) -> f32 {
 mod tests {
     use super::*;
     use crate::math;
+
+    #[test]
+    fn maps_of_no_planet_are_refused() {
+        let map =
+            |value: f32| EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).unwrap();
+        let plain = || TerrainMaps { crust: map(-11.0), age: None, plateau: None, hills: None };
+        let error = TerrainMaps { crust: map(8848.0), ..plain() }.check().unwrap_err();
+        assert!(error.to_string().contains("8848 at pixel 0") && error.to_string().contains("metres"));
+        let refused = |maps: TerrainMaps| matches!(maps.check(), Err(MapError::Range { .. }));
+        assert!(refused(TerrainMaps { age: Some(map(-1.0)), ..plain() }));
+        assert!(refused(TerrainMaps { plateau: Some(map(1.1)), ..plain() }));
+        assert!(refused(TerrainMaps { hills: Some(map(-0.1)), ..plain() }));
+        assert_eq!(TerrainMaps { age: Some(map(4000.0)), hills: Some(map(1.0)), ..plain() }.check(), Ok(()));
+    }
+
+    #[test]
+    fn heights_beyond_all_bounds_are_clamped() {
+        let (top, metre) = (100_000 * GRAINS, 1e-3);
+        assert_eq!([metre, 1e9, f32::NEG_INFINITY, f32::NAN].map(to_grains), [GRAINS, top, -top, 0]);
+    }
 
     #[test]
     fn maps_alone_make_a_terrain() {

@@ -19,8 +19,8 @@ use rayon::prelude::*;
 pub(super) const TEMPERATURE: (f32, f32) = (-40.0, 35.0);
 /// Rain at the end of the ramp in mm per year.
 pub(super) const RAIN_MAX: f32 = 4000.0;
-/// Lakes that drain to the sea, and closed ones.
-pub(super) const LAKE: [Rgba; 2] = [[44, 112, 196, 255], [140, 84, 172, 255]];
+/// Lakes, by the number of their [`LakeKind`](crate::hydrology::LakeKind): blue is what drains to the sea.
+pub(super) const LAKE: [Rgba; 3] = [[44, 112, 196, 255], [92, 98, 184, 255], [140, 84, 172, 255]];
 /// The sea behind rivers, basins and lakes.
 pub(super) const SEA: Rgba = [38, 48, 66, 255];
 /// The land behind rivers and lakes.
@@ -91,11 +91,10 @@ fn color_at(overlay: Overlay, bake: &Bake, at: &Location) -> Rgba {
             let color = palette::distinct(mix(u64::from(drainage.basin[i])) as u32);
             if drainage.is_endorheic(i) { palette::mix(color, CLOSED, 0.6) } else { color }
         }
-        Overlay::Rivers | Overlay::Lakes if drainage.is_lake(i) => {
-            let outlet = drainage.profile.lakes[drainage.profile.lake[i] as usize].outlet;
-            LAKE[usize::from(outlet == NONE)]
+        Overlay::Rivers | Overlay::Lakes => {
+            drainage.lake_kind(i).map_or(backdrop, |kind| LAKE[kind as usize])
         }
-        Overlay::Rivers | Overlay::Lakes | Overlay::Basins => backdrop,
+        Overlay::Basins => backdrop,
         _ => field::NO_VALUE_LAND,
     }
 }
@@ -181,7 +180,7 @@ pub(crate) mod tests {
         let crust = EquirectMap::from_fn(64, |lat, _| (lat / 30.0) as f32).unwrap();
         let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
         let frame = Arc::new(BakeFrame::new(1, 0.04, None).unwrap());
-        Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default())
+        Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default()).unwrap()
     }
 
     #[test]

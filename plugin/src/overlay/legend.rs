@@ -105,9 +105,10 @@ fn plates() -> LegendEntries {
 }
 
 /// Classes of lakes.
-const LAKES: [(&str, Rgba); 3] = [
+const LAKES: [(&str, Rgba); 4] = [
     ("lake that drains to the sea", ground::LAKE[0]),
-    ("lake without an outlet", ground::LAKE[1]),
+    ("lake that drains to one without an outlet", ground::LAKE[1]),
+    ("lake without an outlet", ground::LAKE[2]),
     ("sea", ground::SEA),
 ];
 

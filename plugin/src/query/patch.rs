@@ -9,7 +9,8 @@ use rayon::prelude::*;
 pub struct Patch {
     /// The point that positions count from: at the middle of the patch on the ground; m from the planet's centre.
     pub origin: DVec3,
-    /// Corners in m from `origin`, in the planet's axes, rows from the north.
+    /// Corners in m from `origin`, in the planet's axes; those of [`collider_patch`] in rows from the
+    /// north.
     pub positions: Vec<Vec3>,
     /// Triangles, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,

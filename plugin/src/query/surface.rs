@@ -4,6 +4,8 @@
 //! steeper than about 50°, trees end where the year's mean falls below about 0 °C, glaciers live where it is far
 //! below. Not modelled: seasons, soil, fire, what people do.
 
+use crate::climate::temperature::{LAPSE_RATE, temperature};
+
 /// Warmth and wetness of a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Climate {
@@ -13,15 +15,14 @@ pub struct Climate {
     pub wetness: f32,
 }
 
-/// Cooling with height in °C per m (ICAO standard atmosphere).
-pub(super) const LAPSE: f32 = 0.0065;
+/// Cooling with height in °C per m.
+pub(super) const LAPSE: f32 = (LAPSE_RATE / 1000.0) as f32;
 
 impl Climate {
-    /// The climate of a latitude, given by its sine, at `height_m` above the sea: the two-term zonal mean of
-    /// North (1975), 28.9 - 42 sin² °C, and half wet everywhere.
+    /// The climate of a latitude, given by its sine, at `height_m` above the sea: as warm as bakes have it
+    /// ([`temperature`]), and half wet everywhere.
     pub fn of_latitude(sin_latitude: f64, height_m: f32) -> Self {
-        let sea_level = (28.9 - 42.0 * sin_latitude * sin_latitude) as f32;
-        Self { temperature_c: sea_level - LAPSE * height_m.max(0.0), wetness: 0.5 }
+        Self { temperature_c: temperature(sin_latitude, height_m / 1000.0), wetness: 0.5 }
     }
 }
 
@@ -184,6 +185,7 @@ mod tests {
         let t = |sin, height| Climate::of_latitude(sin, height).temperature_c;
         assert!(t(0.0, 0.0) > 25.0 && t(1.0, 0.0) < -10.0);
         assert!((t(0.0, 0.0) - t(0.0, 1000.0) - 6.5).abs() < 1e-4);
+        assert_eq!(t(0.3, 2500.0), temperature(0.3, 2.5), "one law for bakes and for questions");
         assert_eq!(t(0.5, -4000.0), t(-0.5, 0.0));
     }
 

@@ -24,7 +24,7 @@ pub struct ControlVertex {
     pub crust: i32,
     /// [`VertexKind`] as a number.
     pub kind: u8,
-    /// Valley archetype (the paper's e_r), 0..4.
+    /// [`ValleyShape`] as a number.
     pub valley: u8,
     /// Orogeny age A, 1/64 My; u16::MAX where no orogeny ever was.
     pub age: u16,
@@ -79,6 +79,36 @@ impl VertexKind {
     }
 }
 
+/// How the sides of a valley rise from its river (the paper's archetype e_r); `rules::valley` has the curves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum ValleyShape {
+    /// V: rivers that cut faster than their slopes retreat, in young mountains.
+    #[default]
+    V = 0,
+    /// A flat floor between even slopes: old and low land.
+    FlatFloor = 1,
+    /// U: troughs of ice, flat below and steep above.
+    IceTrough = 2,
+    /// Two risers with a terrace between them: canyons of plateaus.
+    Terraced = 3,
+}
+
+impl ValleyShape {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [Self; 4] = [Self::V, Self::FlatFloor, Self::IceTrough, Self::Terraced];
+
+    /// The shape with this number; numbers repeat after four.
+    pub const fn from_number(number: u8) -> Self {
+        match number & 3 {
+            0 => Self::V,
+            1 => Self::FlatFloor,
+            2 => Self::IceTrough,
+            _ => Self::Terraced,
+        }
+    }
+}
+
 /// One edge of the control mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
@@ -104,7 +134,7 @@ pub struct ControlFace {
 /// The control mesh of one planet.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ControlMesh {
-    /// Radius of the planet at sea level, metres; 50,000 to 10,000,000.
+    /// Radius of the planet at sea level, metres; there is ground for 50,000 to 10,000,000.
     pub radius_m: u32,
     /// Vertices.
     pub vertices: Vec<ControlVertex>,

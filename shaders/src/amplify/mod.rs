@@ -44,7 +44,7 @@
 //! | h_r, d_r | `river` (a segment), `river_distance`, `river_along` | grains, Q16 |
 //! | s_h, s_d | `gully_bed`, `gully_distance` | grains |
 //! | φ | [`Vertex::flow`](vertex::Vertex::flow), root of `discharge` | Q16; discharge 2⁻³² of 200,000 m³/s |
-//! | e_r | `valley` | archetype 0..4 |
+//! | e_r | `valley` | `ValleyShape`, 0..4 |
 //! | C, A, W, P, B | `crust`, `age`, `wetness`, `plateau`, `hills` | grains, 1/64 My, Q16 |
 //! | ξ, χ | [`seed::share`] of the vertex's seed | Q16 |
 //! | r, t, l, s, g | [`VertexKind`](control::VertexKind) | |

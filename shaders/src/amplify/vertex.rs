@@ -67,7 +67,7 @@ pub struct Vertex {
     pub kind: VertexKind,
     /// Level that made it; 0 in the control mesh.
     pub level: u8,
-    /// Valley archetype (e_r), 0..4.
+    /// Valley archetype (e_r), a `ValleyShape`'s number.
     pub valley: u8,
     /// Whether a river or gully already branches here.
     pub branched: bool,

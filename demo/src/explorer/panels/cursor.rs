@@ -6,7 +6,7 @@ use crate::explorer::text;
 use bevy::math::DVec3;
 use bevy_egui::egui::Ui;
 use bevy_pangaea::control::Bake;
-use bevy_pangaea::hydrology::flow;
+use bevy_pangaea::hydrology::{LakeKind, flow};
 use bevy_pangaea::overlay::relief::azimuth;
 use bevy_pangaea::prelude::*;
 
@@ -62,8 +62,13 @@ fn weather(ui: &mut Ui, bake: &Bake, direction: DVec3) {
         row(ui, "River, order", drainage.strahler[i].to_string());
         row(ui, "Discharge", format!("{:.0} m³/s", flow::per_second(drainage.discharge[i])));
     }
-    if drainage.is_lake(i) {
-        row(ui, "Lake", if drainage.is_endorheic(i) { "closed" } else { "with an outlet" });
+    if let Some(kind) = drainage.lake_kind(i) {
+        let end = match kind {
+            LakeKind::Draining => "drains to the sea",
+            LakeKind::Passing => "drains to a closed one",
+            LakeKind::Closed => "without an outlet",
+        };
+        row(ui, "Lake", end);
     }
 }
 

@@ -9,7 +9,7 @@
 //! never raises ground above the land beside it; a bank always overtops its water.
 
 use super::super::arith::{mix, mul_q16, ratio, saturate, smooth, smoothstep, sqrt_q16, square};
-use super::super::control::VertexKind;
+use super::super::control::{ValleyShape, VertexKind};
 use super::super::fixed::{GRAINS, Q16};
 use super::super::vertex::{FAR, Vertex};
 use super::ocean;
@@ -63,17 +63,13 @@ impl Reach {
 }
 
 /// The four archetypes of a valley's side, height over distance, both 0..1 in Q16; monotone, 0 at 0 and 1 at 1.
-pub const fn archetype(valley: u8, x: i32) -> i32 {
+pub const fn archetype(shape: ValleyShape, x: i32) -> i32 {
     let x = saturate(x);
-    match valley & 3 {
-        // V: rivers that cut faster than their slopes retreat.
-        0 => x / 2 + square(x) / 2,
-        // Flat floor, then straight slopes.
-        1 => mul_q16(smoothstep(9_830, 52_429, x), Q16 - x / 4) + square(x) / 4,
-        // U: troughs of ice, flat below and steep above.
-        2 => mul_q16(square(x), x),
-        // Terraced sides: two risers.
-        _ => (smoothstep(3_277, 22_938, x) + smoothstep(36_045, 62_259, x)) / 2,
+    match shape {
+        ValleyShape::V => x / 2 + square(x) / 2,
+        ValleyShape::FlatFloor => mul_q16(smoothstep(9_830, 52_429, x), Q16 - x / 4) + square(x) / 4,
+        ValleyShape::IceTrough => mul_q16(square(x), x),
+        ValleyShape::Terraced => (smoothstep(3_277, 22_938, x) + smoothstep(36_045, 62_259, x)) / 2,
     }
 }
 
@@ -119,10 +115,10 @@ fn beside(rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
         return dry(raw.max(shoulder.min(raw.saturating_add(2 * GRAINS))));
     }
     let x = ratio(across, width);
-    let shape = if rules.archetypes { archetype(vertex.valley, x) } else { x / 2 + square(x) / 2 };
+    let shape = if rules.archetypes { ValleyShape::from_number(vertex.valley) } else { ValleyShape::V };
     // Slopes of 20° beside brooks, 3.5° beside great rivers; the plain's own height bounds them.
     let tangent = mix(23_853, 4_008, reach.strength);
-    let rise = mul_q16(mul_q16(width, tangent), shape).min((vertex.crust - shoulder).max(0));
+    let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x)).min((vertex.crust - shoulder).max(0));
     let profile = shoulder.saturating_add(rise);
     let carved = mix(profile.min(raw.max(shoulder)), raw, smoothstep(6_554, 58_982, x));
     dry(carved.max(shoulder))
@@ -133,7 +129,7 @@ mod tests {
     use super::super::super::vertex::Segment;
     use super::*;
 
-    fn beside_river(distance_m: f64, height_m: i32, flow: i32, valley: u8) -> Carved {
+    fn beside_river(distance_m: f64, height_m: i32, flow: i32, valley: ValleyShape) -> Carved {
         let m = |x: i32| x * GRAINS;
         let vertex = Vertex {
             kind: VertexKind::Terrain,
@@ -148,7 +144,7 @@ mod tests {
             },
             river_distance: (distance_m * 1024.0) as i32,
             river_along: Q16 / 2,
-            valley,
+            valley: valley as u8,
             ..Vertex::default()
         };
         carve(&mut ocean::Kept::default(), &Rules::default(), &vertex, m(52_000))
@@ -156,7 +152,7 @@ mod tests {
 
     #[test]
     fn cross_section_is_continuous_and_above_the_bed() {
-        for valley in 0..4 {
+        for valley in ValleyShape::ALL {
             for flow in [200, 3_000, 20_000, Q16] {
                 let reach = Reach { bed: 0, water: 0, strength: sqrt_q16(flow) };
                 let height = (105 + reach.half_valley(52_000 * GRAINS) / (2 * GRAINS)).min(3_000);
@@ -169,7 +165,7 @@ mod tests {
                         // The land stands half the width above the river at most: nowhere steeper than three times that.
                         assert!(
                             (now.ground - last.ground).abs() < 768,
-                            "{valley} {flow} {distance} {last:?} {now:?} {height}"
+                            "{valley:?} {flow} {distance} {last:?} {now:?} {height}"
                         );
                     }
                     last = Some(now);
@@ -182,27 +178,47 @@ mod tests {
     fn water_fills_the_bed_and_ends_at_its_bank() {
         let mut wet = true;
         for k in 0..2_000 {
-            let now = beside_river(f64::from(k) * 0.25, 300, 2_000, 0);
+            let now = beside_river(f64::from(k) * 0.25, 300, 2_000, ValleyShape::V);
             let is_wet = now.water > now.ground;
             assert!(wet || !is_wet, "one river, one shore");
             assert!(!is_wet || now.water == 105 * GRAINS);
             wet = is_wet;
         }
         assert!(!wet);
-        assert!(beside_river(0.0, 300, 2_000, 0).ground == 100 * GRAINS);
+        assert!(beside_river(0.0, 300, 2_000, ValleyShape::V).ground == 100 * GRAINS);
     }
 
     #[test]
     fn archetypes_rise_from_floor_to_rim() {
-        for valley in 0..4 {
+        for valley in ValleyShape::ALL {
             let mut last = 0;
             for x in 0..=Q16 {
                 let y = archetype(valley, x);
-                assert!(y + 3 >= last && (0..=Q16 + 3).contains(&y), "{valley} {x} {y} {last}");
+                assert!(y + 3 >= last && (0..=Q16 + 3).contains(&y), "{valley:?} {x} {y} {last}");
                 last = last.max(y);
             }
             assert_eq!(archetype(valley, 0), 0);
-            assert!((archetype(valley, Q16) - Q16).abs() <= 2, "{valley}");
+            assert!((archetype(valley, Q16) - Q16).abs() <= 2, "{valley:?}");
+        }
+    }
+
+    #[test]
+    fn archetypes_are_what_they_are_called() {
+        let at = |shape, percent: i32| archetype(shape, Q16 * percent / 100) * 100 / Q16;
+        // How high the side stands at an eighth, a half and three quarters of the way, in percent.
+        for (shape, low, half, high) in [
+            (ValleyShape::V, 6..9, 36..39, 64..67),
+            (ValleyShape::FlatFloor, 0..2, 50..60, 90..95),
+            (ValleyShape::IceTrough, 0..1, 11..14, 41..44),
+            (ValleyShape::Terraced, 5..8, 49..51, 70..80),
+        ] {
+            let [a, b, c] = [12, 50, 75].map(|percent| at(shape, percent));
+            assert!(low.contains(&a) && half.contains(&b) && high.contains(&c), "{shape:?} {a} {b} {c}");
+        }
+        // Between the risers of a terrace the ground is level.
+        assert_eq!(at(ValleyShape::Terraced, 36), at(ValleyShape::Terraced, 54));
+        for (number, shape) in (0..).zip(ValleyShape::ALL) {
+            assert_eq!((ValleyShape::from_number(number), shape as u8), (shape, number));
         }
     }
 
@@ -212,6 +228,7 @@ mod tests {
         let edge = 52_000 * GRAINS;
         assert!(reach(60_000).half_valley(edge) > 3 * reach(10_000).half_valley(edge));
         assert!(reach(60_000).half_bed() > reach(0).half_bed());
-        assert!(beside_river(2_000.0, 900, Q16, 0).ground < beside_river(2_000.0, 900, 100, 0).ground);
+        let ground = |flow| beside_river(2_000.0, 900, flow, ValleyShape::V).ground;
+        assert!(ground(Q16) < ground(100));
     }
 }
