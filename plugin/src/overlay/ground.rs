@@ -38,7 +38,7 @@ pub(super) fn is_baked(overlay: Overlay) -> bool {
 }
 
 /// The colour of a river's order: the higher, the deeper and the darker.
-pub(super) fn order_color(order: u8) -> Rgba {
+pub(crate) fn order_color(order: u8) -> Rgba {
     let t = (f32::from(order.max(1)) - 1.0) / 6.0;
     palette::mix([122, 170, 208, 255], [10, 40, 110, 255], t)
 }
