@@ -3,10 +3,11 @@
 //! Crust is sampled every 50 to 200 km; what lies between is *relief*. It stands about the mean elevation z of the crust:
 //! valleys a third of it below, summits two thirds above. So C, the level that summits reach, is z + 0.65 R, and the
 //! base ground, on which rivers run, is z - 0.35 R. R spans from the valley floors to the highest summits: in real belts
-//! that is the largest range within 10 km, half again the median one. It is 4.4 km in young Himalayan belts (Karakoram
-//! 3.8, Everest 4.4), 3.0 km in young Andean ones (Patagonia 2.7, Aconcagua 3.4), 0.85 km once they are 200 My old
-//! (Appalachians and Scottish Highlands 1.1), and some tens of metres where nothing was folded. A low belt has no more
-//! of it than one and a half times its mean elevation, however old (Scottish Highlands 1.2, Patagonia 1.75).
+//! that is the largest range within 10 km, half again the median one: Karakoram 3.8 km, Everest 4.4; Patagonia 2.7,
+//! Aconcagua 3.4; Appalachians and Scottish Highlands 1.1. Noise and low crust leave less of it, so it is 4.9 km in young
+//! Himalayan belts, 3.2 km in young Andean ones, 0.85 km once they are 200 My old, and some tens of metres where nothing
+//! was folded. A low belt has no more of it than one and three quarters of its mean elevation, however old (Scottish Highlands
+//! 1.2, Patagonia 1.75).
 //!
 //! - P, plateau: high, level crust of young belts: what lies behind the Andean and Himalayan fronts, less where ranges
 //!   cross it. Its relief is two fifths of its belt's (Altiplano: 1.3 km, beside 2.1 km at Aconcagua).
@@ -20,15 +21,15 @@ use crate::math;
 use bevy::math::Vec3;
 
 /// R in km of a young belt of subduction, of a young belt of collision, and of a worn one.
-const SUBDUCTION: f32 = 3.0;
-const COLLISION: f32 = 4.4;
+const SUBDUCTION: f32 = 3.2;
+const COLLISION: f32 = 4.9;
 const WORN: f32 = 0.85;
 
 /// Age in My of belts that are worn down to hills.
 const OLD: f32 = 200.0;
 
 /// Most relief of a belt per mean elevation: its valleys end at the sea.
-const RELIEF_OF_MEAN: f32 = 1.5;
+const RELIEF_OF_MEAN: f32 = 1.75;
 
 /// Share of the relief that a plateau lacks.
 const LEVELLED: f32 = 0.6;
@@ -164,7 +165,7 @@ mod tests {
                 let low = belt(z, age, 1.0);
                 let relief = low.relief(0.0);
                 assert!(
-                    relief <= 1.5 * z + 0.06 && low.ground(relief, 0.0, 0.0) > 0.0,
+                    relief <= RELIEF_OF_MEAN * z + 0.06 && low.ground(relief, 0.0, 0.0) > 0.0,
                     "{z} km, {age} My: {relief}"
                 );
             }

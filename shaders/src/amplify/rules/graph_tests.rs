@@ -212,5 +212,5 @@ fn bits_are_pinned() {
             }
         }
     });
-    assert_eq!(digest, 3_432_299_450);
+    assert_eq!(digest, 3_851_268_086);
 }
