@@ -1,5 +1,5 @@
 //! The ground of the base mesh and its landforms: the control maps C, A, P and B of paper 002 §3, from the crust or
-//! from a user's maps. (W comes with the climate.) [`landform`](super::landform) has the laws.
+//! from a user's maps. (W comes with the climate.) The laws are those of `landform`.
 
 use super::base::{BaseMesh, Transfer};
 use super::landform::{BELOW, Crustal};
