@@ -2,9 +2,10 @@
 
 use crate::cli::ExportArgs;
 use crate::error::CliError;
-use crate::ground::open_ground;
+use crate::ground::ground_of;
 use crate::output::{check_file, say};
 use bevy_pangaea::io::export::{self as squares, Format};
+use bevy_pangaea::io::load;
 use bevy_pangaea::query::{AzimuthalEquidistant, GroundError, Square};
 
 /// Runs the command.
@@ -16,7 +17,9 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     if format == Format::Grey {
         check_file(&args.out.with_extension("json"))?;
     }
-    let (ground, square) = open_ground(&args.planet, |radius_m| square(args, radius_m))?;
+    let state = load(&args.planet)?;
+    let square = square(args, 1000.0 * state.planet.radius)?;
+    let ground = ground_of(state)?;
     say(&format!("level {}, {:.3} m to a pixel", square.level(), square.pixel_m()));
     for path in squares::export(&ground, &square, &args.out)? {
         say(&path.display().to_string());

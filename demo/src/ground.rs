@@ -31,15 +31,10 @@ pub fn ground(headless: &Headless) -> Result<PlanetGround, CliError> {
     Ok(PlanetGround::of_bake(headless.get::<PlanetBake>()?, Rules::default())?)
 }
 
-/// The ground of the planet in a file. `check` sees the planet's radius in m before the work begins.
+/// The ground of a planet that was loaded.
 ///
 /// # Errors
-/// If the file is refused, and those of `check`.
-pub fn open_ground<T>(
-    path: &Path,
-    check: impl FnOnce(f64) -> Result<T, CliError>,
-) -> Result<(PlanetGround, T), CliError> {
-    let state = load(path)?;
-    let checked = check(1000.0 * state.planet.radius)?;
-    Ok((ground(&bake(state)?)?, checked))
+/// As [`ground`].
+pub fn ground_of(state: PlanetState) -> Result<PlanetGround, CliError> {
+    ground(&bake(state)?)
 }

@@ -2,9 +2,10 @@
 
 use crate::cli::{PlaceSpec, QueryArgs};
 use crate::error::CliError;
-use crate::ground::open_ground;
+use crate::ground::ground_of;
 use crate::output::print;
 use crate::values::place;
+use bevy_pangaea::io::load;
 use bevy_pangaea::query::{Ground, GroundError, Sample, direction_at, sample};
 use rayon::prelude::*;
 use std::fmt::Write;
@@ -28,7 +29,7 @@ pub fn query(args: &QueryArgs) -> Result<(), CliError> {
         Some(place) => vec![place],
         None => read_places(io::stdin().lock())?,
     };
-    let (ground, ()) = open_ground(&args.planet, |_| Ok(()))?;
+    let ground = ground_of(load(&args.planet)?)?;
     print(&format!("{HEADER}\n"))?;
     places.chunks(BLOCK).try_for_each(|places| print(&table(&ground, places, args.level as u8)?))
 }

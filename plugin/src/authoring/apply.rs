@@ -10,8 +10,8 @@ use crate::events::{CommandApplied, CommandRejected};
 use crate::params::{ParamError, TectonicParams};
 use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::{PlateId, PlateMotion};
-use crate::process::plate_table;
 use crate::process::rifting::{RiftError, rift_along, rift_at_random};
+use crate::process::{planet_radius, plate_table};
 use crate::schedule::CurrentPlanet;
 use bevy::prelude::*;
 use thiserror::Error;
@@ -150,7 +150,7 @@ fn set_motion(
     let limit = world.get::<TectonicParams>(planet).map_or(100.0, |params| params.max_speed);
     within("speed", speed, -limit, limit)?;
     let row = *plate_table(world, planet).get(id).ok_or(CommandError::NoPlate(id))?;
-    let radius = world.get::<Planet>(planet).map_or(6370.0, |planet| planet.radius);
+    let radius = planet_radius(world, planet);
     let axis = if speed < 0.0 { -axis } else { axis };
     world.entity_mut(row.entity).insert(PlateMotion { axis, speed: speed.abs() / radius });
     Ok(())
@@ -159,7 +159,7 @@ fn set_motion(
 /// Holds all plates to the highest speed, which may be lower than it was.
 fn slow_down(world: &mut World, planet: Entity) {
     let limit = world.get::<TectonicParams>(planet).map_or(f64::INFINITY, |params| params.max_speed);
-    let radius = world.get::<Planet>(planet).map_or(6370.0, |planet| planet.radius);
+    let radius = planet_radius(world, planet);
     for row in plate_table(world, planet).rows().iter().filter(|row| row.motion.speed > limit / radius) {
         world.entity_mut(row.entity).insert(row.motion.limited(limit / radius));
     }

@@ -245,14 +245,10 @@ impl CoverIndex {
         p: DVec3,
         choice: impl Fn(&Frame) -> bool,
     ) -> Option<Hit> {
-        let mut top: Option<Hit> = None;
-        for id in ones(self.candidates(p)).filter(|&id| choice(&frames[id])) {
-            let Some(hit) = self.hit(mesh, crust, id as FrameId, p) else { continue };
-            if top.is_none_or(|top| overrides(crust, frames, polarity, hit, top, p)) {
-                top = Some(hit);
-            }
-        }
-        top
+        let hits = ones(self.candidates(p))
+            .filter(|&id| choice(&frames[id]))
+            .filter_map(|id| self.hit(mesh, crust, id as FrameId, p));
+        hits.reduce(|top, hit| upper(crust, frames, polarity, top, hit, p))
     }
 
     /// All frames that cover the unit direction `p`, in order of their numbers.
@@ -332,8 +328,11 @@ pub fn topmost(
     hits: &Hits,
     p: DVec3,
 ) -> Option<Hit> {
-    hits.as_slice()
-        .iter()
-        .copied()
-        .reduce(|top, hit| if overrides(crust, frames, polarity, hit, top, p) { hit } else { top })
+    hits.as_slice().iter().copied().reduce(|top, hit| upper(crust, frames, polarity, top, hit, p))
+}
+
+/// Which of two hits at `p` lies on top.
+#[inline]
+fn upper(crust: &Crust, frames: &[Frame], polarity: &PolarityMemory, a: Hit, b: Hit, p: DVec3) -> Hit {
+    if overrides(crust, frames, polarity, b, a, p) { b } else { a }
 }

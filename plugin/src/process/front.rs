@@ -23,6 +23,21 @@ pub const HOLD: u8 = 4;
 /// Frames that spread between two looks at the clock.
 const BATCH: usize = 8;
 
+/// What a front is found from.
+#[derive(Clone, Copy)]
+pub struct FrontInput<'a> {
+    /// Samples and triangles.
+    pub mesh: &'a SphereMesh,
+    /// The frame of every sample.
+    pub frame: &'a [FrameId],
+    /// The rims.
+    pub rim: &'a Rim,
+    /// What their samples meet.
+    pub contacts: &'a Contacts,
+    /// How far from the front distances are wanted, in radians.
+    pub reach: f64,
+}
+
 /// The nearest sample of the front, for every sample on its frame.
 #[derive(Component, Clone, Debug)]
 pub struct FrontField {
@@ -60,20 +75,13 @@ impl FrontField {
         });
     }
 
-    /// Takes in which samples of the rim override now, up to `reach` radians. Ends early where it should `stop`; called
-    /// again in the same step it goes on. Returns whether it is done.
-    pub fn refresh(
-        &mut self,
-        mesh: &SphereMesh,
-        frame: &[FrameId],
-        rim: &Rim,
-        contacts: &Contacts,
-        reach: f64,
-        stop: impl Fn() -> bool,
-    ) -> bool {
+    /// Takes in which samples of the rim override now. Ends early where it should `stop`; called again in the same step
+    /// it goes on. Returns whether it is done.
+    pub fn refresh(&mut self, input: &FrontInput, stop: impl Fn() -> bool) -> bool {
+        let &FrontInput { mesh, frame, reach, .. } = input;
         let mut pending = match self.pending.take() {
             Some(pending) => pending,
-            None => self.begin(mesh, frame, rim, contacts, reach),
+            None => self.begin(input),
         };
         let field = &self.nearest;
         let spread = |start: Vec<(u32, u32)>| {
@@ -93,14 +101,8 @@ impl FrontField {
     }
 
     /// Finds what the spreads of this step start from.
-    fn begin(
-        &mut self,
-        mesh: &SphereMesh,
-        frame: &[FrameId],
-        rim: &Rim,
-        contacts: &Contacts,
-        reach: f64,
-    ) -> Vec<Vec<(u32, u32)>> {
+    fn begin(&mut self, input: &FrontInput) -> Vec<Vec<(u32, u32)>> {
+        let &FrontInput { mesh, frame, rim, contacts, reach } = input;
         if self.stale || self.reach != reach {
             self.nearest.clear();
             self.front.clear();
@@ -201,7 +203,8 @@ mod tests {
                 stream.unit(segment(i, step)) < 0.6 && stream.unit((u64::from(i) << 16) | step) < 0.8
             };
             let (rim, contacts) = front(&mesh, |i| on(i, step));
-            assert!(field.refresh(&mesh, &frame, &rim, &contacts, reach, || false));
+            let input = FrontInput { mesh: &mesh, frame: &frame, rim: &rim, contacts: &contacts, reach };
+            assert!(field.refresh(&input, || false));
             let held = |i: u32| (0..u64::from(HOLD)).any(|ago| ago <= step && on(i, step - ago));
             let sources: Vec<u32> = rim.samples.iter().copied().filter(|&i| held(i)).collect();
             let (mut wrong, mut reached) = (0, 0);

@@ -102,6 +102,11 @@ pub fn plate_table(world: &World, planet: Entity) -> PlateTable {
     }))
 }
 
+/// Radius of a planet in km; Earth's, as recipes have it, for what is none.
+pub(crate) fn planet_radius(world: &World, planet: Entity) -> f64 {
+    world.get::<crate::planet::Planet>(planet).map_or(6370.0, |planet| planet.radius)
+}
+
 /// Raises `z` by `dz` km so that it approaches `ceiling` smoothly and never passes it: slope 1 far below,
 /// all of the distance that is left for an endless `dz`. What is lowered (`dz` < 0) is lowered in full.
 #[inline]

@@ -19,7 +19,7 @@ use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::boundary::Rim;
 use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateRow, PlateStats};
-use crate::process::plate_table;
+use crate::process::{planet_radius, plate_table};
 use crate::random::{Purpose, Stream};
 use crate::resample::{Moved, rebuild_moved};
 use crate::schedule::{CurrentPlanet, Stage, StageTimings, TectonicStep, TectonicSystems};
@@ -41,11 +41,13 @@ const WIDE: f64 = 1.2;
 /// A plate that fills a cap of more than so many radians may break all round.
 const ALL_ROUND: f64 = 2.0;
 
-/// A bite has at least this share of the plate, where none of the first so many shapes gives a larger one.
-const SMALLEST_BITE: (f64, u64) = (0.025, 36);
+/// A bite has at least this share of the plate, where none of the first [`PATIENCE`] shapes gives a larger one.
+const SMALLEST_BITE: f64 = 0.025;
+const PATIENCE: u64 = 36;
 
 /// Shapes that are tried before a random rift is given up: of plates that great circles break, and of wide ones.
-const ATTEMPTS: [u64; 2] = [12, 56];
+const ATTEMPTS: u64 = 12;
+const WIDE_ATTEMPTS: u64 = 56;
 
 /// Adds [`rifting`] to the step.
 pub struct RiftingPlugin;
@@ -108,7 +110,7 @@ pub fn rift_at_random(
     fragments: Option<u32>,
 ) -> Result<Vec<PlateId>, RiftError> {
     let (row, stream, warp) = prepare(world, planet, id)?;
-    let reach = (row.stats.area / PI).sqrt() / radius(world, planet);
+    let reach = (row.stats.area / PI).sqrt() / planet_radius(world, planet);
     // The cap of the same area.
     let extent = acos(1.0 - 0.5 * reach * reach);
     let step = world.get::<GeologicClock>(planet).map_or(0, |clock| clock.step);
@@ -118,7 +120,7 @@ pub fn rift_at_random(
         _ => 4,
     });
     let wide = count == 2 && extent > WIDE;
-    for attempt in 0..ATTEMPTS[usize::from(wide)] {
+    for attempt in 0..if wide { WIDE_ATTEMPTS } else { ATTEMPTS } {
         let counter = 4 + 64 * step + attempt;
         let far_end = stream.bits(counter) & 1 == 0;
         let shape = if wide && extent > ALL_ROUND && attempt % 16 == 15 {
@@ -131,8 +133,7 @@ pub fn rift_at_random(
         } else {
             RiftShape::random(&stream, counter, row.stats.centroid, reach, count, warp)
         };
-        let (bite, patience) = SMALLEST_BITE;
-        let smallest = if attempt < patience { SMALLEST_SHARE } else { bite };
+        let smallest = if attempt < PATIENCE { SMALLEST_SHARE } else { SMALLEST_BITE };
         match rift(world, planet, id, &shape, smallest, far_end) {
             Err(RiftError::NoShape | RiftError::Misses) => {}
             done => return done,
@@ -171,16 +172,12 @@ pub fn rift_along(
     rift(world, planet, id, &RiftShape::Path { points, warp }, 0.0, true)
 }
 
-fn radius(world: &World, planet: Entity) -> f64 {
-    world.get::<Planet>(planet).map_or(6370.0, |planet| planet.radius)
-}
-
 fn prepare(world: &World, planet: Entity, id: PlateId) -> Result<(PlateRow, Stream, Warp), RiftError> {
     let row = *plate_table(world, planet).get(id).ok_or(RiftError::NoPlate(id))?;
     let seed = world.get::<Planet>(planet).map_or(0, |planet| planet.seed);
     let step = world.get::<GeologicClock>(planet).map_or(0, |clock| clock.step);
     let amount = world.get::<TectonicParams>(planet).map_or(0.0, |params| params.border_warp);
-    let reach = (row.stats.area / PI).sqrt() / radius(world, planet);
+    let reach = (row.stats.area / PI).sqrt() / planet_radius(world, planet);
     let noise = Noise::new(seed, Purpose::RiftWarp, u64::from(id.0) << 32 | step);
     let warp = Warp { noise, amplitude: 0.5 * amount * reach, frequency: 2.0 / reach.max(0.01) };
     Ok((row, Stream::new(seed, Purpose::RiftShape, u64::from(id.0)), warp))
@@ -244,18 +241,16 @@ fn rift(
     let speed = params.rift_speed.min(params.max_speed) / body.radius;
     let near = params.rift_width / body.radius;
     let opens = |parts: &[Split]| {
+        check_shares(parts, shape, smallest)?;
         let plate: Vec<DVec3> = parts.iter().map(|part| part.world).collect();
         shape.motions(&plate, speed, far_end).ok_or(RiftError::NoShape)
     };
-    if smallest > 0.0 {
-        // Most random shapes are refused; some hundred samples are enough to see it.
-        let stride = (row.stats.samples as usize / 400).clamp(1, 64);
-        let coarse = split(lattice, &crust, &frames, id, shape, near, stride);
-        check_shares(&coarse, shape, smallest)?;
-        opens(&coarse)?;
+    // Most random shapes are refused; some hundred samples are enough to see it.
+    let stride = (row.stats.samples as usize / 400).clamp(1, 64);
+    if smallest > 0.0 && stride > 1 {
+        opens(&split(lattice, &crust, &frames, id, shape, near, stride))?;
     }
     let parts = split(lattice, &crust, &frames, id, shape, near, 1);
-    check_shares(&parts, shape, smallest)?;
     let gained = opens(&parts)?;
     let fragments = shape.fragments();
     // The parent's motion is held back so that no fragment exceeds the highest speed.

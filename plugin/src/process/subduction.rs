@@ -23,7 +23,7 @@ use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contact, Contacts, Role};
-use crate::process::front::FrontField;
+use crate::process::front::{FrontField, FrontInput};
 use crate::process::saturating_rise;
 use crate::schedule::{CurrentPlanet, Stage, StepCursor, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
@@ -59,7 +59,8 @@ pub fn subduction(
         return;
     }
     let reach = (params.uplift_end() / planet.radius).min(2.0);
-    if !field.refresh(lattice, &crust.frame, rim, contacts, reach, || cursor.out_of_time()) {
+    let front = FrontInput { mesh: lattice, frame: &crust.frame, rim, contacts, reach };
+    if !field.refresh(&front, || cursor.out_of_time()) {
         cursor.hold();
         return;
     }

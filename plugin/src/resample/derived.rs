@@ -65,7 +65,7 @@ fn renew(world: &mut World, planet: Entity, moved: Option<&Moved>) {
     let touched: Option<Vec<PlateId>> = known.map(|m| m.frames.iter().map(|&id| frames.plate(id)).collect());
     let counted = |plate: PlateId| touched.as_ref().is_none_or(|touched| touched.contains(&plate));
     let stats = plate_stats(lattice, crust, frames, body.radius, counted);
-    let gone = |id: PlateId| counted(id) && !has_samples(&stats, id);
+    let gone = |id: PlateId| counted(id) && of_plate(&stats, id).is_none();
     let gone: Vec<_> = plate_table(world, planet).rows().iter().copied().filter(|row| gone(row.id)).collect();
     if let Some(mut polarity) = world.get_mut::<PolarityMemory>(planet) {
         polarity.retain(|id| gone.iter().all(|row| row.id != id));
@@ -77,15 +77,16 @@ fn renew(world: &mut World, planet: Entity, moved: Option<&Moved>) {
     }
 }
 
-fn has_samples(stats: &[(PlateId, PlateStats)], id: PlateId) -> bool {
-    stats.iter().any(|(other, stats)| *other == id && stats.samples > 0)
+/// The statistics of a plate, if it has samples.
+fn of_plate(stats: &[(PlateId, PlateStats)], id: PlateId) -> Option<PlateStats> {
+    stats.iter().find(|(other, stats)| *other == id && stats.samples > 0).map(|(_, stats)| *stats)
 }
 
 /// Gives plates their statistics.
 fn take_over(world: &mut World, planet: Entity, stats: &[(PlateId, PlateStats)]) {
     for row in plate_table(world, planet).rows() {
-        if let Some((_, stats)) = stats.iter().find(|(id, stats)| *id == row.id && stats.samples > 0) {
-            world.entity_mut(row.entity).insert(*stats);
+        if let Some(stats) = of_plate(stats, row.id) {
+            world.entity_mut(row.entity).insert(stats);
         }
     }
 }

@@ -3,7 +3,7 @@
 //! Every child edge and child face is written from its parent's data and that of the parent's neighbours alone.
 
 use super::rules::{EdgeKind, Rules, gully};
-use super::topology::{Edge, Face, Inner, Mark, NONE};
+use super::topology::{Edge, Face, Mark, NONE};
 use super::vertex::Vertex;
 use super::vertex_resolve::tributary;
 
@@ -62,20 +62,14 @@ pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &
     let other = (k + 2) % 3;
     let (first, second) = (edges[face.edges[k] as usize].mid, edges[face.edges[other] as usize].mid);
     let faces = [face.child + k as u32, face.child + 3];
-    let (kind, reversed, low) = match face.inner[k] {
-        Inner::Terrain => (EdgeKind::Terrain, false, k),
-        Inner::RiverToFirst => (EdgeKind::River, true, k),
-        Inner::RiverToSecond => (EdgeKind::River, false, other),
-        Inner::GullyToFirst => (EdgeKind::Gully, true, k),
-        Inner::GullyToSecond => (EdgeKind::Gully, false, other),
-    };
+    let (kind, reversed) = face.inner[k].edge();
     let mut edge = if reversed {
         Edge::new(kind, [second, first], [faces[1], faces[0]])
     } else {
         Edge::new(kind, [first, second], faces)
     };
     if kind == EdgeKind::River {
-        let river = &edges[face.edges[low] as usize];
+        let river = &edges[face.edges[if reversed { k } else { other }] as usize];
         edge.birth = level as u8 + 1;
         edge.arriving = tributary(&vertices[river.mid as usize], &vertices[river.vertices[0] as usize]);
     }

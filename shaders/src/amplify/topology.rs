@@ -69,6 +69,19 @@ pub enum Inner {
     GullyToSecond = 4,
 }
 
+impl Inner {
+    /// The kind of the inner edge, and whether it runs from mₖ₋₁ to mₖ.
+    pub const fn edge(self) -> (EdgeKind, bool) {
+        match self {
+            Self::Terrain => (EdgeKind::Terrain, false),
+            Self::RiverToFirst => (EdgeKind::River, true),
+            Self::RiverToSecond => (EdgeKind::River, false),
+            Self::GullyToFirst => (EdgeKind::Gully, true),
+            Self::GullyToSecond => (EdgeKind::Gully, false),
+        }
+    }
+}
+
 /// One face, 36 bytes, counter-clockwise from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]

@@ -38,8 +38,7 @@ pub(super) fn read_ledger(bytes: &[u8]) -> Result<Ledger, SaveError> {
 }
 
 pub(super) fn recording(state: &PlanetState) -> Vec<u8> {
-    // Plain lists of numbers and names always have a text.
-    ron::to_string(&state.recording.0).unwrap_or_default().into_bytes()
+    commands(&state.recording.0)
 }
 
 pub(super) fn read_recording(bytes: &[u8]) -> Result<Recording, SaveError> {
@@ -51,11 +50,16 @@ pub(super) fn read_recording(bytes: &[u8]) -> Result<Recording, SaveError> {
 }
 
 pub(super) fn pending(state: &PlanetState) -> Vec<u8> {
-    ron::to_string(&state.pending.0).unwrap_or_default().into_bytes()
+    commands(&state.pending.0)
 }
 
 pub(super) fn read_pending(bytes: &[u8]) -> Result<Scenario, SaveError> {
     read_commands(bytes, "list of commands to come").map(Scenario)
+}
+
+fn commands(list: &[TimedCommand]) -> Vec<u8> {
+    // Plain lists of numbers and names always have a text.
+    ron::to_string(list).unwrap_or_default().into_bytes()
 }
 
 fn read_commands(bytes: &[u8], what: &str) -> Result<Vec<TimedCommand>, SaveError> {

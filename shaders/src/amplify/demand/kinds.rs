@@ -4,7 +4,6 @@ use super::super::base::Base;
 use super::super::edge_split::STRAIGHT_LEVEL;
 use super::super::face_split::{arriving_at, half_kind};
 use super::super::rules::EdgeKind;
-use super::super::topology::Inner;
 use super::super::vertex_resolve::tributary;
 use super::Demand;
 use core::ops::Deref;
@@ -33,14 +32,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
             (kind, reversed) = half_kind(&self.rules, above, parent.kind, usize::from(known.slot), along);
             birth = parent.birth;
         } else {
-            let inner = self.decide(level - 1, known.parent)[known.slot as usize - 2];
-            (kind, reversed) = match inner {
-                Inner::Terrain => (EdgeKind::Terrain, false),
-                Inner::RiverToFirst => (EdgeKind::River, true),
-                Inner::RiverToSecond => (EdgeKind::River, false),
-                Inner::GullyToFirst => (EdgeKind::Gully, true),
-                Inner::GullyToSecond => (EdgeKind::Gully, false),
-            };
+            (kind, reversed) = self.decide(level - 1, known.parent)[known.slot as usize - 2].edge();
             birth = level as u8;
         }
         let birth = if kind == EdgeKind::River { birth } else { 0 };
