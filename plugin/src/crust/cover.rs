@@ -31,33 +31,6 @@ pub struct Hit {
     pub local: DVec3,
 }
 
-/// The frames that cover a point; more than eight never matter.
-#[derive(Clone, Copy, Debug)]
-pub struct Hits {
-    hits: [Hit; 8],
-    len: usize,
-}
-
-impl Default for Hits {
-    fn default() -> Self {
-        Self { hits: [Hit { frame: 0, sample: 0, local: DVec3::ZERO }; 8], len: 0 }
-    }
-}
-
-impl Hits {
-    fn push(&mut self, hit: Hit) {
-        if self.len < self.hits.len() {
-            self.hits[self.len] = hit;
-            self.len += 1;
-        }
-    }
-
-    /// The hits in order of their frames.
-    pub fn as_slice(&self) -> &[Hit] {
-        &self.hits[..self.len]
-    }
-}
-
 /// What never changes about the bins of a lattice.
 #[derive(Debug)]
 struct Bins {
@@ -251,15 +224,10 @@ impl CoverIndex {
         hits.reduce(|top, hit| upper(crust, frames, polarity, top, hit, p))
     }
 
-    /// All frames that cover the unit direction `p`, in order of their numbers.
-    pub fn covering(&self, mesh: &SphereMesh, crust: &Crust, p: DVec3) -> Hits {
-        let mut hits = Hits::default();
-        for id in ones(self.candidates(p)) {
-            if let Some(hit) = self.hit(mesh, crust, id as FrameId, p) {
-                hits.push(hit);
-            }
-        }
-        hits
+    /// The hits of all frames that cover the unit direction `p`, in order of their numbers.
+    #[inline]
+    pub fn covering(&self, mesh: &SphereMesh, crust: &Crust, p: DVec3) -> impl Iterator<Item = Hit> {
+        ones(self.candidates(p)).filter_map(move |id| self.hit(mesh, crust, id as FrameId, p))
     }
 }
 
@@ -320,19 +288,8 @@ pub fn overrides(
     }
 }
 
-/// The hit that lies on top at `p`; none if nothing covers the point.
-pub fn topmost(
-    crust: &Crust,
-    frames: &[Frame],
-    polarity: &PolarityMemory,
-    hits: &Hits,
-    p: DVec3,
-) -> Option<Hit> {
-    hits.as_slice().iter().copied().reduce(|top, hit| upper(crust, frames, polarity, top, hit, p))
-}
-
 /// Which of two hits at `p` lies on top.
 #[inline]
-fn upper(crust: &Crust, frames: &[Frame], polarity: &PolarityMemory, a: Hit, b: Hit, p: DVec3) -> Hit {
+pub fn upper(crust: &Crust, frames: &[Frame], polarity: &PolarityMemory, a: Hit, b: Hit, p: DVec3) -> Hit {
     if overrides(crust, frames, polarity, b, a, p) { b } else { a }
 }

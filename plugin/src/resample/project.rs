@@ -5,7 +5,7 @@
 //! dropped and the weights renormalised, so that a coast stays as sharp as it was. *A frame at rest* copies bits.
 //! Continental crust that lies below another frame is noted, for the ledger.
 
-use crate::crust::cover::{CoverIndex, Hit, Hits, topmost};
+use crate::crust::cover::{CoverIndex, Hit, upper};
 use crate::crust::surface::Cover;
 use crate::crust::{Crust, CrustKind, Frame, Frames, Orogeny, Surface};
 use crate::parallel::CHUNK;
@@ -166,8 +166,8 @@ fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
         };
     }
     let p = mesh.points()[i];
-    let hits = cover.covering(mesh, crust, p);
-    let Some(top) = topmost(crust, frames, polarity, &hits, p) else {
+    let mut hits = cover.covering(mesh, crust, p);
+    let Some(mut top) = hits.next() else {
         return Found {
             row: Row::read(crust, i),
             plate: PlateId::default(),
@@ -177,17 +177,15 @@ fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
             layers: [0; 2],
         };
     };
-    let (row, weight) = sample_frame(input, top, None);
-    let (below, layers) = buried(input, &hits, top);
-    let several = hits.as_slice().len() > 1;
-    Found {
-        row,
-        plate: frames.plate(top.frame),
-        cover: if several { Cover::Several } else { Cover::One },
-        weight,
-        below,
-        layers,
+    let mut count = Cover::One;
+    for hit in hits {
+        top = upper(crust, frames, polarity, top, hit, p);
+        count = Cover::Several;
     }
+    let (row, weight) = sample_frame(input, top, None);
+    // Few samples are covered twice: it is cheaper to find the frames again than to keep them.
+    let (below, layers) = if count == Cover::Several { buried(input, p, top) } else { (0.0, [0; 2]) };
+    Found { row, plate: frames.plate(top.frame), cover: count, weight, below, layers }
 }
 
 /// The crust of a frame at a hit, and the share of continental corners. `kind` asks for crust of that kind, where
@@ -255,13 +253,13 @@ fn turned(row: Row, rotation: DQuat) -> Row {
     Row { ridge: turn(row.ridge), fold: turn(row.fold), ..row }
 }
 
-/// Continental crust below the frame on top: thickness in km, and layers of the same and of other plates.
-fn buried(input: &ProjectInput, hits: &Hits, top: Hit) -> (f32, [u8; 2]) {
-    let ProjectInput { crust, frames, .. } = *input;
+/// Continental crust below the frame on top at `p`: thickness in km, and layers of the same and of other plates.
+fn buried(input: &ProjectInput, p: DVec3, top: Hit) -> (f32, [u8; 2]) {
+    let ProjectInput { mesh, crust, frames, cover, .. } = *input;
     let plate = frames.plate(top.frame);
     let mut below = 0.0;
     let mut layers = [0; 2];
-    for hit in hits.as_slice().iter().filter(|hit| hit.frame != top.frame) {
+    for hit in cover.covering(mesh, crust, p).filter(|hit| hit.frame != top.frame) {
         if crust.is_continental(hit.sample as usize) {
             below += crust.thickness[hit.sample as usize];
             layers[usize::from(frames.plate(hit.frame) != plate)] += 1;

@@ -6,7 +6,6 @@
 //! the coast, ranked by the share of continental corners in their triangle, change kind until the area is the
 //! ledger's; less than half a sample is left, and carried to the next resample. Thicknesses are scaled so that the volume is the ledger's.
 
-use crate::crust::cover::topmost;
 use crate::crust::isostasy::Isostasy;
 use crate::crust::ledger::measure;
 use crate::crust::{Cause, Crust, CrustKind, Ledger, Surface};
@@ -75,8 +74,8 @@ fn flip_coast(input: &ProjectInput, surface: &mut Surface, notes: &Notes, target
             break;
         }
         let p = input.mesh.point(i);
-        let hits = input.cover.covering(input.mesh, input.crust, p);
-        let Some(top) = topmost(input.crust, input.frames, input.polarity, &hits, p) else { continue };
+        let &ProjectInput { mesh, crust, frames, cover, polarity } = input;
+        let Some(top) = cover.top_if(mesh, crust, frames, polarity, p, |_| true) else { continue };
         let (row, _) = sample_frame(input, top, Some(to));
         if row.kind == to {
             row.write(&mut surface.crust, i as usize);
