@@ -8,7 +8,7 @@ use crate::interrupt;
 use crate::output::{Files, say};
 use crate::progress;
 use bevy_pangaea::control::PlanetBake;
-use bevy_pangaea::crust::{Crust, Surface};
+use bevy_pangaea::crust::{Crust, PlanetSurface};
 use bevy_pangaea::io::{Stats, Timings, digest, floor, png, save};
 use bevy_pangaea::overlay::{MapProjection, Overlay};
 use bevy_pangaea::schedule::StageTimings;
@@ -71,7 +71,7 @@ fn add_planet(headless: &Headless, files: &mut Files) -> Result<String, CliError
 fn add_maps(headless: &Headless, files: &mut Files, mut drawn: impl FnMut(u64)) -> Result<(), CliError> {
     let plates = headless.plates();
     let input = headless.overlay_input(&plates)?;
-    let surface = headless.get::<Surface>()?;
+    let surface = headless.get::<PlanetSurface>()?;
     let broken = |error| CliError::Failed(format!("cannot encode a map: {error}"));
     let map = MapProjection::new(input.mesh, MAP.0, MAP.1);
     let elevation = map.elevation(surface);

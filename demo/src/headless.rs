@@ -8,7 +8,7 @@ use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::authoring::Scenario;
 use bevy_pangaea::control::{PlanetBake, bake_now};
-use bevy_pangaea::crust::{Ledger, Surface};
+use bevy_pangaea::crust::{Ledger, PlanetSurface};
 use bevy_pangaea::events::CommandRejected;
 use bevy_pangaea::io::stats::StatsInput;
 use bevy_pangaea::io::{capture, load};
@@ -108,7 +108,7 @@ impl Headless {
         Ok(OverlayInput {
             planet: self.get::<Planet>()?,
             mesh: &self.get::<Lattice>()?.0,
-            surface: self.get::<Surface>()?,
+            surface: self.get::<PlanetSurface>()?,
             plates,
             params: self.get::<TectonicParams>()?,
             bake: self.app.world().get::<PlanetBake>(self.planet).map(|bake| &*bake.0),
@@ -119,7 +119,7 @@ impl Headless {
     pub fn stats_input(&self, plates: usize) -> Result<StatsInput<'_>, CliError> {
         Ok(StatsInput {
             mesh: &self.get::<Lattice>()?.0,
-            surface: self.get::<Surface>()?,
+            surface: self.get::<PlanetSurface>()?,
             clock: self.get::<GeologicClock>()?,
             ledger: self.get::<Ledger>()?,
             radius: self.get::<Planet>()?.radius,

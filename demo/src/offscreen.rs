@@ -16,7 +16,7 @@ use bevy::render::{RenderApp, RenderPlugin};
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 use bevy_pangaea::control::bake_now;
-use bevy_pangaea::crust::Surface;
+use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::overlay::Raster;
 use bevy_pangaea::render::adapter::{NoAdapter, open_adapter};
 use bevy_pangaea::render::{Globe, GlobeDrawn, PangaeaRenderPlugin};
@@ -135,7 +135,7 @@ impl Offscreen {
         }
         let deadline = Instant::now() + PATIENCE;
         self.run_until(deadline, |world| {
-            let version = world.get::<Surface>(planet).map(|surface| surface.version);
+            let version = world.get::<PlanetSurface>(planet).map(|surface| surface.version);
             let drawn = world.get::<GlobeDrawn>(planet);
             drawn.is_some_and(|d| Some(d.version) == version && d.overlay == globe.overlay)
         })?;

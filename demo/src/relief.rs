@@ -6,7 +6,7 @@ use crate::ground::{ground, open_planet};
 use crate::headless::Headless;
 use crate::output::{check_file, print, write_file};
 use crate::progress;
-use bevy_pangaea::crust::Surface;
+use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::io::{dem_files, load_dem};
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::relief::{CLASSES, Relief, SiteInput, class_relief, medians, relief as relief_of, sites};
@@ -58,7 +58,7 @@ pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
 
 /// The figures of every class, of at most `most` sites each.
 fn classes(headless: &Headless, most: usize) -> Result<Vec<Row>, CliError> {
-    let (lattice, surface) = (headless.get::<Lattice>()?, headless.get::<Surface>()?);
+    let (lattice, surface) = (headless.get::<Lattice>()?, headless.get::<PlanetSurface>()?);
     let elevation: Vec<f32> = (0..surface.len()).map(|i| surface.elevation(i)).collect();
     let input = SiteInput {
         mesh: &lattice.0,

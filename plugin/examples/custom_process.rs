@@ -77,7 +77,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for _ in 0..6 {
         run_steps(world, planet, 5);
         bevy_pangaea::resample::project_now(world, planet);
-        let (Some(surface), Some(mesh)) = (world.get::<Surface>(planet), world.get::<Lattice>(planet)) else {
+        let (Some(surface), Some(mesh)) = (world.get::<PlanetSurface>(planet), world.get::<Lattice>(planet))
+        else {
             break;
         };
         let spot = surface.at(mesh, at);

@@ -3,7 +3,7 @@
 //! `cargo run --example headless --no-default-features`
 
 use bevy::prelude::*;
-use bevy_pangaea::crust::Surface;
+use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::schedule::{StageTimings, run_steps};
 use bevy_pangaea::spawn::PlanetState;
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for _ in 0..5 {
         run_steps(world, planet, 10);
         bevy_pangaea::resample::project_now(world, planet);
-        let surface = world.get::<Surface>(planet).ok_or("no surface")?;
+        let surface = world.get::<PlanetSurface>(planet).ok_or("no surface")?;
         let land = (0..surface.len()).filter(|&i| surface.elevation(i) > 0.0).count();
         let plates = world.get::<Plates>(planet).map_or(0, |plates| plates.iter().count());
         let ms = world.get::<StageTimings>(planet).map_or(0.0, StageTimings::step_mean_ms);

@@ -59,7 +59,7 @@ pub mod prelude {
     pub use crate::authoring::{
         Brush, PaintTarget, Recording, Scenario, TectonicCommand, TectonicCommandsExt, TimedCommand,
     };
-    pub use crate::crust::{Crust, CrustKind, Frames, Ledger, Orogeny, Surface};
+    pub use crate::crust::{Crust, CrustKind, Frames, Ledger, Orogeny, PlanetSurface, Surface};
     pub use crate::events::{
         CommandApplied, CommandRejected, CrustResampled, PlateConsumed, PlateRifted, StepCompleted,
         TerraneCollided,

@@ -1,7 +1,7 @@
 //! Making a planet: from a recipe to an entity with plates.
 
 use crate::authoring::{Inbox, Recording, Scenario};
-use crate::crust::{Crust, Frames, Ledger, Surface};
+use crate::crust::{Crust, Frames, Ledger, PlanetSurface};
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe};
 use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateStats};
 use crate::schedule::{StageTimings, StepCursor, TimeDebt};
@@ -93,7 +93,7 @@ impl PlanetState {
             .spawn((
                 (self.planet, self.lattice, self.crust, self.frames, self.clock, self.params),
                 (self.ledger, self.recording, self.polarity, self.fronts),
-                (Inbox::default(), Surface::default(), crate::resample::SurfaceDemand::default()),
+                (Inbox::default(), PlanetSurface::default(), crate::resample::SurfaceDemand::default()),
                 (StepCursor::default(), StageTimings::default(), TimeDebt::default()),
                 (Name::new("planet"), crate::process::ProcessState::default()),
             ))

@@ -9,6 +9,7 @@ use bevy_pangaea::prelude::*;
 use bevy_pangaea::process::plate_table;
 use bevy_pangaea::schedule::run_steps;
 use bevy_pangaea::spawn::PlanetState;
+use std::sync::Arc;
 
 /// Everything of Pangaea but the renderer.
 pub fn app() -> App {
@@ -63,9 +64,9 @@ pub fn plates(app: &App, planet: Entity) -> PlateTable {
 }
 
 /// The surface as it is now.
-pub fn surface(app: &mut App, planet: Entity) -> Surface {
+pub fn surface(app: &mut App, planet: Entity) -> Arc<Surface> {
     bevy_pangaea::resample::project_now(app.world_mut(), planet);
-    app.world().get::<Surface>(planet).expect("a surface").clone()
+    app.world().get::<PlanetSurface>(planet).expect("a surface").0.clone()
 }
 
 /// A component of the planet.

@@ -53,7 +53,7 @@ fn a_second_resample_changes_no_bit() {
 
 /// The surface just before a resample, while frames still overlap and gape.
 #[derive(Resource, Default)]
-struct Before(Option<Surface>);
+struct Before(Option<PlanetSurface>);
 
 #[test]
 fn pictures_just_before_and_after_a_resample_agree() {
@@ -63,7 +63,7 @@ fn pictures_just_before_and_after_a_resample_agree() {
     let look = |world: &mut World| {
         let planet = world.resource::<CurrentPlanet>().0;
         project_now(world, planet);
-        let surface = world.get::<Surface>(planet).cloned();
+        let surface = world.get::<PlanetSurface>(planet).cloned();
         world.resource_mut::<Before>().0 = surface;
     };
     app.add_systems(TectonicStep, look.in_set(TectonicSystems::After(Stage::Relief)));
@@ -75,7 +75,7 @@ fn pictures_just_before_and_after_a_resample_agree() {
             continue;
         }
         let before = app.world_mut().resource_mut::<Before>().0.take().unwrap();
-        compare(&before, get::<Surface>(&app, planet));
+        compare(&before, get::<PlanetSurface>(&app, planet));
         compared += 1;
     }
     assert!(compared >= 2, "{compared} resamples");
@@ -106,7 +106,7 @@ fn after_a_resample_one_frame_at_rest_covers_every_sample() {
     owners.dedup();
     assert_eq!(owners.len(), frames.len(), "one frame for a plate");
     project_now(app.world_mut(), planet);
-    let surface = get::<Surface>(&app, planet);
+    let surface = get::<PlanetSurface>(&app, planet);
     assert!(surface.cover.iter().all(|&cover| cover == Cover::One));
     assert_eq!(&surface.crust, get::<Crust>(&app, planet), "the state is the surface, bit for bit");
 }

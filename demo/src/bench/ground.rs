@@ -5,7 +5,7 @@ use crate::headless::Headless;
 use bevy::math::DVec3;
 use bevy_pangaea::climate::Climate;
 use bevy_pangaea::control::{Bake, BakeFrame, BakeRules, BakeSource};
-use bevy_pangaea::crust::Surface;
+use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::hydrology::base::SPACING;
 use bevy_pangaea::hydrology::{BaseMesh, Drainage, RiverNetwork};
 use bevy_pangaea::planet::{Lattice, Planet};
@@ -49,7 +49,7 @@ pub(super) struct GroundRow {
 
 /// Measures the ground of a planet; nothing if there is none for a planet of its radius.
 pub(super) fn measure(headless: &Headless) -> Result<Option<GroundRow>, CliError> {
-    let (lattice, surface) = (headless.get::<Lattice>()?, headless.get::<Surface>()?);
+    let (lattice, surface) = (headless.get::<Lattice>()?, headless.get::<PlanetSurface>()?);
     let planet = headless.get::<Planet>()?;
     let start = Instant::now();
     let base = BaseMesh::new(planet.seed, SPACING).map_err(CliError::input)?;

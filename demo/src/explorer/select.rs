@@ -36,7 +36,7 @@ pub fn click(
     window: Query<&Window, With<PrimaryWindow>>,
     mut pressed_at: Local<Option<Vec2>>,
     session: Res<Session>,
-    planets: Query<(&Lattice, &Surface)>,
+    planets: Query<(&Lattice, &PlanetSurface)>,
     (mut tool, brush): (ResMut<Tool>, Res<PaintForm>),
     mut actions: MessageWriter<Action>,
 ) {

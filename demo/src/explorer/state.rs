@@ -156,7 +156,7 @@ pub struct PlanetReader<'w, 's> {
         (
             &'static Planet,
             &'static Lattice,
-            &'static Surface,
+            &'static PlanetSurface,
             &'static GeologicClock,
             &'static TectonicParams,
             &'static StageTimings,

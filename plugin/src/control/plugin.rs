@@ -1,12 +1,12 @@
 //! A bake that follows a running planet in the background.
 //!
-//! A planet with [`BakeSettings`] is baked whenever its [`Surface`] has changed and no bake of it is under way. Bakes
+//! A planet with [`BakeSettings`] is baked whenever its [`PlanetSurface`] has changed and no bake of it is under way. Bakes
 //! run on a thread pool of their own: they share the processors with the simulation, but a frame never waits for
 //! them. The finished bake is the component [`PlanetBake`], and [`BakeFinished`] is triggered on the planet. The
 //! planet's state and its digest are not touched.
 
 use super::bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
-use crate::crust::Surface;
+use crate::crust::{PlanetSurface, Surface};
 use crate::hydrology::base::SPACING;
 use crate::planet::{Lattice, Planet};
 use crate::sphere::SphereMesh;
@@ -72,7 +72,7 @@ pub struct PlanetBake(pub Arc<Bake>);
 pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
     let settings = world.get::<BakeSettings>(planet).cloned().unwrap_or_default();
     let (Some(own), Some(lattice), Some(surface)) =
-        (world.get::<Planet>(planet), world.get::<Lattice>(planet), world.get::<Surface>(planet))
+        (world.get::<Planet>(planet), world.get::<Lattice>(planet), world.get::<PlanetSurface>(planet))
     else {
         return Ok(());
     };
@@ -160,7 +160,7 @@ fn pool() -> Option<&'static rayon::ThreadPool> {
 fn start(
     mut commands: Commands,
     planets: Query<
-        (Entity, &Planet, &Lattice, &Surface, &BakeSettings, Option<&PlanetBake>, Option<&Baked>),
+        (Entity, &Planet, &Lattice, &PlanetSurface, &BakeSettings, Option<&PlanetBake>, Option<&Baked>),
         Without<BakeJob>,
     >,
 ) {
@@ -181,7 +181,7 @@ fn start(
         let Some(pool) = pool() else { return };
         let frame = reusable(last, planet, lattice, settings);
         let (planet, lattice, surface, settings) =
-            (*planet, lattice.0.clone(), surface.clone(), settings.clone());
+            (*planet, lattice.0.clone(), surface.0.clone(), settings.clone());
         let outcome = Arc::new(Mutex::new(None));
         let result = outcome.clone();
         pool.spawn(move || {

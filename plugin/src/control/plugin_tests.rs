@@ -20,11 +20,11 @@ fn a_planet_that_cannot_be_baked_is_refused_once() {
     let mut app = App::new();
     app.add_plugins(BakePlugin);
     let lattice = Lattice(Arc::new(SphereMesh::fibonacci(500).unwrap()));
-    let surface = Surface { version: 1, plate: vec![PlateId::default(); 500], ..Surface::default() };
+    let surface = |version| Surface { version, plate: vec![PlateId::default(); 500], ..Surface::default() };
     let settings = BakeSettings { spacing: f64::NAN, ..BakeSettings::default() };
-    let planet = app.world_mut().spawn((Planet { radius: 6370.0, seed: 1 }, lattice, surface, settings)).id();
+    let planet = app.world_mut().spawn((Planet { radius: 6370.0, seed: 1 }, lattice, settings)).id();
     for version in 1..4 {
-        app.world_mut().get_mut::<Surface>(planet).unwrap().version = version;
+        app.world_mut().entity_mut(planet).insert(PlanetSurface(Arc::new(surface(version))));
         app.update();
         assert!(app.world().get::<BakeJob>(planet).is_none());
         assert_eq!(app.world().get::<Baked>(planet).unwrap().version, 1, "refused once");

@@ -21,5 +21,5 @@ pub mod ledger;
 pub use columns::{Crust, CrustKind, Orogeny};
 pub use frame::{Frame, FrameId, Frames};
 pub use ledger::{Cause, Ledger};
-pub use surface::{Cover, Surface};
+pub use surface::{Cover, PlanetSurface, Surface};
 pub use terrane::{Terrane, TerraneOf, Terranes};

@@ -8,6 +8,7 @@ use crate::plate::PlateId;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
+use std::sync::Arc;
 
 /// How a point of the surface is covered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
@@ -24,8 +25,13 @@ pub enum Cover {
     Filled = 3,
 }
 
+/// The last projection of a planet. Who reads it on another thread clones the pointer: a projection is never changed,
+/// the next one takes its place.
+#[derive(Component, Clone, Debug, Default, Deref)]
+pub struct PlanetSurface(pub Arc<Surface>);
+
 /// The projected surface. Vectors and positions are in world coordinates.
-#[derive(Component, Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Surface {
     /// Geological time of the projection in My.
     pub time: f64,

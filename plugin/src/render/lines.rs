@@ -97,11 +97,11 @@ impl Lines {
     }
 }
 
-/// All lines that `globe` asks for.
-pub(super) fn collect(input: &OverlayInput, globe: &Globe) -> Lines {
+/// All lines that `globe` asks for, on ground of the `elevation` in km at which samples are drawn.
+pub(super) fn collect(input: &OverlayInput, globe: &Globe, elevation: impl Fn(usize) -> f32) -> Lines {
     let mut lines = Lines::default();
     let drawn = |i: u32| {
-        let elevation = input.surface.elevation(i as usize);
+        let elevation = elevation(i as usize);
         if globe.sea { elevation.max(0.0) } else { elevation }
     };
     if globe.boundaries || globe.overlay == Overlay::Plates || globe.selected.is_some() {

@@ -38,7 +38,8 @@ impl World {
 
     fn lines(&self, globe: &Globe) -> Lines {
         let Self { planet, mesh, surface, plates, params } = self;
-        collect(&OverlayInput { planet, mesh, surface, plates, params, bake: None }, globe)
+        let input = OverlayInput { planet, mesh, surface, plates, params, bake: None };
+        collect(&input, globe, |i| surface.elevation(i))
     }
 }
 
@@ -105,7 +106,7 @@ fn rivers_run_down_to_the_sea_in_lines() {
     let World { planet, mesh, surface, plates, params } = &World::new();
     let globe = Globe { overlay: Overlay::Rivers, ..default() };
     let input = OverlayInput { planet, mesh, surface, plates, params, bake: Some(&bake) };
-    let lines = collect(&input, &globe);
+    let lines = collect(&input, &globe, |i| surface.elevation(i));
     assert!(lines.len() > 100);
     // Land is the northern half; the planet's axis is y.
     assert!(lines.here.iter().all(|p| p[1] > -0.1));
@@ -114,5 +115,5 @@ fn rivers_run_down_to_the_sea_in_lines() {
         widths.is_sorted() && widths[0] < *widths.last().unwrap(),
         "high orders lie on top and are wider"
     );
-    assert_eq!(collect(&OverlayInput { bake: None, ..input }, &globe).len(), 0);
+    assert_eq!(collect(&OverlayInput { bake: None, ..input }, &globe, |_| 0.0).len(), 0);
 }

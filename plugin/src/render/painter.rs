@@ -1,7 +1,7 @@
 //! Keeps globes up to date with their planets.
 //!
-//! A picture is painted from a copy of the surface on another thread: colours, gradients, lines, the picking tree.
-//! The main thread only copies columns (about 60 bytes a sample) and hands over finished buffers.
+//! A picture is painted on another thread: colours, gradients, lines, the picking tree. The main thread only hands over
+//! the surface and takes finished buffers.
 //! What needs no painting (sun, exaggeration, sea, air) reaches the shaders in the same frame.
 
 use super::columns::{self, Shape};
@@ -9,7 +9,7 @@ use super::horizon::hide_far_side;
 use super::parts::{Shell, build_parts, shade, show_pictures};
 use super::{Globe, GlobePicker, lines, mesh};
 use crate::control::{Bake, PlanetBake};
-use crate::crust::{Crust, Surface};
+use crate::crust::{PlanetSurface, Surface};
 use crate::math;
 use crate::overlay::{Overlay, OverlayInput, colorize};
 use crate::params::TectonicParams;
@@ -88,15 +88,13 @@ pub(super) struct Easel {
     pub(super) radii: (f64, f64),
     /// The lattice that the meshes were built for.
     lattice: Option<Arc<SphereMesh>>,
-    /// A surface to copy into, so that nothing is allocated.
-    spare: Surface,
 }
 
 /// Everything that a picture is painted from.
 struct Job {
     planet: Planet,
     mesh: Arc<SphereMesh>,
-    surface: Surface,
+    surface: Arc<Surface>,
     plates: PlateTable,
     params: TectonicParams,
     globe: Globe,
@@ -116,12 +114,14 @@ pub(super) struct Picture {
     pub(super) ground: Option<Vec<mesh::Patch>>,
     radii: (f64, f64),
     picker: Option<GlobePicker>,
-    surface: Surface,
 }
 
 fn attach(
     mut commands: Commands,
-    bare: Query<(Entity, Has<Globe>), (With<Planet>, With<Surface>, Or<(Without<Globe>, Without<Easel>)>)>,
+    bare: Query<
+        (Entity, Has<Globe>),
+        (With<Planet>, With<PlanetSurface>, Or<(Without<Globe>, Without<Easel>)>),
+    >,
 ) {
     for (planet, has_globe) in &bare {
         let mut planet = commands.entity(planet);
@@ -135,7 +135,7 @@ fn attach(
 /// Begins a picture of every planet that has changed and is not being painted.
 fn begin_pictures(
     mut planets: Query<(
-        (&Planet, &Lattice, &Surface, &TectonicParams, &Globe),
+        (&Planet, &Lattice, &PlanetSurface, &TectonicParams, &Globe),
         (Option<&Plates>, Option<&PlanetBake>, &mut Easel),
     )>,
     plates: Query<(Entity, &PlateId, &PlateMotion, &PlateStats, &Plate)>,
@@ -150,14 +150,12 @@ fn begin_pictures(
             continue;
         }
         let fresh = !easel.lattice.as_ref().is_some_and(|known| Arc::ptr_eq(known, &lattice.0));
-        let mut copy = std::mem::take(&mut easel.spare);
-        copy_surface(&mut copy, surface);
         let members = members.map(|m| m.iter()).into_iter().flatten();
         let rows = members.filter_map(|plate| plates.get(plate).ok()).map(plate_row);
         let job = Job {
             planet: *planet,
             mesh: lattice.0.clone(),
-            surface: copy,
+            surface: surface.0.clone(),
             plates: PlateTable::new(rows),
             params: params.clone(),
             globe: globe.clone(),
@@ -178,25 +176,6 @@ fn plate_row(
     PlateRow { id: *id, entity, motion: *motion, stats: *stats, born: plate.born }
 }
 
-/// `to = from.clone()` without new allocations.
-fn copy_surface(to: &mut Surface, from: &Surface) {
-    let Surface { time, version, crust, plate, cover, trench } = from;
-    (to.time, to.version) = (*time, *version);
-    to.plate.clone_from(plate);
-    to.cover.clone_from(cover);
-    to.trench.clone_from(trench);
-    let Crust { frame, kind, thickness, elevation, ocean_age, ridge, orogeny_age, orogeny, fold } = crust;
-    to.crust.frame.clone_from(frame);
-    to.crust.kind.clone_from(kind);
-    to.crust.thickness.clone_from(thickness);
-    to.crust.elevation.clone_from(elevation);
-    to.crust.ocean_age.clone_from(ocean_age);
-    to.crust.ridge.clone_from(ridge);
-    to.crust.orogeny_age.clone_from(orogeny_age);
-    to.crust.orogeny.clone_from(orogeny);
-    to.crust.fold.clone_from(fold);
-}
-
 /// Runs `work` with a thread of its own for its parallel loops, so that painting never holds the
 /// threads that a step of the simulation waits for.
 fn aside<T: Send>(work: impl FnOnce() -> T + Send) -> T {
@@ -212,24 +191,7 @@ fn aside<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 }
 
 fn paint(job: Job) -> Picture {
-    let Job { planet, mesh, mut surface, plates, params, globe, subject, fresh, bake } = job;
-    // The elevation is tinted by the shader, which knows it between the samples too.
-    let colors = match globe.overlay {
-        Overlay::Elevation => Vec::new(),
-        overlay => {
-            let (planet, mesh, surface) = (&planet, &mesh, &surface);
-            let bake = bake.as_deref();
-            colorize(overlay, &OverlayInput { planet, mesh, surface, plates: &plates, params: &params, bake })
-        }
-    };
-    let shape = Shape::new(&mesh, &surface, globe.sea);
-    let marked = |i: usize| globe.selected.is_some_and(|plate| surface.plate[i] == plate);
-    let columns = columns::pack(&mesh, &shape, &colors, marked);
-    // Lines and rays meet the relief as it is drawn.
-    for (i, elevation) in surface.crust.elevation.iter_mut().enumerate() {
-        *elevation = shape.elevation(i);
-    }
-    surface.trench.fill(0.0);
+    let Job { planet, mesh, surface, plates, params, globe, subject, fresh, bake } = job;
     let input = OverlayInput {
         planet: &planet,
         mesh: &mesh,
@@ -238,13 +200,22 @@ fn paint(job: Job) -> Picture {
         params: &params,
         bake: bake.as_deref(),
     };
-    let radius = |i| globe.drawn_radius(surface.elevation(i), subject.relief);
+    // The elevation is tinted by the shader, which knows it between the samples too.
+    let colors = match globe.overlay {
+        Overlay::Elevation => Vec::new(),
+        overlay => colorize(overlay, &input),
+    };
+    let shape = Shape::new(&mesh, &surface, globe.sea);
+    let marked = |i: usize| globe.selected.is_some_and(|plate| surface.plate[i] == plate);
+    let columns = columns::pack(&mesh, &shape, &colors, marked);
+    // Lines and rays meet the relief as it is drawn.
+    let radius = |i| globe.drawn_radius(shape.elevation(i), subject.relief);
     let radii: Vec<f32> = (0..mesh.len()).map(radius).collect();
     let range =
         radii.iter().fold((1.0, 1.0), |(low, high): (f64, f64), &r| (low.min(r.into()), high.max(r.into())));
     // Triangles are flat: between their corners the ground is lower.
     let range = (range.0 * math::cos(mesh.spacing()), range.1);
-    let lines = lines::collect(&input, &globe);
+    let lines = lines::collect(&input, &globe, |i| shape.elevation(i));
     Picture {
         columns,
         no_lines: lines.len() == 0,
@@ -253,7 +224,6 @@ fn paint(job: Job) -> Picture {
         radii: range,
         picker: Some(GlobePicker::new(mesh.clone(), radii)),
         subject,
-        surface,
     }
 }
 
@@ -263,7 +233,6 @@ fn hang_pictures(mut commands: Commands, mut easels: Query<(Entity, &mut Easel)>
         let Some(task) = &mut easel.task else { continue };
         let Some(mut picture) = check_ready(task) else { continue };
         easel.task = None;
-        easel.spare = std::mem::take(&mut picture.surface);
         let drawn = GlobeDrawn { version: picture.subject.version, overlay: picture.subject.overlay };
         commands.entity(planet).insert(drawn);
         if let Some(picker) = picture.picker.take() {

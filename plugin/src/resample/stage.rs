@@ -7,7 +7,7 @@ use super::quota::conserve;
 use super::strays::gather_strays;
 use super::trench::bend;
 use crate::crust::cover::CoverIndex;
-use crate::crust::{Crust, Frame, FrameId, Frames, Ledger, Surface};
+use crate::crust::{Crust, Frame, FrameId, Frames, Ledger, PlanetSurface, Surface};
 use crate::events::CrustResampled;
 use crate::parallel::{self, CHUNK};
 use crate::params::TectonicParams;
@@ -20,6 +20,7 @@ use crate::schedule::{CurrentPlanet, Stage, StageTimings, StepCursor, TectonicSt
 use crate::sphere::spread::Scratch;
 use bevy::prelude::*;
 use rayon::prelude::*;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Adds the stages [`Stage::Resample`] and [`Stage::Surface`].
@@ -217,7 +218,7 @@ fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Res
         &mut Crust,
         &mut Frames,
         &mut GeologicClock,
-        &mut Surface,
+        &mut PlanetSurface,
     )>();
     let Ok((body, mesh, params, mut crust, mut frames, mut clock, mut surface)) =
         query.get_mut(world, planet)
@@ -233,7 +234,10 @@ fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Res
         clock.resample_requested = false;
         work.next.time = clock.last_resample;
     }
-    core::mem::swap(&mut *surface, &mut work.next);
+    let next = Arc::new(core::mem::take(&mut work.next));
+    let last = core::mem::replace(&mut surface.0, next);
+    // Its memory serves the next projection, unless somebody still looks at it.
+    work.next = Arc::try_unwrap(last).unwrap_or_default();
     let share = work.new_ocean as f64 / mesh.len() as f64;
     let new_ocean = share * 4.0 * crate::math::PI * body.radius * body.radius;
     if commit {
