@@ -132,6 +132,11 @@ impl StepCursor {
         self.position == 0 && self.progress == 0
     }
 
+    /// The stage that the present slice of work is in, or that the next one begins with.
+    pub fn stage(&self) -> Stage {
+        Stage::ALL[self.position / 2 % Stage::ALL.len()]
+    }
+
     fn len() -> usize {
         2 * Stage::ALL.len()
     }

@@ -17,7 +17,7 @@ use bevy::prelude::*;
 use rayon::prelude::*;
 
 /// Chunks that are projected between two looks at the clock.
-pub const CHUNKS_PER_SLICE: usize = 8;
+pub const CHUNKS_PER_SLICE: usize = 4;
 
 /// What a projection reads.
 #[derive(Clone, Copy)]
