@@ -178,7 +178,7 @@ pub struct RenderArgs {
     pub camera: CameraSpec,
     /// Overlay: elevation, plates, crust_type, ocean_age, thickness, orogeny_type, orogeny_age, fold_direction,
     /// ridge_direction, velocity, slope, laplacian, vector_noise, mesh,
-    /// temperature, rain, wetness, rivers, basins or lakes
+    /// temperature, rain, wetness, drainage (discharge in m³/s), rivers (by order), basins or lakes
     #[arg(long, value_name = "NAME", default_value = "elevation", value_parser = overlay)]
     pub overlay: Overlay,
     /// Size of the picture in pixels, each side 16 to 8192
