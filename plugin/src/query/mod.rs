@@ -48,7 +48,7 @@ pub use planet::PlanetGround;
 pub use projection::AzimuthalEquidistant;
 pub use raster::{HeightGrid, Square};
 pub use ray::{RayHit, cast_ray};
-pub use sample::{Sample, normal, sample};
+pub use sample::{Sample, normal, sample, samples};
 use surface::LAPSE;
 pub use surface::{Climate, GroundSurface, Site, classify};
 pub use tree::PatchTree;
