@@ -97,6 +97,9 @@ pub enum GroundError {
         /// Largest allowed number.
         max: usize,
     },
+    /// Whoever asked did not want to go on.
+    #[error("stopped before all heights were known")]
+    Stopped,
     /// The planet has no ground that could be asked for, in the words of its maker.
     #[error("{0}")]
     Unavailable(String),
