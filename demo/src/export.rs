@@ -20,9 +20,10 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     if format == Format::Grey {
         check_file(&args.out.with_extension("json"))?;
     }
+    let climate = args.climate.load()?;
     let state = load(&args.planet)?;
     let square = square(args, 1000.0 * state.planet.radius)?;
-    let ground = ground_of(state)?;
+    let ground = ground_of(state, climate)?;
     say(&format!("level {}, {:.3} m to a pixel", square.level(), square.pixel_m()));
     let files = squares::encode(&square, &heights(&ground, &square)?, &args.out)?;
     interrupt::check()?;

@@ -24,7 +24,8 @@ pub fn query(args: &QueryArgs) -> Result<(), CliError> {
         Some(place) => vec![place],
         None => read_places(io::stdin().lock())?,
     };
-    let ground = ground_of(load(&args.planet)?)?;
+    let climate = args.climate.load()?;
+    let ground = ground_of(load(&args.planet)?, climate)?;
     print(&format!("{HEADER}\n"))?;
     places.chunks(BLOCK).try_for_each(|places| print(&table(&ground, places, args.level as u8)?))
 }
