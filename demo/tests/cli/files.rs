@@ -114,7 +114,7 @@ fn an_interrupt_ends_an_export_between_its_rows() {
     let mut said = [0; 5];
     child.stderr.as_mut().unwrap().read_exact(&mut said).unwrap();
     assert_eq!(&said, b"level");
-    assert_interrupted(child, " 11, 12.207 m to a pixel\n");
+    assert_interrupted(child, " 13, 12.207 m to a pixel\n");
     assert!(names_in(&out).is_empty());
 }
 
