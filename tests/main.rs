@@ -9,6 +9,7 @@ mod determinism;
 mod input;
 mod laws;
 mod planets;
+mod spectra;
 
 #[cfg(feature = "render")]
 mod shaders;

@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::climate::ClimateArgs;
 use crate::error::CliError;
 pub use crate::values::{CameraSpec, PlaceSpec, RegionSpec};
 use crate::values::{Counts, camera, counts, integer, number, overlay, place, region, size};
@@ -147,6 +148,9 @@ pub struct GenerateArgs {
     /// How to grow the planet.
     #[command(flatten)]
     pub growth: GrowthArgs,
+    /// Maps that replace fields of the climate.
+    #[command(flatten)]
+    pub climate: ClimateArgs,
     /// Folder for the files; it is made if it does not exist
     #[arg(long, value_name = "DIR", default_value = "pangaea-out")]
     pub out: PathBuf,
@@ -178,7 +182,7 @@ pub struct RenderArgs {
     pub camera: CameraSpec,
     /// Overlay: elevation, plates, crust_type, ocean_age, thickness, orogeny_type, orogeny_age, fold_direction,
     /// ridge_direction, velocity, slope, laplacian, vector_noise, mesh,
-    /// temperature, rain, wetness, rivers, basins or lakes
+    /// temperature, rain, wetness, drainage (discharge in m³/s), rivers (by order), basins or lakes
     #[arg(long, value_name = "NAME", default_value = "elevation", value_parser = overlay)]
     pub overlay: Overlay,
     /// Size of the picture in pixels, each side 16 to 8192
@@ -234,6 +238,9 @@ pub struct ExportArgs {
     /// A planet file, *.pangaea
     #[arg(value_name = "PLANET.pangaea")]
     pub planet: PathBuf,
+    /// Maps that replace fields of the climate.
+    #[command(flatten)]
+    pub climate: ClimateArgs,
     /// Middle of the square in degrees, and its side in km
     ///
     /// The square is azimuthal equidistant about its middle, north up; values are those of the centres of pixels.
@@ -265,6 +272,9 @@ pub struct ReliefArgs {
     /// A planet file, *.pangaea
     #[arg(value_name = "PLANET.pangaea")]
     pub planet: PathBuf,
+    /// Maps that replace fields of the climate.
+    #[command(flatten)]
+    pub climate: ClimateArgs,
     /// Folder of tiles of real ground to compare with
     ///
     /// Files are .hgt, GeoTIFF, or 16-bit PNG with a sidecar NAME.json {metres_per_pixel, metres_per_unit}.
@@ -284,6 +294,9 @@ pub struct QueryArgs {
     /// A planet file, *.pangaea
     #[arg(value_name = "PLANET.pangaea")]
     pub planet: PathBuf,
+    /// Maps that replace fields of the climate.
+    #[command(flatten)]
+    pub climate: ClimateArgs,
     /// The point in degrees; without it, lines "lat,lon" are read from the standard input
     ///
     /// Printed are comma separated values with a header, in the order of the input. The normal is given in the

@@ -3,13 +3,16 @@
 use crate::cli::ExportArgs;
 use crate::error::CliError;
 use crate::ground::ground_of;
+use crate::interrupt;
 use crate::output::{check_file, say};
+use crate::progress;
 use bevy_pangaea::io::export::{self as squares, Format};
-use bevy_pangaea::io::load;
-use bevy_pangaea::query::{AzimuthalEquidistant, GroundError, Square};
+use bevy_pangaea::io::{load, write_all_atomically};
+use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid, Square};
 
 /// Runs the command.
 pub fn export(args: &ExportArgs) -> Result<(), CliError> {
+    interrupt::watch();
     // Refused before a planet is loaded: a wrong name, and a place where no file can be.
     let format = Format::of(&args.out)?;
     format.check(args.pixels as usize)?;
@@ -17,14 +20,31 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     if format == Format::Grey {
         check_file(&args.out.with_extension("json"))?;
     }
+    let climate = args.climate.load()?;
     let state = load(&args.planet)?;
     let square = square(args, 1000.0 * state.planet.radius)?;
-    let ground = ground_of(state)?;
+    let ground = ground_of(state, climate)?;
     say(&format!("level {}, {:.3} m to a pixel", square.level(), square.pixel_m()));
-    for path in squares::export(&ground, &square, &args.out)? {
+    let files = squares::encode(&square, &heights(&ground, &square)?, &args.out)?;
+    interrupt::check()?;
+    write_all_atomically(&files)?;
+    for (path, _) in files {
         say(&path.display().to_string());
     }
     Ok(())
+}
+
+/// The heights of the square, with a progress bar.
+fn heights(ground: &impl Ground, square: &Square) -> Result<HeightGrid, CliError> {
+    let bar = progress::bar(square.pixels() as u64, "rows", "amplifying");
+    let go_on = |pixels: usize| {
+        bar.set_position((pixels / square.pixels()) as u64);
+        interrupt::check().is_ok()
+    };
+    let heights = square.heights_while(ground, square.level(), go_on);
+    bar.finish_and_clear();
+    interrupt::check()?;
+    Ok(heights?)
 }
 
 /// The square that is asked for, on a planet of `radius_m`.

@@ -30,6 +30,7 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     set_threads(args.growth.threads)?;
     let recipe = args.growth.recipe.checked()?;
     let course = Course::new(&args.growth, recipe.params.time_step)?;
+    let climate = args.climate.load()?;
     let maps = Overlay::ALL.map(map_name);
     let names = [PLANET, ELEVATION, STATS].into_iter().chain(maps.iter().map(String::as_str));
     let mut files = Files::new(&args.out, names)?;
@@ -39,7 +40,7 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     course.run(&mut headless)?;
     let total = start.elapsed().as_secs_f64() * 1e3;
     headless.look();
-    headless.bake()?;
+    headless.bake(climate)?;
 
     let timings = Timings {
         mesh: Some(mesh_ms),

@@ -2,24 +2,25 @@
 
 use crate::error::CliError;
 use crate::headless::Headless;
+use bevy_pangaea::climate::ClimateMaps;
 use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::io::load;
 use bevy_pangaea::query::{PlanetGround, Rules};
 use bevy_pangaea::spawn::PlanetState;
 use std::path::Path;
 
-/// Loads a planet, looks at its surface, and makes its climate and rivers.
+/// Loads a planet, looks at its surface, and makes its climate, but for what `maps` give, and its rivers.
 ///
 /// # Errors
 /// If the file is refused.
-pub fn open_planet(path: &Path) -> Result<Headless, CliError> {
-    bake(load(path)?)
+pub fn open_planet(path: &Path, maps: ClimateMaps) -> Result<Headless, CliError> {
+    bake(load(path)?, maps)
 }
 
-fn bake(state: PlanetState) -> Result<Headless, CliError> {
+fn bake(state: PlanetState, maps: ClimateMaps) -> Result<Headless, CliError> {
     let mut headless = Headless::new(state);
     headless.look();
-    headless.bake()?;
+    headless.bake(maps)?;
     Ok(headless)
 }
 
@@ -31,10 +32,10 @@ pub fn ground(headless: &Headless) -> Result<PlanetGround, CliError> {
     Ok(PlanetGround::of_bake(headless.get::<PlanetBake>()?, Rules::default())?)
 }
 
-/// The ground of a planet that was loaded.
+/// The ground of a planet that was loaded, with the climate that `maps` give.
 ///
 /// # Errors
 /// As [`ground`].
-pub fn ground_of(state: PlanetState) -> Result<PlanetGround, CliError> {
-    ground(&bake(state)?)
+pub fn ground_of(state: PlanetState, maps: ClimateMaps) -> Result<PlanetGround, CliError> {
+    ground(&bake(state, maps)?)
 }

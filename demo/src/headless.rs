@@ -7,7 +7,8 @@ use crate::interrupt;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::authoring::Scenario;
-use bevy_pangaea::control::{PlanetBake, bake_now};
+use bevy_pangaea::climate::ClimateMaps;
+use bevy_pangaea::control::{BakeRules, BakeSettings, PlanetBake, bake_now};
 use bevy_pangaea::crust::{Ledger, PlanetSurface};
 use bevy_pangaea::events::CommandRejected;
 use bevy_pangaea::io::stats::StatsInput;
@@ -64,11 +65,14 @@ impl Headless {
         project_now(self.app.world_mut(), self.planet);
     }
 
-    /// Bakes the climate, the rivers and the control maps of the surface as it was last looked at.
+    /// Bakes the climate, but for what `maps` give, the rivers and the control maps of the surface as it was last
+    /// looked at.
     ///
     /// # Errors
     /// If the planet cannot be baked.
-    pub fn bake(&mut self) -> Result<(), CliError> {
+    pub fn bake(&mut self, maps: ClimateMaps) -> Result<(), CliError> {
+        let rules = BakeRules { climate: maps, ..default() };
+        self.app.world_mut().entity_mut(self.planet).insert(BakeSettings { rules, ..default() });
         bake_now(self.app.world_mut(), self.planet).map_err(|error| CliError::Failed(error.to_string()))
     }
 

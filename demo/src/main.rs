@@ -4,6 +4,7 @@
 #![allow(clippy::disallowed_methods, reason = "what is drawn or typed is no part of a planet's state")]
 
 mod cli;
+mod climate;
 mod error;
 mod values;
 

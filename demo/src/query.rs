@@ -6,18 +6,13 @@ use crate::ground::ground_of;
 use crate::output::print;
 use crate::values::place;
 use bevy_pangaea::io::load;
-use bevy_pangaea::query::{Ground, GroundError, Sample, direction_at, sample};
-use rayon::prelude::*;
-use std::fmt::Write;
+use bevy_pangaea::query::{Ground, Sample, direction_at, samples};
 use std::io::{self, BufRead};
 
 const HEADER: &str = "lat,lon,height_m,water_m,normal_x,normal_y,normal_z,surface";
 
 /// Longest line of the input in bytes.
 const MAX_LINE: usize = 1000;
-
-/// Points asked for at once by a thread.
-const BATCH: usize = 64;
 
 /// Points whose lines are printed at once.
 const BLOCK: usize = 4096;
@@ -29,7 +24,8 @@ pub fn query(args: &QueryArgs) -> Result<(), CliError> {
         Some(place) => vec![place],
         None => read_places(io::stdin().lock())?,
     };
-    let ground = ground_of(load(&args.planet)?)?;
+    let climate = args.climate.load()?;
+    let ground = ground_of(load(&args.planet)?, climate)?;
     print(&format!("{HEADER}\n"))?;
     places.chunks(BLOCK).try_for_each(|places| print(&table(&ground, places, args.level as u8)?))
 }
@@ -60,22 +56,15 @@ fn read_places(mut input: impl BufRead) -> Result<Vec<PlaceSpec>, CliError> {
 
 /// A line for each place, in their order.
 fn table(ground: &impl Ground, places: &[PlaceSpec], level: u8) -> Result<String, CliError> {
-    let lines = |places: &[PlaceSpec]| -> Result<String, GroundError> {
-        let mut text = String::new();
-        for place in places {
-            let found = sample(ground, direction_at(place.lat, place.lon)?, level)?;
-            let _ = writeln!(text, "{}", line(place, &found));
-        }
-        Ok(text)
-    };
-    let parts: Vec<Result<String, GroundError>> = places.par_chunks(BATCH).map(lines).collect();
-    parts.into_iter().collect::<Result<String, GroundError>>().map_err(CliError::from)
+    let directions: Result<Vec<_>, _> = places.iter().map(|at| direction_at(at.lat, at.lon)).collect();
+    let found = samples(ground, &directions?, level)?;
+    Ok(places.iter().zip(&found).map(|(place, found)| line(place, found)).collect())
 }
 
 fn line(place: &PlaceSpec, found: &Sample) -> String {
     let Sample { height_m, water_m, normal, surface } = found;
     format!(
-        "{},{},{height_m:.3},{water_m:.3},{:.6},{:.6},{:.6},{}",
+        "{},{},{height_m:.3},{water_m:.3},{:.6},{:.6},{:.6},{}\n",
         place.lat,
         place.lon,
         normal.x,
@@ -89,6 +78,7 @@ fn line(place: &PlaceSpec, found: &Sample) -> String {
 mod tests {
     use super::*;
     use bevy::math::DVec3;
+    use bevy_pangaea::query::GroundError;
 
     /// Height = 100 m per degree of latitude.
     struct Slope;

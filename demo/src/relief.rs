@@ -44,9 +44,10 @@ pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
     if let Some(path) = &args.json {
         check_file(path)?;
     }
+    let climate = args.climate.load()?;
     // Bad tiles are told before the planet is measured.
     let tiles = args.dem.as_deref().map(tiles).transpose()?.unwrap_or_default();
-    let classes = classes(&open_planet(&args.planet)?, args.sites as usize)?;
+    let classes = classes(&open_planet(&args.planet, climate)?, args.sites as usize)?;
     if let Some(path) = &args.json {
         let mut text = serde_json::to_string_pretty(&figures(&classes, &tiles))
             .map_err(|error| CliError::Failed(error.to_string()))?;

@@ -208,7 +208,7 @@ fn stats(folder: &Path) -> Value {
     serde_json::from_str(&fs::read_to_string(folder.join("stats.json")).unwrap()).unwrap()
 }
 
-const OVERLAYS: [&str; 20] = [
+const OVERLAYS: [&str; 21] = [
     "elevation_color",
     "plates",
     "crust_type",
@@ -226,6 +226,7 @@ const OVERLAYS: [&str; 20] = [
     "temperature",
     "rain",
     "wetness",
+    "drainage",
     "rivers",
     "basins",
     "lakes",

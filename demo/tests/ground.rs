@@ -150,6 +150,59 @@ fn squares_are_written_in_every_format() {
     assert_eq!(export("a.tif"), first);
 }
 
+/// A map of 8-bit grey, twice as wide as high.
+fn grey_map(path: &Path, grey: u8) {
+    let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), 16, 8);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.write_header().unwrap().write_image_data(&[grey; 128]).unwrap();
+}
+
+#[test]
+fn maps_replace_fields_of_the_climate() {
+    let folder = planet();
+    grey_map(&folder.path().join("t.png"), 0);
+    fs::write(folder.path().join("t.json"), r#"{"min": -60, "max": 60}"#).unwrap();
+    let points: Vec<String> = (0..400).map(|i| format!("{},{}", 60 - i % 120, 3 * (i % 117) - 170)).collect();
+    let snow = |more: &[&str]| {
+        let args = [&["query", "planet.pangaea", "--level", "6"], more].concat();
+        let output = pangaea(folder.path(), &args, &points.join("\n"));
+        assert!(output.status.success(), "{}", stderr(&output));
+        let text = stdout(&output);
+        let dry = text.lines().filter(|line| !line.ends_with("sea_floor")).count();
+        (text.lines().filter(|line| line.ends_with("snow") || line.ends_with("ice")).count(), dry)
+    };
+    let (mild, (frozen, land)) = (snow(&[]).0, snow(&["--temperature", "t.png"]));
+    assert!(mild < frozen && frozen * 2 > land, "{mild} and {frozen} of {land} points are frozen");
+}
+
+#[test]
+fn maps_that_are_no_climate_are_refused_before_anything_grows() {
+    let folder = planet();
+    let write = |name: &str, grey| grey_map(&folder.path().join(name), grey);
+    write("dry.png", 10);
+    write("hot.png", 255);
+    fs::write(folder.path().join("hot.json"), r#"{"min": 0, "max": 3000}"#).unwrap();
+    fs::write(folder.path().join("bad.tif"), "nonsense").unwrap();
+    let cases: [(&[&str], &[&str]); 5] = [
+        (&["--rain", "missing.tif"], &["missing.tif"]),
+        (&["--rain", "bad.tif"], &["bad.tif", "no TIFF"]),
+        (&["--rain", "dry.png"], &["dry.png", "dry.json"]),
+        (&["--temperature", "hot.png"], &["hot.png", "3000", "-150 to 150 °C"]),
+        (&["--wetness", "dry.jpg"], &["dry.jpg", ".tif"]),
+    ];
+    let commands: [&[&str]; 4] = [
+        &["generate", "--samples", "2000000", "--out", "out"],
+        &["export", "planet.pangaea", "--region", "0,0,10", "--out", "a.tif"],
+        &["relief", "planet.pangaea", "--json", "r.json"],
+        &["query", "planet.pangaea", "--at", "0,0"],
+    ];
+    for command in commands {
+        for (maps, words) in cases {
+            refused(folder.path(), &[command, maps].concat(), "", words);
+        }
+    }
+}
+
 const HEADER: &str = "lat,lon,height_m,water_m,normal_x,normal_y,normal_z,surface";
 
 #[test]

@@ -1,6 +1,8 @@
 //! Files are written all or none: what is in the way, who interrupts, what stays.
 
 use super::*;
+use std::io::Read;
+use std::process::Child;
 use std::time::{Duration, Instant};
 
 #[test]
@@ -75,7 +77,7 @@ fn a_refused_command_removes_the_folders_that_it_made_and_no_other() {
 #[test]
 fn an_interrupt_ends_a_command_and_leaves_nothing() {
     let folder = TempDir::new().unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_pangaea"))
+    let child = Command::new(env!("CARGO_BIN_EXE_pangaea"))
         .args(["generate", "--samples", "5000", "--until", "10000", "--out", "out"])
         .current_dir(folder.path())
         .stdin(Stdio::null())
@@ -88,6 +90,37 @@ fn an_interrupt_ends_a_command_and_leaves_nothing() {
     while !folder.path().join("out").exists() && Instant::now() < patience {
         std::thread::sleep(Duration::from_millis(5));
     }
+    assert_interrupted(child, "");
+    assert!(names_in(folder.path()).is_empty());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_an_export_between_its_rows() {
+    let folder = TempDir::new().unwrap();
+    small_planet(folder.path(), "one", &[]);
+    let out = folder.path().join("out");
+    fs::create_dir(&out).unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_pangaea"))
+        .args(["export", "one/planet.pangaea", "--region", "0,0,100", "--pixels", "8192"])
+        .args(["--out", "out/a.png"])
+        .current_dir(folder.path())
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // It names the level when it begins with the heights; they take minutes.
+    let mut said = [0; 5];
+    child.stderr.as_mut().unwrap().read_exact(&mut said).unwrap();
+    assert_eq!(&said, b"level");
+    assert_interrupted(child, " 13, 12.207 m to a pixel\n");
+    assert!(names_in(&out).is_empty());
+}
+
+/// Interrupts a program, which says so after what it has to say anyway.
+#[cfg(unix)]
+fn assert_interrupted(mut child: Child, before: &str) {
     let kill = format!("kill -INT {}", child.id());
     let sent = Command::new("sh").args(["-c", &kill]).status().unwrap();
     if !sent.success() {
@@ -96,8 +129,7 @@ fn an_interrupt_ends_a_command_and_leaves_nothing() {
     let output = child.wait_with_output().unwrap();
     let text = stderr(&output);
     assert_eq!(output.status.code(), Some(130), "{text}");
-    assert_eq!(text, "error: interrupted; nothing is written\n");
-    assert!(names_in(folder.path()).is_empty());
+    assert_eq!(text, format!("{before}error: interrupted; nothing is written\n"));
 }
 
 #[cfg(target_os = "linux")]

@@ -59,13 +59,7 @@ impl EquirectMap {
     /// [`MapError`] for a size that is out of range or not 2 to 1, a wrong number of values, and values that are
     /// not finite.
     pub fn new(width: u32, height: u32, values: Vec<f32>) -> Result<Self, MapError> {
-        let side = 1..=Self::MAX_SIDE;
-        if !side.contains(&width) || !side.contains(&height) {
-            return Err(MapError::Size(width, height));
-        }
-        if width != 2 * height {
-            return Err(MapError::Shape(width, height));
-        }
+        Self::check_size(width, height)?;
         let wanted = width as usize * height as usize;
         if values.len() != wanted {
             return Err(MapError::Count { given: values.len(), wanted });
@@ -74,6 +68,18 @@ impl EquirectMap {
             Some(pixel) => Err(MapError::NotFinite(pixel)),
             None => Ok(Self { width, height, values }),
         }
+    }
+
+    /// Refuses sizes of which there is no map.
+    ///
+    /// # Errors
+    /// [`MapError::Size`], [`MapError::Shape`].
+    pub fn check_size(width: u32, height: u32) -> Result<(), MapError> {
+        let side = 1..=Self::MAX_SIDE;
+        if !side.contains(&width) || !side.contains(&height) {
+            return Err(MapError::Size(width, height));
+        }
+        if width == 2 * height { Ok(()) } else { Err(MapError::Shape(width, height)) }
     }
 
     /// A map of `value(latitude, longitude)` in degrees at the centres of `2 height` x `height` pixels.
@@ -91,6 +97,11 @@ impl EquirectMap {
         let values =
             (0..height).flat_map(|y| (0..2 * height).map(move |x| value(row(y), column(x)))).collect();
         Self::new(2 * height, height, values)
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
     }
 
     /// Refuses a map of `what` with a value outside of `range`, which `allowed` puts into words.

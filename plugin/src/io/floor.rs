@@ -63,16 +63,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_floor_touches_every_value_and_leaves_the_crust_alone() {
+    fn a_sweep_changes_every_value() {
         let crust = Crust::ocean(3 * CHUNK + 5, &crate::params::TectonicParams::default());
         let mut swept = crust.clone();
         sweep(&mut swept);
-        for i in [0, CHUNK, crust.len() - 1] {
+        for i in 0..crust.len() {
             assert!(swept.frame[i] != crust.frame[i] && swept.kind[i] != crust.kind[i]);
             assert!(swept.orogeny[i] != crust.orogeny[i] && swept.thickness[i] != crust.thickness[i]);
             assert!(swept.elevation[i] != crust.elevation[i] && swept.ocean_age[i] != crust.ocean_age[i]);
             assert!(swept.orogeny_age[i] != crust.orogeny_age[i]);
         }
-        assert!(floor(&crust) > 0.0);
     }
 }

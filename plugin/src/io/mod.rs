@@ -10,6 +10,7 @@
 //! stats      figures of a planet
 //! export     squares of the ground: GeoTIFF, 16-bit PNG, glTF
 //! dem        elevation models of real ground
+//! maps       maps of the whole planet: climate, terrain
 //! floor      the time of one sweep over the crust, by which timings are measured
 //! ```
 //!
@@ -39,6 +40,8 @@ pub mod export;
 
 pub mod dem;
 
+pub mod maps;
+
 mod floor;
 
 pub use capture::capture;
@@ -46,6 +49,7 @@ pub use dem::{Dem, DemError, dem_files, load_dem};
 pub use digest::digest;
 pub use export::{ExportError, export};
 pub use floor::floor;
+pub use maps::{MapFileError, load_map};
 pub use preset::{PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{SaveError, load, save};
 pub use scenario::load_scenario;
@@ -90,6 +94,14 @@ pub enum IoError {
         path: PathBuf,
         /// What is wrong with it.
         source: DemError,
+    },
+    /// The file is no map of a planet, or one that is not read.
+    #[error("{}: {source}", path.display())]
+    Map {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: MapFileError,
     },
     /// The text of a preset or a scenario is refused.
     #[error("{}{}: {problem}", path.display(), at(*line))]

@@ -1,12 +1,13 @@
 //! Overlays of a bake: climate, rivers, basins and lakes, on the base mesh of the ground.
 //!
-//! Maps look at the base mesh itself, which may be finer than the crust's samples; rivers are lines along its
-//! edges, as wide as their order, on maps as on globes. A colour per sample of the crust shows what lies at the sample.
-//! Without a bake there is nothing to show, and all is grey.
+//! Maps look at the base mesh itself, which may be finer than the crust's samples; on it lie the lines of `rivers`.
+//! A colour per sample of the crust shows what lies at the sample. Without a bake there is nothing to show, and all is
+//! grey.
 
 use super::map::Raster;
 use super::palette::{self, Rgba};
-use super::{Overlay, field};
+use super::{Overlay, field, rivers};
+use crate::climate::EARTH_RADIUS;
 use crate::control::Bake;
 use crate::hydrology::{NONE, Site};
 use crate::math;
@@ -19,6 +20,8 @@ use rayon::prelude::*;
 pub(super) const TEMPERATURE: (f32, f32) = (-40.0, 35.0);
 /// Rain at the end of the ramp in mm per year.
 pub(super) const RAIN_MAX: f32 = 4000.0;
+/// Discharge in m³/s at the end of the ramp, on an Earth-sized planet: that of the Amazon.
+const DISCHARGE_MAX: f64 = 200_000.0;
 /// Lakes, by the number of their [`LakeKind`](crate::hydrology::LakeKind): blue is what drains to the sea.
 pub(super) const LAKE: [Rgba; 3] = [[44, 112, 196, 255], [92, 98, 184, 255], [140, 84, 172, 255]];
 /// The sea behind rivers, basins and lakes.
@@ -28,19 +31,29 @@ pub(super) const LAND: Rgba = [206, 202, 190, 255];
 /// Water that never reaches the sea darkens towards this.
 const CLOSED: Rgba = [96, 40, 40, 255];
 
-/// Lowest order of a river that is drawn.
-const LOWEST_ORDER: u8 = 2;
-
 /// Whether an overlay shows a bake.
 pub(super) fn is_baked(overlay: Overlay) -> bool {
-    use Overlay::{Basins, Lakes, Rain, Rivers, Temperature, Wetness};
-    matches!(overlay, Temperature | Rain | Wetness | Rivers | Basins | Lakes)
+    use Overlay::{Basins, Drainage, Lakes, Rain, Rivers, Temperature, Wetness};
+    matches!(overlay, Temperature | Rain | Wetness | Drainage | Rivers | Basins | Lakes)
 }
 
-/// The colour of a river's order: the higher, the deeper and the darker.
-pub(crate) fn order_color(order: u8) -> Rgba {
-    let t = (f32::from(order.max(1)) - 1.0) / 6.0;
-    palette::mix([122, 170, 208, 255], [10, 40, 110, 255], t)
+/// Where on [`palette::DISCHARGE`] a discharge lies, of 1 m³/s on an Earth-sized planet at its start: logarithmic.
+fn discharge_position(earth_like: f64) -> f64 {
+    math::ln(earth_like.max(1.0)) / math::ln(DISCHARGE_MAX)
+}
+
+/// The colour of a discharge in m³/s, as it would be on an Earth-sized planet.
+pub(super) fn discharge_color(earth_like: f64) -> Rgba {
+    palette::DISCHARGE.at(discharge_position(earth_like) as f32)
+}
+
+/// Powers of ten in m³/s that lie on the ramp on a planet of `radius` km, and their colours. Small planets have small
+/// rivers, and a ramp that ends at smaller ones.
+pub(super) fn discharge_decades(radius: f64) -> impl Iterator<Item = (i32, Rgba)> {
+    let scale = EARTH_RADIUS / radius;
+    let earth_like = move |power: i32| math::pow(10.0, f64::from(power)) * scale * scale;
+    let on_ramp = move |&power: &i32| (1.0..=DISCHARGE_MAX).contains(&earth_like(power));
+    (-8..=8).filter(on_ramp).map(move |power| (power, discharge_color(earth_like(power))))
 }
 
 /// Colours of the samples of the crust.
@@ -63,9 +76,7 @@ pub(super) fn draw(overlay: Overlay, bake: &Bake, width: u32, height: u32) -> Ra
         }
     });
     let mut raster = Raster { width, height, rgb };
-    if overlay == Overlay::Rivers {
-        draw_rivers(bake, &mut raster);
-    }
+    rivers::draw(overlay, bake, &mut raster);
     raster
 }
 
@@ -87,6 +98,11 @@ fn color_at(overlay: Overlay, bake: &Bake, at: &Location) -> Rgba {
         }
         Overlay::Rain => palette::RAIN.at(mean(&climate.rain) / RAIN_MAX),
         Overlay::Wetness => palette::RAIN.at(mean(&climate.wetness)),
+        Overlay::Drainage if backdrop == LAND => {
+            // Discharge spans decades between a river and its banks: the mean of positions on the ramp, not of m³.
+            let position = at.interpolate(|k| discharge_position(drainage.earth_like_discharge(k as usize)));
+            palette::DISCHARGE.at(position as f32)
+        }
         Overlay::Basins if backdrop == LAND && drainage.basin[i] != NONE => {
             let color = palette::distinct(mix(u64::from(drainage.basin[i])) as u32);
             if drainage.is_endorheic(i) { palette::mix(color, CLOSED, 0.6) } else { color }
@@ -94,76 +110,8 @@ fn color_at(overlay: Overlay, bake: &Bake, at: &Location) -> Rgba {
         Overlay::Rivers | Overlay::Lakes => {
             drainage.lake_kind(i).map_or(backdrop, |kind| LAKE[kind as usize])
         }
-        Overlay::Basins => backdrop,
+        Overlay::Drainage | Overlay::Basins => backdrop,
         _ => field::NO_VALUE_LAND,
-    }
-}
-
-/// Whether vertex `i` of the base mesh is a river on the map.
-fn is_drawn(bake: &Bake, i: usize) -> bool {
-    bake.drainage.strahler[i] >= LOWEST_ORDER && !bake.drainage.is_lake(i)
-}
-
-/// A stretch of a river along an edge of the base mesh.
-pub(crate) struct Stretch {
-    /// Horton–Strahler order.
-    pub(crate) order: u8,
-    /// Vertices of the base mesh, downstream.
-    pub(crate) ends: [u32; 2],
-}
-
-impl Stretch {
-    /// Half its width relative to that of the lowest order.
-    pub(crate) fn half_width(&self) -> f64 {
-        0.2 * f64::from(self.order - LOWEST_ORDER)
-    }
-}
-
-/// All rivers that are drawn, low orders first.
-pub(crate) fn rivers(bake: &Bake) -> Vec<Stretch> {
-    let drainage = &bake.drainage;
-    let drawn = drainage.routes.order.iter().filter(|&&i| is_drawn(bake, i as usize));
-    let stretch = |&i: &u32| {
-        let to = drainage.routes.receiver[i as usize];
-        (to != NONE).then_some(Stretch { order: drainage.strahler[i as usize], ends: [i, to] })
-    };
-    let mut rivers: Vec<_> = drawn.filter_map(stretch).collect();
-    rivers.sort_by_key(|stretch| stretch.order);
-    rivers
-}
-
-/// Draws rivers as lines.
-fn draw_rivers(bake: &Bake, raster: &mut Raster) {
-    let (width, height) = (f64::from(raster.width), f64::from(raster.height));
-    let pixel = |i: u32| {
-        let (lat, lon) = math::lat_lon(bake.mesh().point(i));
-        ((lon + 180.0) / 360.0 * width, (90.0 - lat) / 180.0 * height)
-    };
-    for stretch in rivers(bake) {
-        let [from, to] = stretch.ends.map(pixel);
-        let half = stretch.half_width() * width / 2048.0;
-        line(raster, from, to, half, order_color(stretch.order));
-    }
-}
-
-/// A line between two points in pixels, the short way around the date line.
-fn line(raster: &mut Raster, from: (f64, f64), to: (f64, f64), half: f64, color: Rgba) {
-    let width = f64::from(raster.width);
-    let turn = ((to.0 - from.0) / width).round() * width;
-    let (dx, dy) = (to.0 - turn - from.0, to.1 - from.1);
-    let steps = (2.0 * dx.abs().max(dy.abs())).ceil().max(1.0);
-    for step in 0..=steps as u32 {
-        let t = f64::from(step) / steps;
-        let (x, y) = (from.0 + t * dx, from.1 + t * dy);
-        for row in (y - half).floor() as i64..=(y + half).floor() as i64 {
-            for column in (x - half).floor() as i64..=(x + half).floor() as i64 {
-                if (0..i64::from(raster.height)).contains(&row) {
-                    let column = column.rem_euclid(i64::from(raster.width));
-                    let place = 3 * (row * i64::from(raster.width) + column) as usize;
-                    raster.rgb[place..place + 3].copy_from_slice(&color[..3]);
-                }
-            }
-        }
     }
 }
 
@@ -194,7 +142,7 @@ pub(crate) mod tests {
         assert_eq!(at(&rivers, 30, 50), SEA);
         let blue = (0..128).flat_map(|x| (0..32).map(move |y| (x, y))).filter(|&(x, y)| {
             let color = at(&rivers, x, y);
-            (2..8).any(|order| color == order_color(order))
+            (2..8).any(|order| color == rivers::order_color(order))
         });
         assert!(blue.count() > 100);
         let basins = draw(Overlay::Basins, &bake, 128, 64);
@@ -203,6 +151,33 @@ pub(crate) mod tests {
         assert!(colors.len() > 5, "{}", colors.len());
         let warm = draw(Overlay::Temperature, &bake, 128, 64);
         assert!(at(&warm, 5, 32)[0] > at(&warm, 5, 1)[0], "the equator is redder than the pole");
+    }
+
+    #[test]
+    fn discharge_darkens_down_the_rivers_and_leaves_the_sea_plain() {
+        let bake = bake();
+        let colour = |i: u32| color_at(Overlay::Drainage, &bake, &bake.mesh().locate(bake.mesh().point(i)));
+        let darkness = |i: u32| -colour(i)[..3].iter().map(|&c| i32::from(c)).sum::<i32>();
+        let routes = &bake.drainage.routes;
+        let on_land = |i: &u32| *i != NONE && bake.drainage.sites[*i as usize] == Site::Land;
+        let streams = routes.order.iter().filter(|&&i| on_land(&i) && on_land(&routes.receiver[i as usize]));
+        let wrong = streams.clone().filter(|&&i| darkness(i) > darkness(routes.receiver[i as usize]) + 1);
+        assert!(streams.count() > 1000 && wrong.count() == 0, "no water is lost on the way down");
+        let sea = draw(Overlay::Drainage, &bake, 128, 64);
+        assert!(sea.rgb[3 * 128 * 40..].chunks(3).all(|color| color == &SEA[..3]));
+        let mouths: std::collections::BTreeSet<_> = sea.rgb[..3 * 128 * 32].chunks(3).collect();
+        assert!(mouths.len() > 20, "{} colours", mouths.len());
+    }
+
+    #[test]
+    fn the_ramp_of_discharge_ends_at_smaller_rivers_on_smaller_planets() {
+        let powers = |radius| discharge_decades(radius).map(|(power, _)| power).collect::<Vec<_>>();
+        assert_eq!(powers(EARTH_RADIUS), [0, 1, 2, 3, 4, 5]);
+        assert_eq!(powers(EARTH_RADIUS / 100.0), [-4, -3, -2, -1, 0, 1]);
+        assert_eq!(discharge_decades(EARTH_RADIUS).next().unwrap().1, palette::DISCHARGE.at(0.0));
+        let [amazon, beyond] = [200_000.0, 1e9].map(discharge_color);
+        assert_eq!((amazon, beyond), (palette::DISCHARGE.at(1.0), amazon));
+        assert_eq!(discharge_color(0.0), palette::DISCHARGE.at(0.0));
     }
 
     #[test]

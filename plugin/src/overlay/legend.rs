@@ -24,7 +24,7 @@ pub enum LegendEntries {
         /// Values in the legend's unit, and their colours.
         stops: Vec<(f32, Rgba)>,
     },
-    /// Classes.
+    /// Classes, or marks on a scale that is not linear.
     Classes(Vec<(String, Rgba)>),
 }
 
@@ -72,6 +72,7 @@ pub(super) fn legend(overlay: Overlay, input: &OverlayInput) -> Legend {
         }
         Overlay::Rain => ("mm/year", gradient(palette::RAIN, ground::RAIN_MAX)),
         Overlay::Wetness => ("", gradient(palette::RAIN, 1.0)),
+        Overlay::Drainage => ("m³/s", discharges(input.planet.radius)),
         Overlay::Rivers => ("order", rivers()),
         Overlay::Basins => (
             "",
@@ -112,8 +113,17 @@ const LAKES: [(&str, Rgba); 4] = [
     ("sea", ground::SEA),
 ];
 
+fn discharges(radius: f64) -> LegendEntries {
+    let name = |power: i32| match power {
+        0.. => format!("1{}", "0".repeat(power as usize)),
+        _ => format!("0.{}1", "0".repeat((-power - 1) as usize)),
+    };
+    let decades = ground::discharge_decades(radius).map(|(power, color)| (name(power), color));
+    LegendEntries::Classes(decades.chain([("sea".to_string(), ground::SEA)]).collect())
+}
+
 fn rivers() -> LegendEntries {
-    let orders = (2..=7).map(|order| (format!("order {order}"), ground::order_color(order)));
+    let orders = (2..=7).map(|order| (format!("order {order}"), super::rivers::order_color(order)));
     let lakes = LAKES.iter().map(|&(name, color)| (name.to_string(), color));
     LegendEntries::Classes(orders.chain(lakes).collect())
 }

@@ -8,7 +8,8 @@
 //! relief      gradient, slope, Laplacian and shading of the elevation
 //! boundary    kinds of plate boundaries
 //! field       the quantity that an overlay shows, and how it becomes a colour
-//! ground      climate, rivers, basins and lakes of a bake
+//! ground      climate, discharge, basins and lakes of a bake
+//! rivers      its rivers as lines
 //! legend      title, unit and key of an overlay
 //! map         equirectangular rasters
 //! ```
@@ -22,6 +23,8 @@ pub mod boundary;
 mod field;
 
 pub(crate) mod ground;
+
+pub(crate) mod rivers;
 
 pub mod legend;
 
@@ -81,6 +84,8 @@ pub enum Overlay {
     Rain,
     /// Wetness W of paper 002.
     Wetness,
+    /// Discharge: the water of all that lies upstream, on a logarithmic ramp, and rivers in its colours.
+    Drainage,
     /// Rivers by their Horton–Strahler order, and lakes.
     Rivers,
     /// What drains to the same mouth.
@@ -91,7 +96,7 @@ pub enum Overlay {
 
 impl Overlay {
     /// All overlays, in the order in which menus list them.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::Elevation,
         Self::Plates,
         Self::CrustType,
@@ -109,6 +114,7 @@ impl Overlay {
         Self::Temperature,
         Self::Rain,
         Self::Wetness,
+        Self::Drainage,
         Self::Rivers,
         Self::Basins,
         Self::Lakes,
@@ -134,6 +140,7 @@ impl Overlay {
             Self::Temperature => "temperature",
             Self::Rain => "rain",
             Self::Wetness => "wetness",
+            Self::Drainage => "drainage",
             Self::Rivers => "rivers",
             Self::Basins => "basins",
             Self::Lakes => "lakes",
@@ -165,6 +172,7 @@ impl Overlay {
             Self::Temperature => "Temperature",
             Self::Rain => "Rain",
             Self::Wetness => "Wetness",
+            Self::Drainage => "Drainage",
             Self::Rivers => "Rivers by order",
             Self::Basins => "Drainage basins",
             Self::Lakes => "Lakes",

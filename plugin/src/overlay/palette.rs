@@ -108,6 +108,17 @@ pub const RAIN: Ramp = Ramp(&[
     (1.0, [52, 20, 92]),
 ]);
 
+/// From springs (the paper of a map) over rivers (blue) to the greatest streams (violet).
+pub const DISCHARGE: Ramp = Ramp(&[
+    (0.0, [238, 233, 217]),
+    (0.2, [214, 224, 210]),
+    (0.4, [160, 203, 206]),
+    (0.58, [88, 160, 196]),
+    (0.74, [34, 106, 172]),
+    (0.88, [28, 54, 130]),
+    (1.0, [58, 12, 84]),
+]);
+
 impl Ramp {
     /// The colour at position `x`; beyond the ends, that of the end. Not a number: that of the start.
     pub fn at(&self, x: f32) -> Rgba {
@@ -195,7 +206,7 @@ mod tests {
 
     #[test]
     fn ramps_ascend_and_pass_through_their_stops() {
-        for ramp in [HYPSOMETRIC, AGE, AMOUNT, STEEPNESS, DIVERGING, TEMPERATURE, RAIN] {
+        for ramp in [HYPSOMETRIC, AGE, AMOUNT, STEEPNESS, DIVERGING, TEMPERATURE, RAIN, DISCHARGE] {
             assert!(ramp.0.windows(2).all(|w| w[0].0 <= w[1].0));
             for (i, &(x, color)) in ramp.0.iter().enumerate() {
                 let last_of_step = ramp.0.get(i + 1).is_none_or(|next| next.0 > x);
@@ -216,7 +227,7 @@ mod tests {
     #[test]
     fn sequential_ramps_change_steadily_in_lightness() {
         let luma = |c: Rgba| 0.2126 * f32::from(c[0]) + 0.7152 * f32::from(c[1]) + 0.0722 * f32::from(c[2]);
-        for (ramp, sign) in [(AGE, -1.0), (AMOUNT, 1.0), (STEEPNESS, -1.0)] {
+        for (ramp, sign) in [(AGE, -1.0), (AMOUNT, 1.0), (STEEPNESS, -1.0), (DISCHARGE, -1.0)] {
             for i in 0..64 {
                 let step = luma(ramp.at((i + 1) as f32 / 64.0)) - luma(ramp.at(i as f32 / 64.0));
                 assert!(step * sign > -0.6, "{i}: {step}");

@@ -48,7 +48,7 @@ pub use planet::PlanetGround;
 pub use projection::AzimuthalEquidistant;
 pub use raster::{HeightGrid, Square};
 pub use ray::{RayHit, cast_ray};
-pub use sample::{Sample, normal, sample};
+pub use sample::{Sample, normal, sample, samples};
 use surface::LAPSE;
 pub use surface::{Climate, GroundSurface, Site, classify};
 pub use tree::PatchTree;
@@ -97,6 +97,9 @@ pub enum GroundError {
         /// Largest allowed number.
         max: usize,
     },
+    /// Whoever asked did not want to go on.
+    #[error("stopped before all heights were known")]
+    Stopped,
     /// The planet has no ground that could be asked for, in the words of its maker.
     #[error("{0}")]
     Unavailable(String),

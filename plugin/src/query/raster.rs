@@ -3,6 +3,7 @@
 use super::{AzimuthalEquidistant, Ground, GroundError, LEVELS, level_for};
 use crate::parallel;
 use bevy::math::{DVec2, DVec3};
+use core::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 /// A grid of heights in m, rows from the north, values at the centres of pixels.
@@ -105,14 +106,34 @@ impl Square {
     /// # Errors
     /// As [`Ground::height`]: the error of the first batch that has one.
     pub fn heights(&self, ground: &(impl Ground + ?Sized), level: u8) -> Result<HeightGrid, GroundError> {
+        self.heights_while(ground, level, |_| true)
+    }
+
+    /// The same for as long as `go_on` says so. It is told the number of pixels that are known before each batch,
+    /// from any thread.
+    ///
+    /// # Errors
+    /// As [`heights`](Self::heights), and [`GroundError::Stopped`].
+    pub fn heights_while(
+        &self,
+        ground: &(impl Ground + ?Sized),
+        level: u8,
+        go_on: impl Fn(usize) -> bool + Sync,
+    ) -> Result<HeightGrid, GroundError> {
         let count = self.pixels * self.pixels;
         let mut values = vec![0.0_f32; count];
+        let known = AtomicUsize::new(0);
         let batches = values.par_chunks_mut(parallel::CHUNK).enumerate().map(|(batch, heights)| {
+            if !go_on(known.load(Ordering::Relaxed)) {
+                return Err(GroundError::Stopped);
+            }
             let first = batch * parallel::CHUNK;
             let pixels = first..first + heights.len();
             let directions: Vec<DVec3> =
                 pixels.map(|i| self.direction(i % self.pixels, i / self.pixels)).collect();
-            ground.heights(&directions, level, heights)
+            ground.heights(&directions, level, heights)?;
+            known.fetch_add(heights.len(), Ordering::Relaxed);
+            Ok(())
         });
         // Collected first: which of several errors is told must not depend on the threads.
         let results: Vec<Result<(), GroundError>> = batches.collect();
@@ -158,6 +179,22 @@ mod tests {
         let lon = square.heights(&Degrees(true), 5).unwrap();
         assert!(lon.row(3).windows(2).all(|pair| pair[0] < pair[1]));
         assert_eq!(lat.range().unwrap()[1], lat.row(0)[4].max(lat.row(0)[3]));
+    }
+
+    #[test]
+    fn whoever_asks_hears_how_far_it_is_and_may_stop() {
+        let square = square(30.0, 40.0, 1e6, 100);
+        let heard = AtomicUsize::new(0);
+        let listen = |pixels| {
+            heard.fetch_max(pixels, Ordering::Relaxed);
+            true
+        };
+        let grid = square.heights_while(&Degrees(true), 5, listen).unwrap();
+        assert_eq!(Ok(grid), square.heights(&Degrees(true), 5));
+        // The last batch begins when others are known; two threads may begin it together.
+        assert!((1..10_000).contains(&heard.into_inner()));
+        let stopped = square.heights_while(&Degrees(true), 5, |pixels| pixels < 4000);
+        assert_eq!(stopped, Err(GroundError::Stopped));
     }
 
     #[test]

@@ -4,6 +4,10 @@ use super::ground::east_north;
 use super::{Ground, GroundError, GroundSurface, Site, checked, classify, spacing};
 use crate::math;
 use bevy::math::DVec3;
+use rayon::prelude::*;
+
+/// Points of a batch that a thread asks for in a row: neighbours share work.
+const RUN: usize = 64;
 
 /// The ground at one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +35,23 @@ pub fn sample(ground: &(impl Ground + ?Sized), direction: DVec3, level: u8) -> R
     let climate = ground.climate(up, height_m)?;
     let surface = classify(&Site { height_m, water_m, slope_deg, climate });
     Ok(Sample { height_m, water_m, normal, surface })
+}
+
+/// The ground at many directions, in their order and with the bits of [`sample`], on all threads.
+///
+/// # Errors
+/// As [`sample`], for the first refused direction.
+pub fn samples(
+    ground: &(impl Ground + ?Sized),
+    directions: &[DVec3],
+    level: u8,
+) -> Result<Vec<Sample>, GroundError> {
+    let run = |directions: &[DVec3]| -> Vec<_> {
+        directions.iter().map(|&direction| sample(ground, direction, level)).collect()
+    };
+    // Collected first: which of several errors is told must not depend on the threads.
+    let runs: Vec<Vec<_>> = directions.par_chunks(RUN).map(run).collect();
+    runs.into_iter().flatten().collect()
 }
 
 /// Unit normal of the ground in the planet's axes: of the surface through the four points that lie one
@@ -105,6 +126,20 @@ mod tests {
         assert_eq!((sea.height_m, sea.water_m, sea.surface), (-100.0, 0.0, GroundSurface::SeaFloor));
         assert_eq!(sample(&steep, DVec3::X, 18), Err(GroundError::Level(18)));
         assert_eq!(sample(&steep, DVec3::ZERO, 3), Err(GroundError::NotADirection));
+    }
+
+    #[test]
+    fn a_batch_has_the_samples_of_single_questions_and_tells_the_first_error() {
+        let cone = Cone { slope: 0.7 };
+        let mut directions: Vec<DVec3> =
+            (0..1000).map(|i| math::direction(89.0 + 1e-3 * f64::from(i), f64::from(i))).collect();
+        let batch = samples(&cone, &directions, 14).unwrap();
+        let single: Vec<_> = directions.iter().map(|&p| sample(&cone, p, 14).unwrap()).collect();
+        assert!(batch == single && batch[0] != batch[999]);
+        assert_eq!(samples(&cone, &[], 14), Ok(vec![]));
+        assert_eq!(samples(&cone, &directions, 18), Err(GroundError::Level(18)));
+        directions[990] = DVec3::NAN;
+        assert_eq!(samples(&cone, &directions, 14), Err(GroundError::NotADirection));
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::{Globe, to_bevy};
 use crate::control::Bake;
 use crate::math;
 use crate::overlay::palette::Rgba;
-use crate::overlay::{BoundaryKind, Overlay, OverlayInput, boundaries, ground};
+use crate::overlay::{BoundaryKind, Overlay, OverlayInput, boundaries, rivers};
 use bevy::asset::RenderAssetUsages;
 use bevy::math::DVec3;
 use bevy::mesh::{Indices, MeshVertexAttribute, PrimitiveTopology, VertexFormat};
@@ -111,10 +111,9 @@ pub(super) fn collect(input: &OverlayInput, globe: &Globe, elevation: impl Fn(us
         Overlay::Velocity => add_velocities(&mut lines, input, &drawn),
         Overlay::FoldDirection => add_axes(&mut lines, input, &input.surface.crust.fold, &drawn),
         Overlay::RidgeDirection => add_axes(&mut lines, input, &input.surface.crust.ridge, &drawn),
-        Overlay::Rivers => {
-            input.bake.into_iter().for_each(|bake| add_rivers(&mut lines, input, bake, &drawn))
+        overlay => {
+            input.bake.into_iter().for_each(|bake| add_rivers(&mut lines, input, overlay, bake, &drawn))
         }
-        _ => {}
     }
     lines
 }
@@ -183,15 +182,21 @@ fn add_velocities(lines: &mut Lines, input: &OverlayInput, drawn: &dyn Fn(u32) -
     }
 }
 
-fn add_rivers(lines: &mut Lines, input: &OverlayInput, bake: &Bake, drawn: &dyn Fn(u32) -> f32) {
+fn add_rivers(
+    lines: &mut Lines,
+    input: &OverlayInput,
+    overlay: Overlay,
+    bake: &Bake,
+    drawn: &dyn Fn(u32) -> f32,
+) {
     let end = |i: u32| -> End {
         let p = bake.mesh().point(i);
         (p, input.mesh.locate(p).interpolate(|k| f64::from(drawn(k))) as f32)
     };
-    for stretch in ground::rivers(bake) {
+    for stretch in rivers::stretches(overlay, bake) {
         let [from, to] = stretch.ends.map(end);
         let half = RIVER_WIDTH.0 + RIVER_WIDTH.1 * stretch.half_width() as f32;
-        lines.add(from, to, half, ground::order_color(stretch.order));
+        lines.add(from, to, half, stretch.color);
     }
 }
 

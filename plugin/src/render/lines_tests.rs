@@ -102,9 +102,10 @@ fn axes_are_drawn_only_where_there_are_any() {
 
 #[test]
 fn rivers_run_down_to_the_sea_in_lines() {
-    let bake = ground::tests::bake();
+    let bake = crate::overlay::ground::tests::bake();
     let World { planet, mesh, surface, plates, params } = &World::new();
-    let globe = Globe { overlay: Overlay::Rivers, ..default() };
+    let [globe, drainage] =
+        [Overlay::Rivers, Overlay::Drainage].map(|overlay| Globe { overlay, ..default() });
     let input = OverlayInput { planet, mesh, surface, plates, params, bake: Some(&bake) };
     let lines = collect(&input, &globe, |i| surface.elevation(i));
     assert!(lines.len() > 100);
@@ -114,6 +115,11 @@ fn rivers_run_down_to_the_sea_in_lines() {
     assert!(
         widths.is_sorted() && widths[0] < *widths.last().unwrap(),
         "high orders lie on top and are wider"
+    );
+    let discharges = collect(&input, &drainage, |i| surface.elevation(i));
+    assert!(
+        discharges.here == lines.here && discharges.colors != lines.colors,
+        "the same lines in other colours"
     );
     assert_eq!(collect(&OverlayInput { bake: None, ..input }, &globe, |_| 0.0).len(), 0);
 }

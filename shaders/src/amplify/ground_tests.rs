@@ -301,51 +301,6 @@ fn bad_meshes_are_refused() {
     assert!(matches!(spoil(&|m| m.edges[9].faces[1] = u32::MAX), BadMesh::Face(_) | BadMesh::Edge(9)));
 }
 
-/// Ground along and across lines that a level drew: the control mesh's own must not show among them. Drains are left
-/// out: valleys follow them by intent.
-#[test]
-fn base_edges_do_not_show() {
-    let base = Base::new(&control_mesh(6_371_000, 5, 2)).unwrap();
-    let land: Vec<_> =
-        base.vertices.iter().filter(|v| v.height > 300 * GRAINS).map(|v| v.direction).collect();
-    // Count, slope along and slope across, of lines of the control mesh and of all.
-    let mut sums = [[0.0_f64; 3]; 2];
-    for k in 0..8 {
-        let centre = land[pcg(k) as usize % land.len()];
-        let ground = refine(&base, &Rules::default(), &View::disc(centre, 500_000, 6), &Caps::default());
-        let height = |v: u32| f64::from(ground.vertices[v as usize].height);
-        let mut is_base = vec![true; ground.levels[0].edges.len()];
-        for (index, level) in ground.levels.iter().enumerate() {
-            let mut next = vec![false; ground.levels.get(index + 1).map_or(0, |l| l.edges.len())];
-            for (i, edge) in (0..).zip(&level.edges) {
-                if edge.mark == Mark::Split && is_base[i as usize] {
-                    next[edge.child as usize] = true;
-                    next[edge.child as usize + 1] = true;
-                }
-                let dry = |v: u32| !ground.vertices[v as usize].is_wet() && height(v) > 0.0;
-                if index == 6
-                    && edge.kind == EdgeKind::Terrain
-                    && edge.vertices.into_iter().all(dry)
-                    && !edge.faces.contains(&NONE)
-                {
-                    let far = edge.faces.map(|f| level.faces[f as usize].opposite(i));
-                    let along = (height(edge.vertices[0]) - height(edge.vertices[1])).abs();
-                    let across = (height(far[0]) - height(far[1])).abs();
-                    for sum in sums.iter_mut().skip(usize::from(!is_base[i as usize])) {
-                        *sum = [sum[0] + 1.0, sum[1] + along, sum[2] + across];
-                    }
-                }
-            }
-            is_base = next;
-        }
-    }
-    let [lines, all] = sums.map(|s| [s[0], s[1] / s[0], s[2] / s[0]]);
-    assert!(lines[0] > 500.0, "{lines:?}");
-    for (line, all) in lines.iter().zip(all).skip(1) {
-        assert!((0.6..1.7).contains(&(line / all)), "{lines:?} {all:?}");
-    }
-}
-
 /// Whether all faces around a vertex exist in a level.
 fn closed(level: &super::topology::Level, v: u32) -> bool {
     level.edges.iter().filter(|e| e.vertices.contains(&v)).all(|e| !e.faces.contains(&NONE))

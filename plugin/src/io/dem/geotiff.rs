@@ -20,28 +20,64 @@ const GEOGRAPHIC: u16 = 2;
 /// No compression that is read shrinks zeroes more than so many times: a small file never takes much memory.
 const MOST_SHRUNK: u64 = 4096;
 
-/// Reads a file.
+/// The one band of a file.
+pub(in crate::io) struct Band<'a> {
+    decoder: Decoder<Cursor<&'a [u8]>>,
+    /// Pixels to a row, and rows.
+    pub(in crate::io) size: [u32; 2],
+    /// Values with not-a-number for voids, rows from the top.
+    pub(in crate::io) values: Vec<f32>,
+}
+
+impl<'a> Band<'a> {
+    /// Reads a file, unless `check` refuses its size.
+    pub(in crate::io) fn read<E: From<DemError>>(
+        bytes: &'a [u8],
+        check: impl FnOnce(u32, u32) -> Result<(), E>,
+    ) -> Result<Self, E> {
+        let invalid = |problem: &str| DemError::Invalid(problem.into());
+        if !texts_fit(bytes).unwrap_or(false) {
+            return Err(invalid("the file is cut short, or no TIFF").into());
+        }
+        let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(refused)?;
+        let (width, height) = decoder.dimensions().map_err(refused)?;
+        check(width, height)?;
+        let size = u64::from(width) * u64::from(height) * 8;
+        if size > (bytes.len() as u64).saturating_mul(MOST_SHRUNK) {
+            return Err(invalid("the file is too short for so many pixels").into());
+        }
+        let mut limits = Limits::default();
+        limits.decoding_buffer_size = 1 << 30;
+        let mut decoder = decoder.with_limits(limits);
+        if !matches!(decoder.colortype().map_err(refused)?, ColorType::Gray(_)) {
+            return Err(invalid("the file has more than one band").into());
+        }
+        let void = void(&mut decoder);
+        let values = values(decoder.read_image().map_err(refused)?, void)?;
+        Ok(Self { decoder, size: [width, height], values })
+    }
+
+    /// Degrees that the file reaches over: from west, to east, from south, to north; `None` where it does not tell.
+    pub(in crate::io) fn extent_deg(&mut self) -> Option<[f64; 4]> {
+        let keys = self.decoder.get_tag_u16_vec(Tag::GeoKeyDirectoryTag).ok()?;
+        let scale = self.decoder.get_tag_f64_vec(Tag::ModelPixelScaleTag).ok()?;
+        let tie = self.decoder.get_tag_f64_vec(Tag::ModelTiepointTag).ok()?;
+        let (&[across, down, ..], &[column, row, _, lon, lat, ..]) = (scale.as_slice(), tie.as_slice())
+        else {
+            return None;
+        };
+        let (west, north) = (lon - column * across, lat + row * down);
+        let [width, height] = self.size.map(f64::from);
+        let extent = [west, west + width * across, north - height * down, north];
+        (short_key(&keys, MODEL_TYPE) == Some(GEOGRAPHIC)).then_some(extent)
+    }
+}
+
+/// Reads a file of heights.
 pub(super) fn read(bytes: &[u8]) -> Result<Dem, DemError> {
-    if !texts_fit(bytes).unwrap_or(false) {
-        return Err(DemError::Invalid("the file is cut short, or no TIFF".into()));
-    }
-    let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(refused)?;
-    let (width, height) = decoder.dimensions().map_err(refused)?;
-    check_size(width, height)?;
-    let size = u64::from(width) * u64::from(height) * 8;
-    if size > (bytes.len() as u64).saturating_mul(MOST_SHRUNK) {
-        return Err(DemError::Invalid("the file is too short for so many pixels".into()));
-    }
-    let mut limits = Limits::default();
-    limits.decoding_buffer_size = 1 << 30;
-    let mut decoder = decoder.with_limits(limits);
-    if !matches!(decoder.colortype().map_err(refused)?, ColorType::Gray(_)) {
-        return Err(DemError::Invalid("the file has more than one band".into()));
-    }
-    let (pixel_m, centre) = georeference(&mut decoder, [width, height])?;
-    let void = void(&mut decoder);
-    let values = heights(decoder.read_image().map_err(refused)?, void)?;
-    filled(width, height, values, pixel_m, centre)
+    let Band { mut decoder, size, values } = Band::read(bytes, check_size)?;
+    let (pixel_m, centre) = georeference(&mut decoder, size)?;
+    filled(size[0], size[1], values, pixel_m, centre)
 }
 
 /// Is no text among the tags of the first image longer than the file? The decoder makes room for texts before it
@@ -120,13 +156,13 @@ fn void(decoder: &mut Decoder<Cursor<&[u8]>>) -> f64 {
     text.trim_matches(['\0', ' ']).parse().unwrap_or(-32_768.0)
 }
 
-fn heights(image: DecodingResult, void: f64) -> Result<Vec<f32>, DemError> {
+fn values(image: DecodingResult, void: f64) -> Result<Vec<f32>, DemError> {
     fn all<T: Copy + Into<f64>>(values: &[T], void: f64) -> Vec<f32> {
-        let height = |&value: &T| {
+        let number = |&value: &T| {
             let z: f64 = value.into();
             if z == void { f32::NAN } else { z as f32 }
         };
-        values.iter().map(height).collect()
+        values.iter().map(number).collect()
     }
     match image {
         DecodingResult::I16(values) => Ok(all(&values, void)),
@@ -135,6 +171,6 @@ fn heights(image: DecodingResult, void: f64) -> Result<Vec<f32>, DemError> {
         // A void of -3.4e38 was rounded to an f32 before it was written out.
         DecodingResult::F32(values) => Ok(all(&values, f64::from(void as f32))),
         DecodingResult::F64(values) => Ok(all(&values, void)),
-        _ => Err(DemError::Invalid("heights must be i16, u16, i32, f32 or f64".into())),
+        _ => Err(DemError::Invalid("values must be i16, u16, i32, f32 or f64".into())),
     }
 }

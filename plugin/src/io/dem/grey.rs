@@ -2,7 +2,7 @@
 //! ground, or `{"metres_per_pixel", "min_m", "max_m"}` as `export` writes it.
 
 use super::{Dem, DemError, check_size, filled};
-use png::{BitDepth, ColorType, Decoder, Limits};
+use png::{ColorType, Decoder, Limits};
 use std::io::Cursor;
 
 /// Scale and position of a picture of heights. A value v is `min_m + v / 65535 (max_m - min_m)`, or
@@ -59,25 +59,56 @@ impl Sidecar {
     }
 }
 
-/// Reads a picture.
+/// A picture of grey.
+pub(in crate::io) struct Greys {
+    /// Pixels to a row, and rows.
+    pub(in crate::io) size: [u32; 2],
+    /// Bits of a pixel in the file, 8 or 16.
+    pub(in crate::io) depth: u8,
+    /// Greys from black, 0, to white, 65,535, whatever the depth; rows from the top.
+    pub(in crate::io) values: Vec<u16>,
+}
+
+impl Greys {
+    /// Reads a picture, unless `check` refuses its size.
+    pub(in crate::io) fn read<E: From<DemError>>(
+        bytes: &[u8],
+        check: impl FnOnce(u32, u32) -> Result<(), E>,
+    ) -> Result<Self, E> {
+        let refused = |error: png::DecodingError| DemError::Invalid(error.to_string());
+        let limits = Limits { bytes: 64 << 20 };
+        let mut reader = Decoder::new_with_limits(Cursor::new(bytes), limits).read_info().map_err(refused)?;
+        let info = reader.info();
+        let (size, depth) = ([info.width, info.height], info.bit_depth as u8);
+        check(size[0], size[1])?;
+        if info.color_type != ColorType::Grayscale || depth < 8 {
+            return Err(DemError::Invalid("the picture is not of 8-bit or 16-bit grey".into()).into());
+        }
+        if info.interlaced {
+            return Err(DemError::Invalid("interlaced pictures are not read".into()).into());
+        }
+        // Row by row: a picture that is cut short never takes the memory that its header asks for.
+        let mut values = Vec::new();
+        while let Some(row) = reader.next_row().map_err(refused)? {
+            match depth {
+                8 => values.extend(row.data().iter().map(|&grey| u16::from_be_bytes([grey; 2]))),
+                _ => {
+                    let pairs = row.data().chunks_exact(2);
+                    values.extend(pairs.map(|pair| u16::from_be_bytes([pair[0], pair[1]])));
+                }
+            }
+        }
+        Ok(Self { size, depth, values })
+    }
+}
+
+/// Reads a picture of heights.
 pub(super) fn read(bytes: &[u8], sidecar: &Sidecar) -> Result<Dem, DemError> {
-    let refused = |error: png::DecodingError| DemError::Invalid(error.to_string());
     let [black, step] = sidecar.scale()?;
-    let limits = Limits { bytes: 64 << 20 };
-    let mut reader = Decoder::new_with_limits(Cursor::new(bytes), limits).read_info().map_err(refused)?;
-    let (width, height) = (reader.info().width, reader.info().height);
-    check_size(width, height)?;
-    if (reader.info().color_type, reader.info().bit_depth) != (ColorType::Grayscale, BitDepth::Sixteen) {
+    let Greys { size: [width, height], depth, values } = Greys::read(bytes, check_size)?;
+    if depth != 16 {
         return Err(DemError::Invalid("the picture is not of 16-bit grey".into()));
     }
-    if reader.info().interlaced {
-        return Err(DemError::Invalid("interlaced pictures are not read".into()));
-    }
-    // Row by row: a picture that is cut short never takes the memory that its header asks for.
-    let mut values = Vec::new();
-    while let Some(row) = reader.next_row().map_err(refused)? {
-        let grey = |pair: &[u8]| (black + step * f64::from(u16::from_be_bytes([pair[0], pair[1]]))) as f32;
-        values.extend(row.data().chunks_exact(2).map(grey));
-    }
-    filled(width, height, values, [sidecar.metres_per_pixel; 2], sidecar.lat.zip(sidecar.lon))
+    let heights = values.iter().map(|&grey| (black + step * f64::from(grey)) as f32).collect();
+    filled(width, height, heights, [sidecar.metres_per_pixel; 2], sidecar.lat.zip(sidecar.lon))
 }

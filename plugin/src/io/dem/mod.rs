@@ -9,9 +9,9 @@
 //!
 //! Heights come out in m, rows from the north. Lengths of degrees are those of the Earth.
 
-mod geotiff;
+pub(super) mod geotiff;
 
-mod grey;
+pub(super) mod grey;
 
 mod hgt;
 
@@ -131,7 +131,8 @@ impl Format {
     }
 }
 
-fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
+/// The bytes of a file that is not too large.
+pub(super) fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
     let mut bytes = Vec::new();
     File::open(path)
         .and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))

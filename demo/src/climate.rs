@@ -1,0 +1,47 @@
+//! Maps of a user that replace fields of the climate, as options of all commands that ask for rivers or for the ground.
+
+use crate::error::CliError;
+use bevy_pangaea::climate::{ClimateMaps, EquirectMap};
+use bevy_pangaea::io::load_map;
+use clap::Args;
+use std::path::PathBuf;
+
+/// Maps that replace fields of the climate.
+#[derive(Args, Debug, Default, Clone)]
+pub struct ClimateArgs {
+    /// Map of the mean temperature of a year at the ground in °C, to use instead of the planet's own
+    ///
+    /// Maps show the whole planet, equirectangular, north up, 180° W at the left edge. A .tif holds values. A grey .png
+    /// needs a sidecar NAME.json {"min", "max"}: the values of black and white.
+    #[arg(long, value_name = "MAP")]
+    pub temperature: Option<PathBuf>,
+    /// Map of the rain of a year in mm
+    #[arg(long, value_name = "MAP")]
+    pub rain: Option<PathBuf>,
+    /// Map of the wetness W, 0 (deserts) to 1 (rain forests); without a sidecar white is 1
+    #[arg(long, value_name = "MAP")]
+    pub wetness: Option<PathBuf>,
+}
+
+impl ClimateArgs {
+    /// Reads the maps.
+    ///
+    /// # Errors
+    /// The first file that cannot be read, is no map of a planet, or has values that no climate has; it is named.
+    pub fn load(&self) -> Result<ClimateMaps, CliError> {
+        type Field = fn(&mut ClimateMaps) -> &mut Option<EquirectMap>;
+        let fields: [(_, _, Field); 3] = [
+            (&self.temperature, None, |maps| &mut maps.temperature),
+            (&self.rain, None, |maps| &mut maps.rain),
+            (&self.wetness, Some([0.0, 1.0]), |maps| &mut maps.wetness),
+        ];
+        let mut maps = ClimateMaps::default();
+        for (file, grey, field) in fields {
+            let Some(path) = file else { continue };
+            *field(&mut maps) = Some(load_map(path, grey)?);
+            // What was read before is good: it is this file that is refused.
+            maps.check().map_err(|problem| CliError::input(format!("{}: {problem}", path.display())))?;
+        }
+        Ok(maps)
+    }
+}
