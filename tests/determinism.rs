@@ -11,7 +11,7 @@ use bevy_pangaea::schedule::run_slice;
 use bevy_pangaea::spawn::PlanetState;
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{app, digest, planet_app, steps};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// A planet on which much happens in 60 My.
 fn lively(seed: u64, samples: u32) -> PlanetRecipe {
@@ -60,7 +60,7 @@ fn frames_of_a_game_give_the_same_bits_as_whole_steps() {
         let mut clock = game.world_mut().get_mut::<GeologicClock>(other).unwrap();
         clock.paused = true;
         clock.single_steps = 12;
-        clock.frame_budget = core::time::Duration::from_micros(300);
+        clock.frame_budget = Duration::from_micros(300);
     }
     for _ in 0..2000 {
         game.update();
@@ -72,6 +72,27 @@ fn frames_of_a_game_give_the_same_bits_as_whole_steps() {
         "single steps run while time is paused, and no more"
     );
     assert_eq!(digest(&whole, planet), digest(&game, other));
+}
+
+#[test]
+fn a_clock_stops_at_the_time_that_it_was_told() {
+    let (mut app, planet) = planet_app(&small(13, 1000));
+    let mut second = Time::<()>::default();
+    second.advance_by(Duration::from_secs(1));
+    app.insert_resource(second);
+    {
+        let mut clock = app.world_mut().get_mut::<GeologicClock>(planet).unwrap();
+        (clock.speed, clock.until, clock.frame_budget) = (2.0, Some(9.0), Duration::from_secs(9));
+    }
+    for _ in 0..12 {
+        app.update();
+    }
+    let clock = app.world().get::<GeologicClock>(planet).unwrap();
+    assert_eq!(
+        (clock.time, clock.paused, clock.until),
+        (10.0, true, None),
+        "the step that reaches it is the last"
+    );
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod climate;
 mod collision;
+mod consumption;
 mod convergence;
 mod drift;
 mod hydrology;
