@@ -99,9 +99,11 @@ pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
 
 /// The segment between two vertices of a river. `arriving` is the discharge at its lower end, where others may join it.
 pub fn segment(planet: &Planet, birth: u8, level: u32, [up, down]: [&Vertex; 2], arriving: u32) -> Segment {
+    // A lake's floor is that of its vertices: beside them lies a beach, no bed.
+    let bed = |v: &Vertex| if v.kind == VertexKind::Lake { v.water } else { v.bed };
     Segment {
         ends: [up.direction, down.direction],
-        bed: [up.bed, down.bed],
+        bed: [bed(up), bed(down)],
         water: [up.water, down.water],
         flow: [up.flow(), isqrt(arriving) as i32],
         reach: if birth == 0 { FAR } else { planet.edge_grains(u32::from(birth)) / 2 },

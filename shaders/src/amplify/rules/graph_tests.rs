@@ -233,5 +233,5 @@ fn bits_are_pinned() {
             }
         }
     });
-    assert_eq!(digest, 1_199_832_456);
+    assert_eq!(digest, 1_510_370_495);
 }
