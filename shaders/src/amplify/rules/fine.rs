@@ -33,7 +33,7 @@ pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     context.face + mul_q16(high - low, mul_q16(toss, 6_000)) + rough(rules, context)
 }
 
-/// Roughness of a level: noise whose cells are two edges wide, a quarter of the slope high. A draw for every edge would
+/// Roughness of a level: noise whose cells are two edges wide, a third of the slope high. A draw for every edge would
 /// make streaks of thin faces; noise is alike in all directions, whatever the faces are.
 pub fn rough(rules: &Rules, context: &EdgeContext) -> i32 {
     let new = context.new;
@@ -41,5 +41,5 @@ pub fn rough(rules: &Rules, context: &EdgeContext) -> i32 {
     let cell = 25 - context.level.min(16);
     let noise = gradient(&mut Corners::default(), new.direction, cell, 0x0f1e_0000 + context.level);
     // Soil, too, is uneven: tan 1.1°.
-    mul_q16(mul_q16(context.span, steepness(rules, new) + 1_311), noise) / 4
+    mul_q16(mul_q16(context.span, steepness(rules, new) + 1_311), noise) / 3
 }
