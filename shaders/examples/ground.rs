@@ -117,7 +117,7 @@ fn main() {
         let start = Watch::start();
         // A square of 64 m lies in a disc of 46 m.
         let ground = refine(&base, &rules, &View::disc(centre, 46, 17), &Caps::default());
-        let carved = carve_all(&ground.planet, &rules, &ground.vertices);
+        let carved = carve_all(&ground.planet, &ground.vertices);
         let time = start.seconds() * 1e3;
         let finest = ground.levels.last().map_or(0, |l| l.faces.len());
         println!("patch: {} finest faces, {} vertices, {time:.1} ms", finest, carved.len());
@@ -138,7 +138,7 @@ fn main() {
         let start = Watch::start();
         let ground = refine(&base, &rules, &view, &Caps::default());
         let refined = start.seconds() * 1e3;
-        let carved = carve_all(&ground.planet, &rules, &ground.vertices);
+        let carved = carve_all(&ground.planet, &ground.vertices);
         let triangles = ground.triangles();
         let time = start.seconds() * 1e3;
         println!(

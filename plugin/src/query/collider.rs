@@ -75,7 +75,7 @@ impl PlanetGround {
         let mut kept = Kept::default();
         let mut place = |v: u32| {
             let vertex = &refined.vertices[v as usize];
-            let ground = carve(&mut kept, &refined.planet, self.rules(), vertex).ground;
+            let ground = carve(&mut kept, &refined.planet, vertex).ground;
             // Rounding lets directions leave the sphere by up to 5 cm.
             let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
             (unit * (square.radius + f64::from(ground) / f64::from(GRAINS)) - origin).as_vec3()

@@ -213,7 +213,7 @@ fn dry_drains(vertices: &mut [Vertex], edges: &mut [Edge]) {
 fn nearest_rivers(planet: &Planet, vertices: &mut [Vertex], edges: &[Edge], faces: &[Face]) {
     for vertex in vertices.iter_mut() {
         if vertex.is_wet() {
-            let own = segment(planet, 0, 0, vertex, vertex);
+            let own = segment(planet, 0, 0, [vertex, vertex], vertex.discharge);
             (vertex.river, vertex.river_distance, vertex.river_along) = (own, 0, 0);
         }
     }
@@ -224,7 +224,7 @@ fn nearest_rivers(planet: &Planet, vertices: &mut [Vertex], edges: &[Edge], face
             continue;
         }
         let [up, down] = edge.vertices.map(|v| &vertices[v as usize]);
-        let piece = segment(planet, 0, 0, up, down);
+        let piece = segment(planet, 0, 0, [up, down], edge.arriving);
         for corner in edge.faces.iter().filter(|&&f| f != NONE).map(|&f| faces[f as usize].opposite(i)) {
             let (along, off) = nearest_on(piece.ends, vertices[corner as usize].direction);
             let distance = planet.grains(off).min(FAR);

@@ -4,18 +4,18 @@
 
 use super::planet::Planet;
 pub use super::rules::ocean::Kept;
+use super::rules::valley;
 pub use super::rules::valley::Carved;
-use super::rules::{Rules, valley};
 use super::vertex::Vertex;
 
 /// Final ground and water of a vertex. `kept` is what an earlier one left, best one near it; it changes no bit.
 #[inline]
-pub fn carve(kept: &mut Kept, planet: &Planet, rules: &Rules, vertex: &Vertex) -> Carved {
-    valley::carve(kept, rules, vertex, planet.edge_grains(0))
+pub fn carve(kept: &mut Kept, planet: &Planet, vertex: &Vertex) -> Carved {
+    valley::carve(kept, vertex, planet.edge_grains(0))
 }
 
 /// Final ground and water of a column of vertices.
-pub fn carve_all(planet: &Planet, rules: &Rules, vertices: &[Vertex]) -> Vec<Carved> {
+pub fn carve_all(planet: &Planet, vertices: &[Vertex]) -> Vec<Carved> {
     let mut kept = Kept::default();
-    vertices.iter().map(|vertex| carve(&mut kept, planet, rules, vertex)).collect()
+    vertices.iter().map(|vertex| carve(&mut kept, planet, vertex)).collect()
 }

@@ -11,7 +11,7 @@ use super::planet::Planet;
 use super::rules::{self, EdgeKind, Rules, shift::Shift};
 use super::seed::between;
 use super::topology::Edge;
-use super::vertex::{EdgeContext, FAR, Segment, Vertex};
+use super::vertex::{EdgeContext, FAR, Section, Segment, Vertex};
 
 /// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from its parents alone,
 /// but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
@@ -35,10 +35,12 @@ pub fn split(
     let [a, b] = ends;
     let mut new = average(a, b, level);
     let length = planet.grains(difference(b.direction, a.direction));
-    new.direction = place(rules, edge.kind, level, &new, ends, opposite);
+    let face;
+    (new.direction, face) = place(rules, edge.kind, level, &new, ends, opposite);
     new.river_distance = expected_distance(edge.kind, ends, length);
     new.discharge = if edge.kind == EdgeKind::River { gathered(a, edge) } else { 0 };
-    let context = EdgeContext { a, b, new: &new, length, level, radius_m: planet.radius_m };
+    let span = planet.edge_grains(level);
+    let context = EdgeContext { a, b, new: &new, face, length, span, level, radius_m: planet.radius_m };
     let ground = rules::halve(rules, edge.kind, &context);
     (new.kind, new.height, new.bed, new.water) = (ground.kind, ground.height, ground.bed, ground.water);
     settle_water(edge.kind, &mut new, a, b);
@@ -94,6 +96,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         river: Segment::default(),
         river_distance: FAR,
         river_along: 0,
+        section: Section::between(a.section, b.section),
         gully_bed: 0,
         gully_distance: FAR,
         lake: 0,
@@ -136,7 +139,8 @@ fn expected_distance(kind: EdgeKind, [a, b]: [&Vertex; 2], length: i32) -> i32 {
     }
 }
 
-/// Where the new vertex lies: the edge's middle, moved sideways within its safe zone (§5.2), on the sphere.
+/// Where the new vertex lies: the edge's middle, moved sideways within its safe zone (§5.2), on the sphere. And the
+/// height of the flat face there.
 fn place(
     rules: &Rules,
     kind: EdgeKind,
@@ -144,8 +148,9 @@ fn place(
     new: &Vertex,
     [a, b]: [&Vertex; 2],
     opposite: [Option<&Vertex>; 2],
-) -> [i32; 3] {
+) -> ([i32; 3], i32) {
     let ab = difference(b.direction, a.direction);
+    let rise = b.height - a.height;
     if level < STRAIGHT_LEVEL
         && let [Some(x), Some(y)] = opposite
     {
@@ -154,12 +159,14 @@ fn place(
             let (x, y) = if shift.second { (y, x) } else { (x, y) };
             let to = [x, y].map(|v| difference(v.direction, a.direction));
             let [wb, wx] = weights(&shift, to.map(|corner| Stance::of(ab, corner)));
-            return displaced(a.direction, ab, to[0], wb, wx);
+            let face = a.height + weigh(wb, rise) + weigh(wx, x.height - a.height);
+            return (displaced(a.direction, ab, to[0], wb, wx), face);
         }
     }
     // Halves round to either side by the seed, so that no direction is favoured.
     let odd = (new.seed >> 7 & 1) as i32;
-    lift([0, 1, 2].map(|i| a.direction[i] + ((ab[i] + odd) >> 1)), square_q32(ab) / 4)
+    let middle = [0, 1, 2].map(|i| a.direction[i] + ((ab[i] + odd) >> 1));
+    (lift(middle, square_q32(ab) / 4), a.height + rise / 2)
 }
 
 /// Shares of the edge's end and of the corner `x` that the new vertex is drawn to; that of the start is the rest.

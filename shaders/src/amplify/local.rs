@@ -92,7 +92,7 @@ impl<B: Deref<Target = Base>> Local<B> {
         });
         let base_face = (0..=level).rev().fold(face, |at, above| self.demand.face(above, at).parent);
         let Self { demand, kept, .. } = self;
-        let carved = vertices.map(|v| carve(kept, &demand.base().planet, demand.rules(), &v));
+        let carved = vertices.map(|v| carve(kept, &demand.base().planet, &v));
         Leaf { vertices, carved, level: level as u32, base_face }
     }
 

@@ -42,6 +42,7 @@
 //! | h | `height`, then [`Carved::ground`](carve::Carved::ground) | grains above sea level |
 //! | h_w | `water` | grains |
 //! | h_r, d_r | `river` (a segment), `river_distance`, `river_along` | grains, Q16 |
+//! | valley | `section`: height of its side, share of the ground's own | grains, Q16 |
 //! | s_h, s_d | `gully_bed`, `gully_distance` | grains |
 //! | φ | [`Vertex::flow`](vertex::Vertex::flow), root of `discharge` | Q16; discharge 2⁻³² of 200,000 m³/s |
 //! | e_r | `valley` | `ValleyShape`, 0..4 |

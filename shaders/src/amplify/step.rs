@@ -29,7 +29,7 @@ pub fn step(
     vertices.reserve(made.vertices);
     split_edges(planet, rules, index, level, vertices);
     decide_faces(rules, index, level, vertices);
-    resolve_vertices(planet, index, level, vertices);
+    resolve_vertices(planet, rules, index, level, vertices);
     Level {
         edges: if edges { grow_edges(rules, index, level, vertices, made.edges()) } else { Vec::new() },
         faces: grow_faces(level, &made),
@@ -114,17 +114,24 @@ fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex
     }
 }
 
-fn resolve_vertices(planet: &Planet, index: u32, level: &Level, vertices: &mut [Vertex]) {
+fn resolve_vertices(planet: &Planet, rules: &Rules, index: u32, level: &Level, vertices: &mut [Vertex]) {
     for (i, edge) in (0..).zip(&level.edges) {
         if edge.mark == Mark::Split {
-            let settled = resolved(planet, index, level, i, edge, vertices);
+            let settled = resolved((planet, rules), index, level, i, vertices);
             settled.write(&mut vertices[edge.mid as usize]);
         }
     }
 }
 
 /// What the faces beside an edge settle of its new vertex.
-fn resolved(planet: &Planet, index: u32, level: &Level, i: u32, edge: &Edge, vertices: &[Vertex]) -> Settled {
+fn resolved(
+    (planet, rules): (&Planet, &Rules),
+    index: u32,
+    level: &Level,
+    i: u32,
+    vertices: &[Vertex],
+) -> Settled {
+    let edge = &level.edges[i as usize];
     let mut around = Surroundings {
         edge,
         ends: edge.vertices.map(|v| &vertices[v as usize]),
@@ -153,7 +160,7 @@ fn resolved(planet: &Planet, index: u32, level: &Level, i: u32, edge: &Edge, ver
             }
         }
     }
-    resolve(planet, index, &vertices[edge.mid as usize], &around)
+    resolve(planet, rules, index, &vertices[edge.mid as usize], &around)
 }
 
 /// The next level's edges: halves, then inner edges.

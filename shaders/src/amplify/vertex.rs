@@ -3,7 +3,7 @@
 //! A vertex is made once, by the edge that it halves, from data of coarser levels; no view changes a bit of it.
 
 use super::control::{ControlVertex, VertexKind};
-use super::fixed::GRAINS;
+use super::fixed::{GRAINS, Q16};
 
 /// A distance that means "nowhere near": 2000 km in grains.
 pub const FAR: i32 = 2_000_000 * GRAINS;
@@ -28,6 +28,30 @@ pub struct Segment {
     pub reach: i32,
     /// Level of the edge it was.
     pub level: u32,
+}
+
+/// Height of a valley's side at a place, and how much of the ground as the graphs made it is left there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(C)]
+pub struct Section {
+    /// Height of the side, grains.
+    pub height: i32,
+    /// Share of the ground's own height, Q16: 0 on the valley's floor, 1 beyond its rim.
+    pub own: i32,
+}
+
+impl Section {
+    /// Where there is no valley.
+    #[inline]
+    pub const fn outside(height: i32) -> Self {
+        Self { height, own: Q16 }
+    }
+
+    /// Half-way between two places.
+    #[inline]
+    pub const fn between(a: Self, b: Self) -> Self {
+        Self { height: a.height + (b.height - a.height) / 2, own: (a.own + b.own) / 2 }
+    }
 }
 
 /// One vertex of the ground.
@@ -55,6 +79,8 @@ pub struct Vertex {
     pub river_distance: i32,
     /// Where along `river` its nearest point lies, Q16 from the upstream end.
     pub river_along: i32,
+    /// What the river's valley makes of the ground here.
+    pub section: Section,
     /// Ground of the nearest gully, grains.
     pub gully_bed: i32,
     /// Distance to the nearest gully, grains; [`FAR`] without one.
@@ -113,6 +139,7 @@ impl Vertex {
             river: Segment::default(),
             river_distance: FAR,
             river_along: 0,
+            section: Section::outside(control.height),
             gully_bed: control.height,
             gully_distance: FAR,
             lake,
@@ -156,8 +183,12 @@ pub struct EdgeContext<'a> {
     /// The new vertex: displaced direction, seed, level (that of the edge + 1), distances to river and gully,
     /// and the parents' average of C, A, W, P, B, collision, ocean and directions.
     pub new: &'a Vertex,
+    /// Height of the flat face where the new vertex lies, grains: the mean of the ends, but for the sideways displacement.
+    pub face: i32,
     /// Length of the edge, grains.
     pub length: i32,
+    /// Mean length of the edges of its level, grains.
+    pub span: i32,
     /// Level of the edge, 0..16 (the paper's λ).
     pub level: u32,
     /// Radius of the planet, metres.

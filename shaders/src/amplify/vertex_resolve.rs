@@ -7,14 +7,15 @@
 //! farther off inherits its parents' segments (and its neighbours', while edges still move), which lag behind by as
 //! many levels as it is rings away: they are charged for how far the river may have moved since.
 
+use super::arith::isqrt;
 use super::control::VertexKind;
 use super::edge_split::STRAIGHT_LEVEL;
 use super::geometry::nearest_on;
 use super::planet::Planet;
-use super::rules::EdgeKind;
+use super::rules::{EdgeKind, Rules, valley};
 use super::seed::share;
 use super::topology::{Edge, Inner};
-use super::vertex::{FAR, Segment, Vertex};
+use super::vertex::{FAR, Section, Segment, Vertex};
 
 /// An edge beside the vertex: the edge, its ends, its middle where it has one.
 pub type Beside<'a> = (&'a Edge, [&'a Vertex; 2], Option<&'a Vertex>);
@@ -54,6 +55,7 @@ pub struct Settled {
     kind: VertexKind,
     branched: bool,
     river: Nearest,
+    section: Section,
     gully_bed: i32,
     gully_distance: i32,
 }
@@ -63,20 +65,27 @@ impl Settled {
     #[inline]
     pub fn write(&self, vertex: &mut Vertex) {
         (vertex.kind, vertex.branched) = (self.kind, self.branched);
-        vertex.river = self.river.segment;
-        (vertex.river_distance, vertex.river_along) = (self.river.distance, self.river.along);
+        self.river.write(vertex);
+        vertex.section = self.section;
         (vertex.gully_bed, vertex.gully_distance) = (self.gully_bed, self.gully_distance);
     }
 }
 
 /// What the faces around a vertex settle of it.
-pub fn resolve(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) -> Settled {
+pub fn resolve(planet: &Planet, rules: &Rules, level: u32, new: &Vertex, around: &Surroundings) -> Settled {
     let becomes_gully = around.gully_tip && !around.river_tip && new.kind == VertexKind::Terrain;
     let kind = if becomes_gully { VertexKind::Gully } else { new.kind };
     let river = near_river(planet, level, new, around);
+    let section = if river.is_beside {
+        let mut at = *new;
+        river.write(&mut at);
+        valley::section(rules, &at, planet.edge_grains(0))
+    } else {
+        new.section
+    };
     let (gully_bed, gully_distance) =
         if kind == VertexKind::Gully { (new.height, 0) } else { near_gully(planet, new, around) };
-    Settled { kind, branched: around.branched, river, gully_bed, gully_distance }
+    Settled { kind, branched: around.branched, river, section, gully_bed, gully_distance }
 }
 
 /// Discharge that a tributary brings to a junction: a quarter to a half of what its river has gained since the
@@ -88,13 +97,15 @@ pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
     quarter + super::fixed::mul_high(quarter, (share(junction.seed, 20) as u32) << 16)
 }
 
-/// The segment between two vertices of a river.
-pub fn segment(planet: &Planet, birth: u8, level: u32, up: &Vertex, down: &Vertex) -> Segment {
+/// The segment between two vertices of a river. `arriving` is the discharge at its lower end, where others may join it.
+pub fn segment(planet: &Planet, birth: u8, level: u32, [up, down]: [&Vertex; 2], arriving: u32) -> Segment {
+    // A lake's floor is that of its vertices: beside them lies a beach, no bed.
+    let bed = |v: &Vertex| if v.kind == VertexKind::Lake { v.water } else { v.bed };
     Segment {
         ends: [up.direction, down.direction],
-        bed: [up.bed, down.bed],
+        bed: [bed(up), bed(down)],
         water: [up.water, down.water],
-        flow: [up.flow(), down.flow()],
+        flow: [up.flow(), isqrt(arriving) as i32],
         reach: if birth == 0 { FAR } else { planet.edge_grains(u32::from(birth)) / 2 },
         level,
     }
@@ -107,9 +118,23 @@ struct Nearest {
     distance: i32,
     along: i32,
     segment: Segment,
+    /// Whether it runs along a face of the vertex, or through an end of its edge.
+    is_beside: bool,
 }
 
 impl Nearest {
+    /// No river yet.
+    fn none() -> Self {
+        Self { cost: i32::MAX, distance: FAR, along: 0, segment: Segment::default(), is_beside: false }
+    }
+
+    /// Tells a vertex.
+    #[inline]
+    fn write(&self, vertex: &mut Vertex) {
+        vertex.river = self.segment;
+        (vertex.river_distance, vertex.river_along) = (self.distance, self.along);
+    }
+
     /// Takes a segment if it is nearer; one beyond its reach counts as far.
     fn offer(&mut self, planet: &Planet, p: [i32; 3], segment: &Segment, charge: i32) {
         let (along, off) = nearest_on(segment.ends, p);
@@ -117,7 +142,7 @@ impl Nearest {
         let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
         let cost = distance + charge + beyond;
         if cost < self.cost {
-            *self = Self { cost, distance, along, segment: *segment };
+            *self = Self { cost, distance, along, segment: *segment, ..*self };
         }
     }
 }
@@ -125,24 +150,42 @@ impl Nearest {
 /// The nearest river of a vertex.
 fn near_river(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) -> Nearest {
     if new.is_wet() {
-        let segment = segment(planet, around.edge.birth, level + 1, new, new);
-        return Nearest { cost: 0, distance: 0, along: 0, segment };
+        let segment = segment(planet, around.edge.birth, level + 1, [new, new], new.discharge);
+        return Nearest { cost: 0, distance: 0, along: 0, segment, is_beside: true };
     }
-    let mut nearest = Nearest { cost: i32::MAX, distance: FAR, along: 0, segment: Segment::default() };
+    let is_beside = around.ends.iter().any(|end| end.is_wet());
+    let mut nearest = Nearest { is_beside, ..Nearest::none() };
     for (edge, [up, down], mid) in around.beside.iter().flatten() {
         if edge.kind != EdgeKind::River {
             continue;
         }
         if up.is_wet() && (level >= STRAIGHT_LEVEL || mid.is_none()) {
-            nearest.offer(planet, new.direction, &segment(planet, edge.birth, level, up, down), 0);
+            nearest.offer(
+                planet,
+                new.direction,
+                &segment(planet, edge.birth, level, [up, down], edge.arriving),
+                0,
+            );
         } else if let Some(mid) = mid {
             if up.is_wet() {
-                nearest.offer(planet, new.direction, &segment(planet, edge.birth, level + 1, up, mid), 0);
+                nearest.offer(
+                    planet,
+                    new.direction,
+                    &segment(planet, edge.birth, level + 1, [up, mid], mid.discharge),
+                    0,
+                );
             }
-            nearest.offer(planet, new.direction, &segment(planet, edge.birth, level + 1, mid, down), 0);
+            nearest.offer(
+                planet,
+                new.direction,
+                &segment(planet, edge.birth, level + 1, [mid, down], edge.arriving),
+                0,
+            );
         }
     }
-    if nearest.cost == i32::MAX {
+    if nearest.cost < i32::MAX {
+        nearest.is_beside = true;
+    } else {
         inherit(planet, level, new, around, &mut nearest);
     }
     nearest

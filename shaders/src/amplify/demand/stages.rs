@@ -110,7 +110,11 @@ impl<B: Deref<Target = Base>> Demand<B> {
                 asked = (asked.0 | gully, asked.1 | river, asked.2 | junction);
                 for j in 0..2 {
                     let other = face.edges[(k + 1 + j) % 3];
-                    if self.settle_kind(level, other) != EdgeKind::Terrain {
+                    let kind = self.settle_kind(level, other);
+                    if kind == EdgeKind::River {
+                        self.settle_arriving(level, other);
+                    }
+                    if kind != EdgeKind::Terrain {
                         others[side * 2 + j] = other;
                         let ends = self.edge(level, other).edge.vertices;
                         for v in ends {
@@ -143,7 +147,8 @@ impl<B: Deref<Target = Base>> Demand<B> {
             beside,
         };
         let mid = known.edge.mid;
-        let settled = resolve(&self.base.planet, level as u32, &self.vertices[mid as usize], &around);
+        let settled =
+            resolve(&self.base.planet, &self.rules, level as u32, &self.vertices[mid as usize], &around);
         settled.write(&mut self.vertices[mid as usize]);
         self.edge_mut(level, edge).stage = Stage::Resolved;
     }

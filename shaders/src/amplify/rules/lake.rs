@@ -27,9 +27,10 @@ pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u1
     mul_q16(mul_q16(mul_q16(rules.lake_chance, coarse), high), wet)
 }
 
-/// Chance that a lake reaches half the way to land beside it: on the levels after its birth, so that it is round.
-fn spread(rules: &Rules, level: u32) -> i32 {
-    if rules.landforms && level <= rules.lake_levels + 2 { 26_000 } else { 0 }
+/// Chance that a lake reaches half the way to land beside it. In ours on all levels: bays and points of all sizes make
+/// its shore, as they make a coast.
+fn spread(rules: &Rules) -> i32 {
+    if rules.landforms { 30_000 } else { 0 }
 }
 
 /// R3 with a lake: the new vertex lies under the river's water, or nothing where no lake forms.
@@ -41,15 +42,19 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
         return None;
     }
     let new = context.new;
-    let chance = match river.kind {
-        VertexKind::River => chance(rules, context.level, river, new.crust, new.wetness),
-        _ => spread(rules, context.level),
-    };
+    let born = river.kind == VertexKind::River;
+    let chance =
+        if born { chance(rules, context.level, river, new.crust, new.wetness) } else { spread(rules) };
     if share(new.seed, 10) >= chance {
         return None;
     }
-    let depth = 20 * GRAINS + mul_q16(100 * GRAINS, share(new.seed, 11));
-    let bed = river.bed - depth.min(river.bed - GRAINS).max(0);
+    let bed = if born || context.level < rules.lake_levels {
+        let depth = 20 * GRAINS + mul_q16(100 * GRAINS, share(new.seed, 11));
+        river.bed - depth.min(river.bed - GRAINS).max(0)
+    } else {
+        // The floor shelves towards the shore.
+        river.bed + (river.water - river.bed) / 2
+    };
     Some(Ground { kind: VertexKind::Lake, height: bed, bed, water: river.water })
 }
 

@@ -27,6 +27,10 @@ use super::control::VertexKind;
 use super::vertex::EdgeContext;
 pub use preset::Rules;
 
+/// First level, in our rules, at which a vertex lies on the face where it was moved to, not at its edge's height: edges
+/// of 800 m and less on an Earth-sized planet, the size of a hillside. An even slope stays even under sideways moves.
+const FACE_LEVEL: u32 = 6;
+
 /// What an edge is (the paper's edge types R and T; gullies have their own).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]

@@ -47,7 +47,7 @@ impl Default for Rules {
             form: Form::Release,
             landforms: true,
             crest_rise: 13_107,
-            steep_collision: 86_000,
+            steep_collision: 90_000,
             steep_subduction: 56_000,
             steep_old: 64_000,
             fine_level: 10,

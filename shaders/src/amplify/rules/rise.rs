@@ -13,12 +13,16 @@ use super::super::vertex::EdgeContext;
 use super::landform::{steepness, worn};
 use super::preset::Rules;
 use super::terrain::ordered;
+use super::{FACE_LEVEL, fine};
 
 /// Height of the middle of an edge. `bulge` (Q16) is the share of the full slope by which it overtops the higher end.
 pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let new = context.new;
     let (low, high) = ordered(context.a.height, context.b.height);
-    let slope = mul_q16(context.length / 2, steepness(rules, new));
+    let small = context.level >= FACE_LEVEL;
+    // An edge along a thin face is long, but the rock beside it is no larger than that of others.
+    let length = if small { context.length.min(context.span) } else { context.length };
+    let slope = mul_q16(length / 2, steepness(rules, new));
     let (xi, chi) = (share(new.seed, 0), share(new.seed, 1));
     // 1 between level ends, 0 where one is a whole slope above the other.
     let keen = ratio((slope - (high - low)).max(0), slope.max(1));
@@ -29,11 +33,16 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     );
     // Saturates, half-way there where the two are equal, so that summits stay apart.
     let gain = mul_q16(room, mul_q16(ratio(free, free + room + 1), part(context.level, chi)));
-    let hillside = mix(low, high, hollow(context.level) + mul_q16(xi, 14_000));
+    let hillside = if small {
+        context.face + fine::rough(rules, context)
+    } else {
+        mix(low, high, hollow(context.level) + mul_q16(xi, 14_000))
+    };
     let crest = mix(hillside, high, mul_q16(mul_q16(keen, keen), bulge.min(Q16))) + gain;
     let steepest = low + mul_q16(slope, 62_000 + mul_q16(chi, 30_000));
     let least = mix(low, high, 10_000) + (context.length >> 12).max(1);
-    crest.min(steepest).max(least)
+    // The face drains to its lowest corner, which need not be an end of the edge.
+    crest.min(steepest).max(if small { least.min(context.face) } else { least })
 }
 
 /// Most that a crest takes of the room, least and greatest draw; Q16. Little while edges are longer than the spacing of
@@ -64,8 +73,8 @@ const fn fading(level: u32, worn: i32) -> i32 {
     if level < 3 { keen } else { keen - mul_q16(mul_q16(keen, worn), 26_000) }
 }
 
-/// Least share of the rise that the middle of a hillside takes: at coarse levels little, so that valleys are wide and
-/// crests stand out, at fine ones nearly half, so that slopes are even. Q16.
+/// Least share of the rise that the middle of a hillside takes: little, so that valleys are wide and crests stand out.
+/// Q16.
 const fn hollow(level: u32) -> i32 {
-    if level < 8 { 12_000 + 1_500 * level as i32 } else { 26_000 }
+    12_000 + 1_500 * level as i32
 }

@@ -5,13 +5,17 @@
 //! the valley rises to half-width D along the archetype e_r's curve, blended into the ground by a cubic Hermite step.
 //! Widths follow φ, the root of the discharge: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
 //!
+//! The side is measured where a vertex touches its river; between such vertices and beyond it is halved as the ground is
+//! ([`Section`]). Nearest pieces of river change from one vertex to the next, and a side measured from each would break off
+//! along seams.
+//!
 //! Departures: D is bounded by a share of the control mesh's edge, so that small planets have valleys too; the curve
 //! never raises ground above the land beside it; a bank always overtops its water.
 
 use super::super::arith::{mix, mul_q16, ratio, saturate, smooth, smoothstep, sqrt_q16, square};
 use super::super::control::{ValleyShape, VertexKind};
 use super::super::fixed::{GRAINS, Q16};
-use super::super::vertex::{FAR, Vertex};
+use super::super::vertex::{FAR, Section, Vertex};
 use super::ocean;
 use super::preset::Rules;
 
@@ -55,6 +59,11 @@ impl Reach {
         mul_q16(depth.min(200 * GRAINS), spread)
     }
 
+    /// Height of its banks, grains: a metre over its water.
+    fn shoulder(&self) -> i32 {
+        self.water.max(self.bed).saturating_add(GRAINS)
+    }
+
     /// Half-width of its valley in grains, on a planet whose control mesh has edges of `edge` grains.
     pub fn half_valley(&self, edge: i32) -> i32 {
         // 200 m to 16 km on edges of 52 km: the slopes beyond are those of the graphs.
@@ -75,7 +84,7 @@ pub const fn archetype(shape: ValleyShape, x: i32) -> i32 {
 
 /// The ground of a vertex after its river has carved it. `edge` is the mean edge of the control mesh, grains; `kept` is
 /// what the vertex before left.
-pub fn carve(kept: &mut ocean::Kept, rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
+pub fn carve(kept: &mut ocean::Kept, vertex: &Vertex, edge: i32) -> Carved {
     match vertex.kind {
         VertexKind::Lake => Carved { ground: vertex.bed.min(vertex.water), water: vertex.water },
         VertexKind::River => Carved { ground: vertex.bed, water: vertex.water.max(vertex.bed) },
@@ -84,7 +93,7 @@ pub fn carve(kept: &mut ocean::Kept, rules: &Rules, vertex: &Vertex, edge: i32) 
             Carved { ground, water: ground.max(0) }
         }
         _ if vertex.river_distance >= FAR => dry(vertex.height),
-        _ => beside(rules, vertex, edge),
+        _ => beside(vertex, edge),
     }
 }
 
@@ -93,35 +102,50 @@ const fn dry(ground: i32) -> Carved {
     Carved { ground, water: ground }
 }
 
-/// The ground beside a river.
-fn beside(rules: &Rules, vertex: &Vertex, edge: i32) -> Carved {
-    if vertex.river.flow == [0, 0] {
+/// What the valley of a vertex's river makes of its ground, `edge` as in [`carve`].
+pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> Section {
+    if vertex.river_distance >= FAR || vertex.river.flow == [0, 0] {
         // A lake's shore: no stream shapes it.
-        return dry(vertex.height);
+        return Section::outside(vertex.height);
     }
     let reach = Reach::of(vertex);
-    let (distance, raw) = (vertex.river_distance, vertex.height);
-    let bed = reach.half_bed();
-    if distance < bed {
-        let top = reach.water.max(reach.bed).saturating_add(GRAINS);
-        let ground = mix(reach.bed, top, smooth(ratio(distance, bed)));
-        return Carved { ground, water: reach.water.max(ground) };
-    }
-    let shoulder = reach.water.max(reach.bed).saturating_add(GRAINS);
-    // A tributary is known no farther than its reach: its valley ends before.
-    let width = reach.half_valley(edge).min(vertex.river.reach / 8 * 7).max(1);
-    let across = distance - bed;
+    let across = (vertex.river_distance - reach.half_bed()).max(0);
+    let width = width(vertex, &reach, edge);
     if across >= width {
-        return dry(raw.max(shoulder.min(raw.saturating_add(2 * GRAINS))));
+        return Section::outside(vertex.height);
     }
     let x = ratio(across, width);
     let shape = if rules.archetypes { ValleyShape::from_number(vertex.valley) } else { ValleyShape::V };
     // Slopes of 20° beside brooks, 3.5° beside great rivers; the plain's own height bounds them.
     let tangent = mix(23_853, 4_008, reach.strength);
-    let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x)).min((vertex.crust - shoulder).max(0));
-    let profile = shoulder.saturating_add(rise);
-    let carved = mix(profile.min(raw.max(shoulder)), raw, smoothstep(6_554, 58_982, x));
-    dry(carved.max(shoulder))
+    let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x));
+    let shoulder = reach.shoulder();
+    let height = shoulder.saturating_add(rise.min((vertex.crust - shoulder).max(0)));
+    Section { height, own: smoothstep(6_554, 58_982, x) }
+}
+
+/// Half-width of a vertex's valley, grains. A tributary is known no farther than its reach: its valley ends before.
+fn width(vertex: &Vertex, reach: &Reach, edge: i32) -> i32 {
+    reach.half_valley(edge).min(vertex.river.reach / 8 * 7).max(1)
+}
+
+/// The ground beside a river.
+fn beside(vertex: &Vertex, edge: i32) -> Carved {
+    if vertex.river.flow == [0, 0] {
+        return dry(vertex.height);
+    }
+    let reach = Reach::of(vertex);
+    let (distance, raw) = (vertex.river_distance, vertex.height);
+    let (bed, shoulder) = (reach.half_bed(), reach.shoulder());
+    if distance < bed {
+        let ground = mix(reach.bed, shoulder, smooth(ratio(distance, bed)));
+        return Carved { ground, water: reach.water.max(ground) };
+    }
+    let Section { height, own } = vertex.section;
+    let carved = mix(height.min(raw.max(shoulder)), raw, own);
+    // No ground near a river lies below its water.
+    let near = distance - bed < width(vertex, &reach, edge).min(3 * bed);
+    dry(carved.max(if near { shoulder } else { shoulder.min(carved.saturating_add(2 * GRAINS)) }))
 }
 
 #[cfg(test)]
@@ -131,7 +155,7 @@ mod tests {
 
     fn beside_river(distance_m: f64, height_m: i32, flow: i32, valley: ValleyShape) -> Carved {
         let m = |x: i32| x * GRAINS;
-        let vertex = Vertex {
+        let mut vertex = Vertex {
             kind: VertexKind::Terrain,
             height: m(height_m),
             crust: m(3_000),
@@ -147,7 +171,8 @@ mod tests {
             valley: valley as u8,
             ..Vertex::default()
         };
-        carve(&mut ocean::Kept::default(), &Rules::default(), &vertex, m(52_000))
+        vertex.section = section(&Rules::default(), &vertex, m(52_000));
+        carve(&mut ocean::Kept::default(), &vertex, m(52_000))
     }
 
     #[test]
