@@ -6,17 +6,16 @@ use pangaea_tests::world::{heard, listen, plates, spawn, steps, surface};
 
 #[test]
 fn a_small_ocean_plate_goes_under_a_continent_and_is_gone() {
-    // Plate 0 lies between the continental plate 1 in the east and plate 2 in the west, which follows it.
+    // Plate 0, from pole to pole, lies between the continental plate 1 in the east and plate 2 in the west, which follows it.
     let pole = (90.0, 0.0);
     let recipe =
         given(8000, &[((0.0, 0.0), pole, 100.0), ((0.0, 20.0), pole, 0.0), ((0.0, -20.0), pole, 100.0)]);
-    let state = shaped(&recipe, |plate, lat, lon| {
-        let land = plate == 1 && lat.abs() < 60.0 && lon < 60.0;
-        if land { Floor::Land(0.5) } else { Floor::Ocean(80.0) }
-    });
+    let land = |plate, lon| plate == 1 && lon < 60.0;
+    let state =
+        shaped(&recipe, |plate, _, lon| if land(plate, lon) { Floor::Land(0.5) } else { Floor::Ocean(80.0) });
     let (mut app, planet) = spawn(state);
     listen::<PlateConsumed>(&mut app);
-    // 20 degrees of latitude 0 are 2,200 km: 22 My, and a resample sees that nothing is left.
+    // 20 degrees of the equator are 2,200 km: 22 My, and a resample sees that nothing is left.
     let mut gone_at = None;
     for step in 1..=40 {
         steps(&mut app, planet, 1);
