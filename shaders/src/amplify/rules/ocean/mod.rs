@@ -1,12 +1,13 @@
 //! The ocean floor's relief, laid on once the subdivision is done (paper 000 §5).
 //!
-//! Three layers: transform faults, narrow troughs perpendicular to the ridge; abyssal hills, low waves parallel to it;
-//! and fine gradient noise. The first two follow the recorded ridge direction r, are strong where the floor is young
-//! and are buried by sediment as it ages. All fade out towards the shore, and none rises above the sea.
+//! Three layers: transform faults, narrow troughs perpendicular to the ridge, hundreds of kilometres long; abyssal hills,
+//! low waves parallel to it, here high and there hardly to be seen; and fine gradient noise. The first two follow the
+//! recorded ridge direction r, are strong where the floor is young and are buried by sediment as it ages. All fade out
+//! towards the shore, and none rises above the sea.
 
 pub mod phasor;
 
-use super::super::arith::{mul_q16, ratio, smoothstep, square};
+use super::super::arith::{mul_q16, ratio, saturate, smoothstep, square};
 use super::super::fixed::{GRAINS, ONE, Q16};
 use super::super::vertex::Vertex;
 use super::noise::{Corners, fbm};
@@ -36,24 +37,27 @@ pub fn relief(kept: &mut Kept, vertex: &Vertex, edge: i32) -> i32 {
     let fine = fbm(&mut kept.fine, vertex.direction, 21, 31_457, 0x0cea_0001);
     let coarse = fbm(&mut kept.coarse, vertex.direction, 25, 36_045, 0x0cea_0002);
     let rough = mul_q16(120 * GRAINS, fine) + mul_q16(260 * GRAINS, coarse);
-    let offset = mul_q16(rough + ridge_relief(kept, vertex), size);
+    // No spreading is even: hills of one patch are up to five times as high as another's.
+    let uneven = Q16 / 4 + saturate(Q16 / 2 + coarse);
+    let offset = mul_q16(rough + ridge_relief(kept, vertex, uneven), size);
     // A shelf 130 m deep keeps a fiftieth, the deep sea all.
     let room = smoothstep(0, 2_500 * GRAINS, depth);
     mul_q16(offset, room).min(depth / 2)
 }
 
-/// Transform faults and abyssal hills.
-fn ridge_relief(kept: &mut Kept, vertex: &Vertex) -> i32 {
+/// Transform faults and abyssal hills; `uneven` is the hills' height relative to the mean, Q16.
+fn ridge_relief(kept: &mut Kept, vertex: &Vertex, uneven: i32) -> i32 {
     if vertex.oceanic == 0 || vertex.ridge == [0; 3] {
         return 0;
     }
     let young = ratio(HALF_AGE, HALF_AGE + i32::from(vertex.ocean_age));
-    let faults = phasor(&mut kept.faults, vertex.direction, vertex.ridge, 25, 98_304, 0x0cea_0003);
+    // Packets of 200 km, three waves each: faults run on as far as they agree.
+    let faults = phasor(&mut kept.faults, vertex.direction, vertex.ridge, 26, 196_608, 0x0cea_0003);
     // A trough where the cosine is -1: ((1 - cos) / 2)⁴, sharp.
     let trough = square(square((Q16 - faults.cosine) / 2));
     let deep = mul_q16(mul_q16(900 * GRAINS, Q16 / 6 - trough), smoothstep(9_830, 45_875, faults.presence));
     let hills = phasor(&mut kept.hills, vertex.direction, spreading(vertex), 22, 131_072, 0x0cea_0004);
-    let low = mul_q16(mul_q16(150 * GRAINS, hills.cosine), hills.presence);
+    let low = mul_q16(mul_q16(mul_q16(180 * GRAINS, uneven), hills.cosine), hills.presence);
     let buried =
         mul_q16(deep, Q16 / 5 + mul_q16(young, 52_429)) + mul_q16(low, Q16 / 4 + mul_q16(young, 49_152));
     mul_q16(buried, i32::from(vertex.oceanic))
