@@ -16,10 +16,12 @@ use std::sync::Arc;
 /// Asserts the laws that rivers of the Earth keep.
 fn assert_river_laws(bake: &Bake) {
     let stats = HydrologyStats::new(bake.mesh(), &bake.climate, &bake.drainage);
+    eprintln!("Hack {:.3}, {:?}", stats.hack_exponent, stats.horton);
     assert!((3.0..=5.0).contains(&stats.horton.rb), "{stats:?}");
     assert!((1.5..=3.5).contains(&stats.horton.rl), "{stats:?}");
     assert!((3.0..=6.0).contains(&stats.horton.ra), "{stats:?}");
-    assert!((0.5..=0.65).contains(&stats.hack_exponent), "{stats:?}");
+    // Hack found 0.57 to 0.6; measured as here the relief of the Earth has 0.614.
+    assert!((0.57..=0.63).contains(&stats.hack_exponent), "{stats:?}");
     let supply: u64 = bake.drainage.supply.iter().sum();
     let ends = (0..bake.drainage.len()).filter(|&i| bake.drainage.routes.receiver[i] == NONE);
     assert_eq!(supply, ends.map(|i| bake.drainage.discharge[i]).sum::<u64>());
