@@ -36,7 +36,7 @@ pub struct PlanetState {
     /// Commands to come.
     pub pending: Scenario,
     /// The memory of subduction polarity.
-    pub polarity: crate::plate::contact::PolarityMemory,
+    pub polarity: crate::plate::polarity::PolarityMemory,
     /// Distances to fronts.
     pub fronts: crate::process::front::FrontField,
 }

@@ -4,7 +4,7 @@ use crate::measure::continents;
 use bevy::prelude::*;
 use bevy_pangaea::crust::ledger::Amount;
 use bevy_pangaea::plate::PlateId;
-use bevy_pangaea::plate::contact::PolarityMemory;
+use bevy_pangaea::plate::polarity::PolarityMemory;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::process::plate_table;
 

@@ -13,7 +13,7 @@ use super::bins::CubeGrid;
 use super::columns::{Crust, CrustKind};
 use super::frame::{Frame, FrameId};
 use crate::parallel;
-use crate::plate::contact::PolarityMemory;
+use crate::plate::polarity::PolarityMemory;
 use crate::sphere::SphereMesh;
 use bevy::math::{DMat3, DVec3};
 use bevy::prelude::*;

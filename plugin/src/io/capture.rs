@@ -4,7 +4,7 @@ use crate::authoring::{Inbox, Recording, Scenario, TimedCommand};
 use crate::crust::{Crust, Frames, Ledger};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
-use crate::plate::contact::PolarityMemory;
+use crate::plate::polarity::PolarityMemory;
 use crate::plate::{Plate, PlateId, PlateMotion, PlateStats, Plates};
 use crate::process::front::FrontField;
 use crate::schedule::StepCursor;

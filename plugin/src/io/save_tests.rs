@@ -7,7 +7,7 @@ use crate::io::{capture, digest};
 use crate::math;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
-use crate::plate::contact::PolarityMemory;
+use crate::plate::polarity::PolarityMemory;
 use crate::plate::polarity::Segment;
 use crate::plate::{PlateId, PlateMotion, PlateStats};
 use crate::process::front::FrontField;

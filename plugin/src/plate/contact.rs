@@ -9,8 +9,7 @@
 //! sample meets one plate, so each part of the junction has one polarity.
 
 use super::boundary::Rim;
-pub use super::polarity::{Evidence, PolarityMemory};
-use super::polarity::{Pair, bin, pair};
+use super::polarity::{Evidence, Pair, PolarityMemory, bin, pair};
 use super::{PlateId, PlateTable};
 use crate::crust::cover::CoverIndex;
 use crate::crust::{Crust, CrustKind, Frame, Frames};

@@ -10,7 +10,7 @@ use crate::crust::surface::Cover;
 use crate::crust::{Crust, CrustKind, Frame, Frames, Orogeny, Surface};
 use crate::parallel::CHUNK;
 use crate::plate::PlateId;
-use crate::plate::contact::PolarityMemory;
+use crate::plate::polarity::PolarityMemory;
 use crate::sphere::{Location, SphereMesh};
 use bevy::math::{DQuat, DVec3};
 use bevy::prelude::*;

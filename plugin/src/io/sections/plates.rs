@@ -4,7 +4,7 @@ use super::{flag, unit};
 use crate::crust::{Frame, Frames};
 use crate::io::codec::{Decoder, Encoder, invalid};
 use crate::io::save::SaveError;
-use crate::plate::contact::PolarityMemory;
+use crate::plate::polarity::PolarityMemory;
 use crate::plate::polarity::Segment;
 use crate::plate::{PlateId, PlateMotion, PlateStats};
 use crate::process::front::{FrontField, HOLD};
