@@ -11,6 +11,10 @@ use crate::math;
 /// Lowest order of a river that is drawn.
 const LOWEST_ORDER: u8 = 2;
 
+/// Least discharge that has a line, m³/s as it would be on an Earth-sized planet: paler lines would be lighter than the
+/// shaded ground of a globe.
+const SMALLEST_LINE: f64 = 100.0;
+
 /// The colour of a river's order: the higher, the deeper and the darker.
 pub(crate) fn order_color(order: u8) -> Rgba {
     let t = (f32::from(order.max(1)) - 1.0) / 6.0;
@@ -47,7 +51,8 @@ pub(crate) fn stretches(overlay: Overlay, bake: &Bake) -> Vec<Stretch> {
         Overlay::Drainage => |drainage, i| ground::discharge_color(drainage.earth_like_discharge(i)),
         _ => return Vec::new(),
     };
-    let drawn = drainage.routes.order.iter().filter(|&&i| is_drawn(bake, i as usize));
+    let large = |i: usize| overlay == Overlay::Rivers || drainage.earth_like_discharge(i) >= SMALLEST_LINE;
+    let drawn = drainage.routes.order.iter().filter(|&&i| is_drawn(bake, i as usize) && large(i as usize));
     let stretch = |&i: &u32| {
         let (to, order) = (drainage.routes.receiver[i as usize], drainage.strahler[i as usize]);
         let color = color(drainage, i as usize);

@@ -118,8 +118,11 @@ fn rivers_run_down_to_the_sea_in_lines() {
     );
     let discharges = collect(&input, &drainage, |i| surface.elevation(i));
     assert!(
-        discharges.here == lines.here && discharges.colors != lines.colors,
-        "the same lines in other colours"
+        discharges.len() > 10 && discharges.len() < lines.len(),
+        "{} of {} rivers are large",
+        discharges.len(),
+        lines.len()
     );
+    assert!(discharges.here.iter().all(|p| lines.here.contains(p)));
     assert_eq!(collect(&OverlayInput { bake: None, ..input }, &globe, |_| 0.0).len(), 0);
 }
