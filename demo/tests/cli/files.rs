@@ -73,18 +73,25 @@ fn a_refused_command_removes_the_folders_that_it_made_and_no_other() {
     assert!(names_in(&folder.path().join("mine")).is_empty());
 }
 
+/// The program at work in a folder, its output held.
 #[cfg(unix)]
-#[test]
-fn an_interrupt_ends_a_command_and_leaves_nothing() {
-    let folder = TempDir::new().unwrap();
-    let child = Command::new(env!("CARGO_BIN_EXE_pangaea"))
-        .args(["generate", "--samples", "5000", "--until", "10000", "--out", "out"])
-        .current_dir(folder.path())
+fn begun(folder: &Path, args: &[&str]) -> Child {
+    Command::new(env!("CARGO_BIN_EXE_pangaea"))
+        .args(args)
+        .current_dir(folder)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .unwrap();
+        .unwrap()
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_a_command_and_leaves_nothing() {
+    let folder = TempDir::new().unwrap();
+    let args = ["generate", "--samples", "5000", "--until", "10000", "--out", "out"];
+    let child = begun(folder.path(), &args);
     // It listens before it makes the folder.
     let patience = Instant::now() + Duration::from_secs(60);
     while !folder.path().join("out").exists() && Instant::now() < patience {
@@ -101,15 +108,8 @@ fn an_interrupt_ends_an_export_between_its_rows() {
     small_planet(folder.path(), "one", &[]);
     let out = folder.path().join("out");
     fs::create_dir(&out).unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_pangaea"))
-        .args(["export", "one/planet.pangaea", "--region", "0,0,100", "--pixels", "8192"])
-        .args(["--out", "out/a.png"])
-        .current_dir(folder.path())
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let square = ["one/planet.pangaea", "--region", "0,0,100", "--pixels", "8192"];
+    let mut child = begun(folder.path(), &[&["export"], &square[..], &["--out", "out/a.png"]].concat());
     // It names the level when it begins with the heights; they take minutes.
     let mut said = [0; 5];
     child.stderr.as_mut().unwrap().read_exact(&mut said).unwrap();

@@ -6,13 +6,22 @@
 use crate::math;
 use bevy::math::DVec3;
 use core::ops::RangeInclusive;
+use std::sync::Arc;
 
-/// Numbers on an equirectangular grid.
-#[derive(Clone, Debug, PartialEq)]
+/// Numbers on an equirectangular grid. Clones share them.
+#[derive(Clone, Debug)]
 pub struct EquirectMap {
     width: u32,
     height: u32,
-    values: Vec<f32>,
+    values: Arc<Vec<f32>>,
+}
+
+impl PartialEq for EquirectMap {
+    fn eq(&self, other: &Self) -> bool {
+        // Settings are compared in every frame, and mostly with their own clone.
+        self.size() == other.size()
+            && (Arc::ptr_eq(&self.values, &other.values) || self.values == other.values)
+    }
 }
 
 /// Why a map was refused.
@@ -66,7 +75,7 @@ impl EquirectMap {
         }
         match values.iter().position(|v| !v.is_finite()) {
             Some(pixel) => Err(MapError::NotFinite(pixel)),
-            None => Ok(Self { width, height, values }),
+            None => Ok(Self { width, height, values: Arc::new(values) }),
         }
     }
 
@@ -104,14 +113,15 @@ impl EquirectMap {
         [self.width, self.height]
     }
 
-    /// Refuses a map of `what` with a value outside of `range`, which `allowed` puts into words.
+    /// Refuses a given map of `what` with a value outside of `range`, which `allowed` puts into words.
     pub(crate) fn check(
-        &self,
+        given: Option<&Self>,
         what: &'static str,
         range: RangeInclusive<f32>,
         allowed: &'static str,
     ) -> Result<(), MapError> {
-        match (0..).zip(&self.values).find(|(_, value)| !range.contains(value)) {
+        let values = given.into_iter().flat_map(|map| map.values.iter());
+        match (0..).zip(values).find(|(_, value)| !range.contains(value)) {
             Some((pixel, &value)) => Err(MapError::Range { what, value, pixel, allowed }),
             None => Ok(()),
         }

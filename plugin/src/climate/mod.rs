@@ -69,12 +69,10 @@ impl ClimateMaps {
     /// [`MapError::Range`].
     pub fn check(&self) -> Result<(), MapError> {
         let Self { temperature, rain, wetness } = self;
-        let check = |map: &Option<EquirectMap>, what, range, allowed| {
-            map.as_ref().map_or(Ok(()), |map| map.check(what, range, allowed))
-        };
-        check(temperature, "the temperature", -HOTTEST..=HOTTEST, "from -150 to 150 °C")?;
-        check(rain, "the rain", 0.0..=f32::INFINITY, "at least 0 mm per year")?;
-        check(wetness, "the wetness", 0.0..=1.0, "from 0 to 1")
+        let hot = -HOTTEST..=HOTTEST;
+        EquirectMap::check(temperature.as_ref(), "the temperature", hot, "from -150 to 150 °C")?;
+        EquirectMap::check(rain.as_ref(), "the rain", 0.0..=f32::INFINITY, "at least 0 mm per year")?;
+        EquirectMap::check(wetness.as_ref(), "the wetness", 0.0..=1.0, "from 0 to 1")
     }
 }
 

@@ -56,13 +56,11 @@ impl TerrainMaps {
     pub fn check(&self) -> Result<(), MapError> {
         let Self { crust, age, plateau, hills } = self;
         let metres = "from -15 to 15 km: the values look like metres";
-        crust.check("the elevation of the crust", -15.0..=15.0, metres)?;
-        let check = |map: &Option<EquirectMap>, what, range, allowed| {
-            map.as_ref().map_or(Ok(()), |map| map.check(what, range, allowed))
-        };
-        check(age, "the age of the orogeny", 0.0..=f32::INFINITY, "at least 0 My")?;
-        check(plateau, "the presence of plateaus", 0.0..=1.0, "from 0 to 1")?;
-        check(hills, "the presence of hills", 0.0..=1.0, "from 0 to 1")
+        EquirectMap::check(Some(crust), "the elevation of the crust", -15.0..=15.0, metres)?;
+        let past = 0.0..=f32::INFINITY;
+        EquirectMap::check(age.as_ref(), "the age of the orogeny", past, "at least 0 My")?;
+        EquirectMap::check(plateau.as_ref(), "the presence of plateaus", 0.0..=1.0, "from 0 to 1")?;
+        EquirectMap::check(hills.as_ref(), "the presence of hills", 0.0..=1.0, "from 0 to 1")
     }
 }
 

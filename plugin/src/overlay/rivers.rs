@@ -46,12 +46,14 @@ impl Stretch {
 /// The rivers that an overlay draws, low orders first; none on overlays that show none.
 pub(crate) fn stretches(overlay: Overlay, bake: &Bake) -> Vec<Stretch> {
     let drainage = &bake.drainage;
-    let color: fn(&Drainage, usize) -> Rgba = match overlay {
-        Overlay::Rivers => |drainage, i| order_color(drainage.strahler[i]),
-        Overlay::Drainage => |drainage, i| ground::discharge_color(drainage.earth_like_discharge(i)),
+    let (color, least): (fn(&Drainage, usize) -> Rgba, f64) = match overlay {
+        Overlay::Rivers => (|drainage, i| order_color(drainage.strahler[i]), 0.0),
+        Overlay::Drainage => {
+            (|drainage, i| ground::discharge_color(drainage.earth_like_discharge(i)), SMALLEST_LINE)
+        }
         _ => return Vec::new(),
     };
-    let large = |i: usize| overlay == Overlay::Rivers || drainage.earth_like_discharge(i) >= SMALLEST_LINE;
+    let large = |i: usize| drainage.earth_like_discharge(i) >= least;
     let drawn = drainage.routes.order.iter().filter(|&&i| is_drawn(bake, i as usize) && large(i as usize));
     let stretch = |&i: &u32| {
         let (to, order) = (drainage.routes.receiver[i as usize], drainage.strahler[i as usize]);
