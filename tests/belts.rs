@@ -13,8 +13,9 @@ use pangaea_tests::world::{get, planet_app, steps, surface};
 /// Sites of a class: what a test has time for.
 const SITES: usize = 6;
 
-/// Median relief in 10 km in m, 90th percentile of the slope in degrees and spectral exponent of a class, measured on
-/// SRTM tiles of the Himalaya, the Andes, the Appalachians, the Scottish Highlands, the White Mountains and the Amazon.
+/// Median relief in 10 km in m, 90th percentile of the slope in degrees and spectral exponent of a
+/// class, measured on SRTM tiles of the Himalaya, the Andes, the Appalachians, the Scottish
+/// Highlands, the White Mountains and the Amazon.
 fn measured(class: ReliefClass) -> [[f64; 2]; 3] {
     let [relief, slope] = match class {
         ReliefClass::YoungHimalayan => [[2200.0, 3400.0], [42.0, 52.0]],
@@ -42,13 +43,26 @@ fn a_grown_planet_has_the_relief_of_real_belts_and_plains() {
     let mesh = get::<Lattice>(&app, planet);
     let elevation: Vec<f32> = (0..surface.len()).map(|i| surface.elevation(i)).collect();
     let (orogeny, orogeny_age) = (&surface.crust.orogeny, &surface.crust.orogeny_age);
-    let input = SiteInput { mesh, elevation: &elevation, orogeny, orogeny_age, seed: 1 };
+    let input = SiteInput {
+        mesh,
+        elevation: &elevation,
+        orogeny,
+        orogeny_age,
+        seed: 1,
+    };
     let mut wrong = Vec::new();
     for class in CLASSES {
         let drawn = sites(&input, class);
-        assert!(drawn.len() >= SITES, "{} {} sites", drawn.len(), class.name());
-        let reliefs: Vec<Relief> =
-            drawn[..SITES].iter().map(|&site| middle(&ground, lat_lon(mesh.point(site)))).collect();
+        assert!(
+            drawn.len() >= SITES,
+            "{} {} sites",
+            drawn.len(),
+            class.name()
+        );
+        let reliefs: Vec<Relief> = drawn[..SITES]
+            .iter()
+            .map(|&site| middle(&ground, lat_lon(mesh.point(site))))
+            .collect();
         for (found, [low, high]) in medians(&reliefs).into_iter().zip(measured(class)) {
             if !found.is_some_and(|x| (low..=high).contains(&x)) {
                 wrong.push(format!("{}: {found:?}, not {low}..{high}", class.name()));

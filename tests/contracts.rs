@@ -1,5 +1,5 @@
-//! Contracts: a stage writes what it declares and nothing else, a process that is off writes nothing, and every plugin can
-//! be left out.
+//! Contracts: a stage writes what it declares and nothing else, a process that is off writes
+//! nothing, and every plugin can be left out.
 
 use bevy::app::PluginGroup;
 use bevy::prelude::*;
@@ -31,7 +31,14 @@ fn declared(stage: Stage) -> &'static [&'static str] {
         Stage::Commands | Stage::Surface => &[],
         Stage::Drift => &["frames"],
         Stage::Contact => &["polarity"],
-        Stage::Subduction => &["elevation", "thickness", "fold", "orogeny", "orogeny_age", "ledger"],
+        Stage::Subduction => &[
+            "elevation",
+            "thickness",
+            "fold",
+            "orogeny",
+            "orogeny_age",
+            "ledger",
+        ],
         Stage::SlabPull => &["plates"],
         Stage::Collision => &[
             "frame",
@@ -45,8 +52,24 @@ fn declared(stage: Stage) -> &'static [&'static str] {
             "plates",
             "polarity",
         ],
-        Stage::Rifting => &["frame", "frames", "plates", "thickness", "ledger", "clock", "polarity"],
-        Stage::Relief => &["elevation", "thickness", "ocean_age", "orogeny_age", "kind", "orogeny", "ledger"],
+        Stage::Rifting => &[
+            "frame",
+            "frames",
+            "plates",
+            "thickness",
+            "ledger",
+            "clock",
+            "polarity",
+        ],
+        Stage::Relief => &[
+            "elevation",
+            "thickness",
+            "ocean_age",
+            "orogeny_age",
+            "kind",
+            "orogeny",
+            "ledger",
+        ],
         Stage::Resample => &[
             "frame",
             "frames",
@@ -74,7 +97,11 @@ fn every_stage_writes_what_it_declares() {
     let log = Arc::clone(&seen);
     probe(&mut app, move |change: &Change| {
         for column in change.changed() {
-            assert!(declared(change.stage).contains(&column), "{} writes {column}", change.stage.name());
+            assert!(
+                declared(change.stage).contains(&column),
+                "{} writes {column}",
+                change.stage.name()
+            );
             log.lock().unwrap().insert((change.stage, column));
         }
     });
@@ -91,7 +118,11 @@ fn every_stage_writes_what_it_declares() {
         (Stage::Resample, "ridge"),
         (Stage::Commit, "clock"),
     ] {
-        assert!(seen.contains(&(stage, column)), "{} never wrote {column}", stage.name());
+        assert!(
+            seen.contains(&(stage, column)),
+            "{} never wrote {column}",
+            stage.name()
+        );
     }
 }
 
@@ -108,8 +139,16 @@ fn a_process_that_is_off_writes_nothing() {
         let (mut app, planet) = planet_app(&lively(1));
         *params(&mut app, planet).processes.get_mut(name).unwrap() = false;
         probe(&mut app, move |change| {
-            let changed = if change.stage == stage { change.changed() } else { Vec::new() };
-            assert!(changed.is_empty(), "{name} is off, but {changed:?} changed in step {}", change.step);
+            let changed = if change.stage == stage {
+                change.changed()
+            } else {
+                Vec::new()
+            };
+            assert!(
+                changed.is_empty(),
+                "{name} is off, but {changed:?} changed in step {}",
+                change.step
+            );
         });
         steps(&mut app, planet, 30);
     }
@@ -155,7 +194,10 @@ fn with_all_processes_off_only_time_passes() {
     steps(&mut app, planet, 70);
     let after = state(&app, planet);
     assert_eq!((before.frames, before.plates), (after.frames, after.plates));
-    assert_eq!((&before.crust.kind, &before.crust.thickness), (&after.crust.kind, &after.crust.thickness));
+    assert_eq!(
+        (&before.crust.kind, &before.crust.thickness),
+        (&after.crust.kind, &after.crust.thickness)
+    );
     for i in 0..before.crust.len() {
         assert!((before.crust.elevation[i] - after.crust.elevation[i]).abs() < 1e-3);
     }
@@ -189,9 +231,16 @@ fn every_process_can_be_left_out() {
         let planet = PlanetState::new(&lively(4)).unwrap().spawn(app.world_mut());
         steps(&mut app, planet, 25);
         let clock = get::<GeologicClock>(&app, planet);
-        assert_eq!(clock.step, if name == "CommitPlugin" { 0 } else { 25 }, "without {name}");
+        assert_eq!(
+            clock.step,
+            if name == "CommitPlugin" { 0 } else { 25 },
+            "without {name}"
+        );
         let crust = get::<Crust>(&app, planet);
-        assert!(crust.elevation.iter().all(|z| z.is_finite()), "without {name}");
+        assert!(
+            crust.elevation.iter().all(|z| z.is_finite()),
+            "without {name}"
+        );
         app.update();
     }
 }
@@ -200,11 +249,19 @@ fn every_process_can_be_left_out() {
 fn presets_and_the_schedule_can_be_left_out() {
     let mut app = App::new();
     app.add_plugins(PangaeaPlugins.build().disable::<TectonicSchedulePlugin>());
-    PlanetState::new(&small(1, 500)).unwrap().spawn(app.world_mut());
+    PlanetState::new(&small(1, 500))
+        .unwrap()
+        .spawn(app.world_mut());
     app.update();
     let mut app = App::new();
-    app.add_plugins(PangaeaPlugins.build().disable::<bevy_pangaea::io::PresetPlugin>());
-    let planet = PlanetState::new(&small(1, 500)).unwrap().spawn(app.world_mut());
+    app.add_plugins(
+        PangaeaPlugins
+            .build()
+            .disable::<bevy_pangaea::io::PresetPlugin>(),
+    );
+    let planet = PlanetState::new(&small(1, 500))
+        .unwrap()
+        .spawn(app.world_mut());
     steps(&mut app, planet, 3);
 }
 
@@ -213,15 +270,22 @@ fn a_process_can_be_replaced() {
     #[derive(Resource, Default)]
     struct Called(u32);
     let mut app = App::new();
-    app.add_plugins(PangaeaPlugins.build().disable::<DriftPlugin>()).init_resource::<Called>();
+    app.add_plugins(PangaeaPlugins.build().disable::<DriftPlugin>())
+        .init_resource::<Called>();
     app.add_systems(
         TectonicStep,
         (|mut called: ResMut<Called>| called.0 += 1).in_set(TectonicSystems::Process(Stage::Drift)),
     );
-    let planet = PlanetState::new(&small(1, 1000)).unwrap().spawn(app.world_mut());
+    let planet = PlanetState::new(&small(1, 1000))
+        .unwrap()
+        .spawn(app.world_mut());
     steps(&mut app, planet, 5);
     assert_eq!(app.world().resource::<Called>().0, 5);
-    assert!(get::<Frames>(&app, planet).iter().all(|frame| frame.is_at_rest()));
+    assert!(
+        get::<Frames>(&app, planet)
+            .iter()
+            .all(|frame| frame.is_at_rest())
+    );
 }
 
 #[test]

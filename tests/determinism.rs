@@ -1,5 +1,5 @@
-//! Determinism: the same seed and the same commands give the same bits, on any number of threads, in any slices,
-//! across a save, in a replay, and as committed.
+//! Determinism: the same seed and the same commands give the same bits, on any number of threads,
+//! in any slices, across a save, in a replay, and as committed.
 
 mod golden;
 mod replay;
@@ -23,7 +23,10 @@ fn lively(seed: u64, samples: u32) -> PlanetRecipe {
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
     let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
         pool.install(|| {
             let (mut app, planet) = planet_app(&lively(9, 12_000));
             steps(&mut app, planet, 30);
@@ -40,7 +43,10 @@ fn slices_of_a_step_give_the_same_bits_as_whole_steps() {
     let (mut whole, planet) = planet_app(&lively(10, 40_000));
     steps(&mut whole, planet, 22);
     let (mut sliced, other) = planet_app(&lively(10, 40_000));
-    sliced.world_mut().entity_mut(other).insert(bevy_pangaea::resample::SurfaceDemand::EveryStep);
+    sliced
+        .world_mut()
+        .entity_mut(other)
+        .insert(bevy_pangaea::resample::SurfaceDemand::EveryStep);
     let (mut done, mut slices) = (0, 0);
     while done < 22 {
         // No time at all: every stage that can hold does.
@@ -107,8 +113,10 @@ fn planets_of_one_world_do_not_disturb_each_other() {
         })
         .collect();
     let mut app = app();
-    let planets: Vec<Entity> =
-        recipes.iter().map(|recipe| PlanetState::new(recipe).unwrap().spawn(app.world_mut())).collect();
+    let planets: Vec<Entity> = recipes
+        .iter()
+        .map(|recipe| PlanetState::new(recipe).unwrap().spawn(app.world_mut()))
+        .collect();
     for round in 0..12 {
         for k in 0..3 {
             // Interleaved, in changing order, one of them in slices.

@@ -1,4 +1,5 @@
-//! Bad input: every number of a recipe that no planet can have is refused, and every one that it may have works.
+//! Bad input: every number of a recipe that no planet can have is refused, and every one that it
+//! may have works.
 
 use bevy_pangaea::planet::{DiscRecipe, PlanetError, PlateRecipe};
 use bevy_pangaea::prelude::*;
@@ -6,14 +7,25 @@ use bevy_pangaea::spawn::{PlanetState, SpawnPlanet};
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{app, get, planet_app, steps};
 
-const BAD: [f64; 7] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, 1e9, -1e9];
+const BAD: [f64; 7] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    1e300,
+    -1e300,
+    1e9,
+    -1e9,
+];
 
 /// Asserts that a recipe is refused in one line, and that nothing is made of it.
 fn refused(what: &str, recipe: &PlanetRecipe) {
     let error = recipe.validate().expect_err(what);
     assert!(PlanetState::new(recipe).is_err(), "{what}");
     let text = error.to_string();
-    assert!(!text.is_empty() && !text.contains('\n') && text.len() < 400, "{what}: {text}");
+    assert!(
+        !text.is_empty() && !text.contains('\n') && text.len() < 400,
+        "{what}: {text}"
+    );
 }
 
 fn recipe(change: impl FnOnce(&mut PlanetRecipe)) -> PlanetRecipe {
@@ -27,8 +39,14 @@ fn numbers_of_samples() {
     for samples in [0, 1, 2, 3, 99, 2_000_001, 1_000_000_000, u32::MAX] {
         refused("samples", &recipe(|r| r.samples = samples));
     }
-    let error = recipe(|r| r.samples = 0).validate().unwrap_err().to_string();
-    assert!(error.contains("samples = 0") && error.contains("100..=2000000"), "{error}");
+    let error = recipe(|r| r.samples = 0)
+        .validate()
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("samples = 0") && error.contains("100..=2000000"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -47,29 +65,92 @@ fn numbers_of_plates() {
         refused("plates", &recipe(|r| r.plate_count = plates));
     }
     let error = recipe(|r| r.plate_count = 101).validate().unwrap_err();
-    assert_eq!(error, PlanetError::TooManyPlates { plates: 101, needed: 1010, samples: 1000 });
+    assert_eq!(
+        error,
+        PlanetError::TooManyPlates {
+            plates: 101,
+            needed: 1010,
+            samples: 1000
+        }
+    );
     assert!(recipe(|r| r.plate_count = 100).validate().is_ok());
 }
 
 #[test]
 fn plates_given_one_by_one() {
-    let plate = PlateRecipe { centroid: (10.0, 20.0), pole: Some((30.0, 40.0)), speed: 50.0 };
+    let plate = PlateRecipe {
+        centroid: (10.0, 20.0),
+        pole: Some((30.0, 40.0)),
+        speed: 50.0,
+    };
     let with = |plate: PlateRecipe| {
-        let other = PlateRecipe { centroid: (-10.0, -160.0), pole: None, speed: 0.0 };
+        let other = PlateRecipe {
+            centroid: (-10.0, -160.0),
+            pole: None,
+            speed: 0.0,
+        };
         recipe(|r| r.plates = vec![other, plate])
     };
     assert!(with(plate.clone()).validate().is_ok());
-    refused("one plate alone", &recipe(|r| r.plates = vec![plate.clone()]));
-    refused("too many plates", &recipe(|r| r.plates = vec![plate.clone(); 200]));
+    refused(
+        "one plate alone",
+        &recipe(|r| r.plates = vec![plate.clone()]),
+    );
+    refused(
+        "too many plates",
+        &recipe(|r| r.plates = vec![plate.clone(); 200]),
+    );
     for bad in BAD {
-        refused("latitude", &with(PlateRecipe { centroid: (bad, 0.0), ..plate.clone() }));
-        refused("longitude", &with(PlateRecipe { centroid: (0.0, bad), ..plate.clone() }));
-        refused("pole", &with(PlateRecipe { pole: Some((bad, 0.0)), ..plate.clone() }));
-        refused("pole", &with(PlateRecipe { pole: Some((0.0, bad)), ..plate.clone() }));
-        refused("speed", &with(PlateRecipe { speed: bad, ..plate.clone() }));
+        refused(
+            "latitude",
+            &with(PlateRecipe {
+                centroid: (bad, 0.0),
+                ..plate.clone()
+            }),
+        );
+        refused(
+            "longitude",
+            &with(PlateRecipe {
+                centroid: (0.0, bad),
+                ..plate.clone()
+            }),
+        );
+        refused(
+            "pole",
+            &with(PlateRecipe {
+                pole: Some((bad, 0.0)),
+                ..plate.clone()
+            }),
+        );
+        refused(
+            "pole",
+            &with(PlateRecipe {
+                pole: Some((0.0, bad)),
+                ..plate.clone()
+            }),
+        );
+        refused(
+            "speed",
+            &with(PlateRecipe {
+                speed: bad,
+                ..plate.clone()
+            }),
+        );
     }
-    refused("latitude", &with(PlateRecipe { centroid: (90.1, 0.0), ..plate.clone() }));
-    refused("speed", &with(PlateRecipe { speed: -300.1, ..plate }));
+    refused(
+        "latitude",
+        &with(PlateRecipe {
+            centroid: (90.1, 0.0),
+            ..plate.clone()
+        }),
+    );
+    refused(
+        "speed",
+        &with(PlateRecipe {
+            speed: -300.1,
+            ..plate
+        }),
+    );
 }
 
 #[test]
@@ -90,9 +171,13 @@ fn continents_given_one_by_one() {
 fn parameters_out_of_their_limits() {
     for info in TectonicParams::TABLE {
         let span = info.max - info.min;
-        for bad in
-            [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, info.min - 1e-6 * span, info.max + 1e-6 * span]
-        {
+        for bad in [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            info.min - 1e-6 * span,
+            info.max + 1e-6 * span,
+        ] {
             let params = unchecked(info.name, bad);
             let refused_recipe = recipe(|r| r.params = params);
             refused(info.name, &refused_recipe);
@@ -102,11 +187,14 @@ fn parameters_out_of_their_limits() {
     }
 }
 
-/// Parameters with one value that `set` would refuse, written straight into the field as a program may.
+/// Parameters with one value that `set` would refuse, written straight into the field as a program
+/// may.
 fn unchecked(name: &str, value: f64) -> TectonicParams {
     use bevy::reflect::GetPath;
     let mut params = TectonicParams::default();
-    *params.path_mut::<f64>(name).expect("the table names fields") = value;
+    *params
+        .path_mut::<f64>(name)
+        .expect("the table names fields") = value;
     params
 }
 
@@ -122,11 +210,27 @@ fn every_parameter_works_at_its_limits() {
             let (mut app, planet) = planet_app(&recipe);
             steps(&mut app, planet, 30);
             let crust = get::<Crust>(&app, planet);
-            let numbers = crust.elevation.iter().chain(&crust.thickness).chain(&crust.ocean_age);
-            assert!(numbers.into_iter().all(|x| x.is_finite()), "{} = {value}", info.name);
-            assert!(crust.thickness.iter().all(|&e| e > 0.0), "{} = {value}", info.name);
+            let numbers = crust
+                .elevation
+                .iter()
+                .chain(&crust.thickness)
+                .chain(&crust.ocean_age);
+            assert!(
+                numbers.into_iter().all(|x| x.is_finite()),
+                "{} = {value}",
+                info.name
+            );
+            assert!(
+                crust.thickness.iter().all(|&e| e > 0.0),
+                "{} = {value}",
+                info.name
+            );
             let ledger = get::<Ledger>(&app, planet);
-            assert!(ledger.unexplained_volume_max < 1e-5, "{} = {value}: {ledger:?}", info.name);
+            assert!(
+                ledger.unexplained_volume_max < 1e-5,
+                "{} = {value}: {ledger:?}",
+                info.name
+            );
         }
     }
 }
@@ -134,15 +238,29 @@ fn every_parameter_works_at_its_limits() {
 #[test]
 fn a_refused_recipe_spawns_nothing() {
     let mut app = app();
-    app.world_mut().commands().spawn_planet(recipe(|r| r.samples = 0));
+    app.world_mut()
+        .commands()
+        .spawn_planet(recipe(|r| r.samples = 0));
     app.world_mut().flush();
-    assert_eq!(app.world_mut().query::<&Planet>().iter(app.world()).count(), 0);
-    app.world_mut().commands().spawn_planet(recipe(|r| r.samples = 200));
+    assert_eq!(
+        app.world_mut().query::<&Planet>().iter(app.world()).count(),
+        0
+    );
+    app.world_mut()
+        .commands()
+        .spawn_planet(recipe(|r| r.samples = 200));
     app.world_mut().flush();
-    assert_eq!(app.world_mut().query::<&Planet>().iter(app.world()).count(), 0, "40 plates need 400 samples");
+    assert_eq!(
+        app.world_mut().query::<&Planet>().iter(app.world()).count(),
+        0,
+        "40 plates need 400 samples"
+    );
     app.world_mut().commands().spawn_planet(recipe(|_| {}));
     app.world_mut().flush();
-    assert_eq!(app.world_mut().query::<&Planet>().iter(app.world()).count(), 1);
+    assert_eq!(
+        app.world_mut().query::<&Planet>().iter(app.world()).count(),
+        1
+    );
     app.update();
 }
 
@@ -153,6 +271,13 @@ fn a_planet_that_is_gone_is_no_longer_simulated() {
     app.world_mut().despawn(planet);
     steps(&mut app, planet, 2);
     assert!(bevy_pangaea::io::capture(app.world(), planet).is_none());
-    assert_eq!(app.world_mut().query::<&PlateId>().iter(app.world()).count(), 0, "its plates go with it");
+    assert_eq!(
+        app.world_mut()
+            .query::<&PlateId>()
+            .iter(app.world())
+            .count(),
+        0,
+        "its plates go with it"
+    );
     app.update();
 }

@@ -1,6 +1,9 @@
 //! The tests of Pangaea; `README.md` says what each kind is for.
 
-#![allow(clippy::disallowed_methods, reason = "references in tests need not have the same bits everywhere")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "references in tests need not have the same bits everywhere"
+)]
 
 mod belts;
 mod commands;

@@ -1,4 +1,5 @@
-//! Every WGSL source is sound: parsed and validated by naga, libraries alone and passes with stand-ins for the renderer.
+//! Every WGSL source is sound: parsed and validated by naga, libraries alone and passes with
+//! stand-ins for the renderer.
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use pangaea_shaders::globe::{LIBRARIES, PASSES, Source};
@@ -26,7 +27,9 @@ fn plain(source: &str, defined: &[&str]) -> String {
                 keep.push(!on);
             }
             Some("#endif") => drop(keep.pop()),
-            _ if keep.iter().all(|&on| on) => lines.push(line.replace("#{MATERIAL_BIND_GROUP}", "3")),
+            _ if keep.iter().all(|&on| on) => {
+                lines.push(line.replace("#{MATERIAL_BIND_GROUP}", "3"))
+            }
             _ => {}
         }
     }
@@ -47,7 +50,10 @@ fn validate(name: &str, wgsl: &str) -> naga::Module {
 fn libraries_stand_alone() {
     for Source { path, wgsl } in LIBRARIES {
         let import_path = path.trim_end_matches(".wgsl").replace('/', "::");
-        assert!(wgsl.contains(&format!("#define_import_path {import_path}\n")), "{path}");
+        assert!(
+            wgsl.contains(&format!("#define_import_path {import_path}\n")),
+            "{path}"
+        );
         assert!(!wgsl.contains("#import"), "{path} imports");
         assert!(!validate(path, &plain(wgsl, &[])).functions.is_empty());
     }
@@ -55,12 +61,19 @@ fn libraries_stand_alone() {
 
 #[test]
 fn passes_are_sound_in_every_variant() {
-    let libraries: String = LIBRARIES.iter().map(|library| plain(library.wgsl, &[])).collect();
+    let libraries: String = LIBRARIES
+        .iter()
+        .map(|library| plain(library.wgsl, &[]))
+        .collect();
     for Source { path, wgsl } in PASSES {
         for defined in [&[][..], &["WIREFRAME"]] {
             let whole = format!("{RENDERER}{libraries}{}", plain(wgsl, defined));
             let module = validate(path, &whole);
-            let stages: Vec<&str> = module.entry_points.iter().map(|entry| entry.name.as_str()).collect();
+            let stages: Vec<&str> = module
+                .entry_points
+                .iter()
+                .map(|entry| entry.name.as_str())
+                .collect();
             assert_eq!(stages, ["vertex", "fragment"], "{path}");
         }
     }
@@ -69,12 +82,21 @@ fn passes_are_sound_in_every_variant() {
 #[test]
 fn passes_import_what_libraries_have() {
     for Source { path, wgsl } in PASSES {
-        for import in wgsl.lines().filter_map(|line| line.strip_prefix("#import pangaea_shaders::")) {
+        for import in wgsl
+            .lines()
+            .filter_map(|line| line.strip_prefix("#import pangaea_shaders::"))
+        {
             let (module, names) = import.rsplit_once("::").expect("an item is imported");
             let file = format!("pangaea_shaders/{}.wgsl", module.replace("::", "/"));
-            let library = LIBRARIES.iter().find(|library| library.path == file).expect("a library");
+            let library = LIBRARIES
+                .iter()
+                .find(|library| library.path == file)
+                .expect("a library");
             for name in names.trim_matches(['{', '}']).split(',').map(str::trim) {
-                assert!(library.wgsl.contains(&format!("fn {name}(")), "{path}: {name} is not in {file}");
+                assert!(
+                    library.wgsl.contains(&format!("fn {name}(")),
+                    "{path}: {name} is not in {file}"
+                );
             }
         }
     }

@@ -1,8 +1,10 @@
-//! The control mesh does not show in the ground: along its edges and across them the relief has the same spectrum.
+//! The control mesh does not show in the ground: along its edges and across them the relief has the
+//! same spectrum.
 //!
-//! At each edge two profiles cross at right angles in its middle, both as long as the edge. A crease along the edge, a
-//! facet beside it or a pattern of its corners would give one of them more power than the other at some wavelength. Edges
-//! that carry a river are left out: valleys follow them by intent.
+//! At each edge two profiles cross at right angles in its middle, both as long as the edge. A
+//! crease along the edge, a facet beside it or a pattern of its corners would give one of them more
+//! power than the other at some wavelength. Edges that carry a river are left out: valleys follow
+//! them by intent.
 
 use bevy::math::DVec3;
 use bevy::prelude::*;
@@ -28,9 +30,10 @@ const EDGES: usize = 400;
 /// Standard errors that chance may be off: with 15 bands, in one of a thousand planets.
 const SIGMAS: f64 = 4.0;
 
-/// Power that land is known to have more, or less, across its edges than along them. With 3000 edges of three planets
-/// the ratio is 1.28, 1.37 and 1.32 for wavelengths of 26 to 13 km and 0.82, 0.85 and 0.83 for 6.5 to 3.2 km, ± 0.03;
-/// between and below it is within 0.97 to 1.13. Sea floor has no such allowance.
+/// Power that land is known to have more, or less, across its edges than along them. With 3000
+/// edges of three planets the ratio is 1.28, 1.37 and 1.32 for wavelengths of 26 to 13 km and 0.82,
+/// 0.85 and 0.83 for 6.5 to 3.2 km, ± 0.03; between and below it is within 0.97 to 1.13. Sea floor
+/// has no such allowance.
 const LAND: f64 = 1.3;
 
 /// What a pair of profiles is about: the middle of an edge, and half of it.
@@ -41,23 +44,34 @@ struct Cross {
 
 impl Cross {
     fn new(a: DVec3, b: DVec3) -> Self {
-        Self { middle: (a + b).normalize(), half: 0.5 * (b - a) }
+        Self {
+            middle: (a + b).normalize(),
+            half: 0.5 * (b - a),
+        }
     }
 
     /// Directions of a profile along the edge, or across it.
     fn profile(&self, across: bool) -> impl Iterator<Item = DVec3> + '_ {
-        let half = if across { self.middle.cross(self.half) } else { self.half };
+        let half = if across {
+            self.middle.cross(self.half)
+        } else {
+            self.half
+        };
         let share = |i: usize| (2.0 * i as f64 + 1.0) / POINTS as f64 - 1.0;
         (0..POINTS).map(move |i| (self.middle + share(i) * half).normalize())
     }
 }
 
-/// Power of a profile in each band, under a Hann window, once its line of least squares is taken off.
+/// Power of a profile in each band, under a Hann window, once its line of least squares is taken
+/// off.
 fn powers(heights: &[f32]) -> [f64; BANDS.len()] {
     let n = heights.len() as f64;
     let place = |i: usize| i as f64 - 0.5 * (n - 1.0);
     let mean = heights.iter().map(|&z| f64::from(z)).sum::<f64>() / n;
-    let moments = heights.iter().enumerate().map(|(i, &z)| f64::from(z) * place(i));
+    let moments = heights
+        .iter()
+        .enumerate()
+        .map(|(i, &z)| f64::from(z) * place(i));
     let slope = moments.sum::<f64>() / (n * (n * n - 1.0) / 12.0);
     let windowed: Vec<f64> = (0..heights.len())
         .map(|i| {
@@ -67,10 +81,13 @@ fn powers(heights: &[f32]) -> [f64; BANDS.len()] {
         .collect();
     let power = |k: usize| {
         let turn = |i: usize| (2.0 * PI * ((k * i) % heights.len()) as f64 / n).sin_cos();
-        let sums = windowed.iter().enumerate().fold([0.0; 2], |[re, im], (i, z)| {
-            let (sin, cos) = turn(i);
-            [re + z * cos, im + z * sin]
-        });
+        let sums = windowed
+            .iter()
+            .enumerate()
+            .fold([0.0; 2], |[re, im], (i, z)| {
+                let (sin, cos) = turn(i);
+                [re + z * cos, im + z * sin]
+            });
         sums[0] * sums[0] + sums[1] * sums[1]
     };
     BANDS.map(|[low, high]| (low..high).map(power).sum())
@@ -78,8 +95,10 @@ fn powers(heights: &[f32]) -> [f64; BANDS.len()] {
 
 /// Mean and standard error, over edges, of ln(power across / power along) in each band.
 fn log_ratios(ground: &impl Ground, level: u8, edges: &[Cross]) -> [[f64; 2]; BANDS.len()] {
-    let directions: Vec<DVec3> =
-        edges.iter().flat_map(|edge| edge.profile(false).chain(edge.profile(true))).collect();
+    let directions: Vec<DVec3> = edges
+        .iter()
+        .flat_map(|edge| edge.profile(false).chain(edge.profile(true)))
+        .collect();
     let mut heights = vec![0.0; directions.len()];
     ground.heights(&directions, level, &mut heights).unwrap();
     let pairs: Vec<_> = heights
@@ -87,13 +106,18 @@ fn log_ratios(ground: &impl Ground, level: u8, edges: &[Cross]) -> [[f64; 2]; BA
         .map(|pair| {
             let (along, across) = (powers(&pair[..POINTS]), powers(&pair[POINTS..]));
             // A thousandth of a millimetre: flat facets have no logarithm.
-            core::array::from_fn::<f64, { BANDS.len() }, _>(|k| ((across[k] + 1e-6) / (along[k] + 1e-6)).ln())
+            core::array::from_fn::<f64, { BANDS.len() }, _>(|k| {
+                ((across[k] + 1e-6) / (along[k] + 1e-6)).ln()
+            })
         })
         .collect();
     let n = pairs.len() as f64;
     core::array::from_fn(|k| {
         let mean = pairs.iter().map(|pair| pair[k]).sum::<f64>() / n;
-        let square = pairs.iter().map(|pair| (pair[k] - mean) * (pair[k] - mean)).sum::<f64>();
+        let square = pairs
+            .iter()
+            .map(|pair| (pair[k] - mean) * (pair[k] - mean))
+            .sum::<f64>();
         [mean, (square / (n * (n - 1.0))).sqrt()]
     })
 }
@@ -104,14 +128,24 @@ fn edges(bake: &Bake, belongs: impl Fn(usize) -> bool) -> Vec<Cross> {
     let corners = |face: u32| mesh.triangles()[face as usize];
     let all = bake.control.edges.iter().filter(|edge| edge.river == 0);
     let found: Vec<[u32; 2]> = all
-        .filter(|edge| edge.faces.into_iter().flat_map(corners).all(|v| belongs(v as usize)))
+        .filter(|edge| {
+            edge.faces
+                .into_iter()
+                .flat_map(corners)
+                .all(|v| belongs(v as usize))
+        })
         .map(|edge| edge.vertices)
         .collect();
     let cross = |ends: &[u32; 2]| {
         let [a, b] = ends.map(|v| mesh.point(v));
         Cross::new(a, b)
     };
-    found.iter().step_by((found.len() / EDGES).max(1)).take(EDGES).map(cross).collect()
+    found
+        .iter()
+        .step_by((found.len() / EDGES).max(1))
+        .take(EDGES)
+        .map(cross)
+        .collect()
 }
 
 #[test]
@@ -125,22 +159,39 @@ fn no_edge_of_the_control_mesh_shows_in_the_spectra_of_land_shelf_and_slope() {
     let (sites, km) = (&bake.drainage.sites, &bake.terrain.elevation_km());
     let dry = |v: usize| bake.control.vertices[v].flow == 0 && !bake.drainage.is_lake(v);
     let land = edges(bake, |v| sites[v] == Site::Land && dry(v));
-    let sea =
-        |low: f32, high: f32| edges(bake, move |v| sites[v] == Site::Sea && km[v] > low && km[v] < high);
+    let sea = |low: f32, high: f32| {
+        edges(bake, move |v| {
+            sites[v] == Site::Sea && km[v] > low && km[v] < high
+        })
+    };
     let (shelf, slope) = (sea(-0.25, 0.0), sea(-3.5, -0.25));
     let mut wrong = Vec::new();
-    for (name, edges, known) in [("land", land, LAND), ("shelf", shelf, 1.0), ("slope", slope, 1.0)] {
+    for (name, edges, known) in [
+        ("land", land, LAND),
+        ("shelf", shelf, 1.0),
+        ("slope", slope, 1.0),
+    ] {
         assert!(edges.len() > EDGES / 2, "{} edges of {name}", edges.len());
         let facets = log_ratios(&ground, 0, &edges);
-        assert!(facets.iter().all(|[mean, _]| *mean > 5.0), "bare facets are not seen: {facets:?}");
-        for ([mean, error], [low, high]) in log_ratios(&ground, LEVEL, &edges).into_iter().zip(BANDS) {
+        assert!(
+            facets.iter().all(|[mean, _]| *mean > 5.0),
+            "bare facets are not seen: {facets:?}"
+        );
+        for ([mean, error], [low, high]) in
+            log_ratios(&ground, LEVEL, &edges).into_iter().zip(BANDS)
+        {
             // A test that cannot tell half as much again says nothing.
             assert!(SIGMAS * error < 1.5_f64.ln(), "{name}: {error}");
             if mean.abs() > known.ln() + SIGMAS * error {
                 let [mean, error] = [mean, error].map(|x| x / LN_2);
-                wrong.push(format!("{name}, {low} to {high} waves to an edge: 2^({mean:.2} ± {error:.2})"));
+                wrong.push(format!(
+                    "{name}, {low} to {high} waves to an edge: 2^({mean:.2} ± {error:.2})"
+                ));
             }
         }
     }
-    assert!(wrong.is_empty(), "power across the edges to power along them: {wrong:#?}");
+    assert!(
+        wrong.is_empty(),
+        "power across the edges to power along them: {wrong:#?}"
+    );
 }

@@ -1,5 +1,5 @@
-//! `pangaea bench`: how fast this machine grows planets, also in floors: how often all columns could
-//! have been read and written in the same time.
+//! `pangaea bench`: how fast this machine grows planets, also in floors: how often all columns
+//! could have been read and written in the same time.
 
 mod ground;
 
@@ -49,8 +49,8 @@ pub fn bench(args: &BenchArgs) -> Result<(), CliError> {
     }
     print(&table(&rows))?;
     if let Some(path) = &args.json {
-        let mut json =
-            serde_json::to_string_pretty(&rows).map_err(|error| CliError::Failed(error.to_string()))?;
+        let mut json = serde_json::to_string_pretty(&rows)
+            .map_err(|error| CliError::Failed(error.to_string()))?;
         json.push('\n');
         write_file(path, json.as_bytes())?;
         say(&format!("timings in {}", path.display()));
@@ -61,7 +61,11 @@ pub fn bench(args: &BenchArgs) -> Result<(), CliError> {
 fn measure(samples: u32) -> Result<Row, CliError> {
     let defaults = PlanetRecipe::default();
     let plate_count = defaults.plate_count.min(samples / 10);
-    let recipe = PlanetRecipe { samples, plate_count, ..defaults };
+    let recipe = PlanetRecipe {
+        samples,
+        plate_count,
+        ..defaults
+    };
     forget_peak();
     let start = Instant::now();
     let (state, mesh) = sprout(&recipe)?;
@@ -88,10 +92,20 @@ fn measure(samples: u32) -> Result<Row, CliError> {
         ..Timings::of_stages(stages)
     };
     let steps = stages.steps.max(1) as f64;
-    let stages_ms = Stage::ALL.map(|stage| (stage.name(), stages.total_ms[stage as usize] / steps)).to_vec();
+    let stages_ms = Stage::ALL
+        .map(|stage| (stage.name(), stages.total_ms[stage as usize] / steps))
+        .to_vec();
     headless.look();
     let ground = ground::measure(&headless)?;
-    Ok(Row { samples, plates: plate_count, steps: STEPS, timings_ms, stages_ms, peak_rss_mb, ground })
+    Ok(Row {
+        samples,
+        plates: plate_count,
+        steps: STEPS,
+        timings_ms,
+        stages_ms,
+        peak_rss_mb,
+        ground,
+    })
 }
 
 /// Breaks the largest plate that can break.
@@ -100,7 +114,11 @@ fn tear_largest(headless: &mut Headless) {
     plates.sort_by(|a, b| b.stats.area.total_cmp(&a.stats.area));
     let planet = headless.planet;
     for row in plates {
-        let command = TectonicCommand::RiftPlate { plate: row.id, line: Vec::new(), fragments: 2 };
+        let command = TectonicCommand::RiftPlate {
+            plate: row.id,
+            line: Vec::new(),
+            fragments: 2,
+        };
         if apply(headless.app.world_mut(), planet, &command).is_ok() {
             return;
         }
@@ -114,18 +132,27 @@ fn ask_for_resample(headless: &mut Headless) {
     }
 }
 
-/// Lets the system forget the highest memory use so far, where it can, so that each row has its own.
+/// Lets the system forget the highest memory use so far, where it can, so that each row has its
+/// own.
 fn forget_peak() {
     let _ = std::fs::write("/proc/self/clear_refs", "5");
 }
 
 fn table(rows: &[Row]) -> String {
     let threads = rayon::current_num_threads();
-    let mut text = format!("{threads} threads, {STEPS} steps; (in brackets: multiples of the floor)\n\n");
+    let mut text =
+        format!("{threads} threads, {STEPS} steps; (in brackets: multiples of the floor)\n\n");
     let _ = writeln!(
         text,
         "{:>9} {:>8} {:>16} {:>16} {:>16} {:>16} {:>9} {:>9}",
-        "samples", "mesh s", "step mean ms", "step max ms", "resample ms", "rift ms", "floor ms", "peak MB"
+        "samples",
+        "mesh s",
+        "step mean ms",
+        "step max ms",
+        "resample ms",
+        "rift ms",
+        "floor ms",
+        "peak MB"
     );
     for row in rows {
         let t = &row.timings_ms;
@@ -147,7 +174,9 @@ fn table(rows: &[Row]) -> String {
             plain(row.peak_rss_mb, 1.0, 0),
         );
     }
-    let grounds = rows.iter().filter_map(|row| row.ground.as_ref().map(|ground| (row.samples, ground)));
+    let grounds = rows
+        .iter()
+        .filter_map(|row| row.ground.as_ref().map(|ground| (row.samples, ground)));
     text + &stage_table(rows) + &ground::table(grounds)
 }
 
@@ -162,7 +191,11 @@ fn stage_table(rows: &[Row]) -> String {
     for (k, stage) in Stage::ALL.iter().enumerate() {
         let _ = write!(text, "{:<12}", stage.name());
         for row in rows {
-            let _ = write!(text, " {:>16}", with_floors(Some(row.stages_ms[k].1), row.timings_ms.floor));
+            let _ = write!(
+                text,
+                " {:>16}",
+                with_floors(Some(row.stages_ms[k].1), row.timings_ms.floor)
+            );
         }
         text.push('\n');
     }

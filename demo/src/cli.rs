@@ -14,7 +14,12 @@ use std::path::PathBuf;
 ///
 /// Without a command the explorer opens in a window.
 #[derive(Parser, Debug)]
-#[command(name = "pangaea", version, max_term_width = 100, args_conflicts_with_subcommands = true)]
+#[command(
+    name = "pangaea",
+    version,
+    max_term_width = 100,
+    args_conflicts_with_subcommands = true
+)]
 pub struct Cli {
     /// How the explorer starts.
     #[command(flatten)]
@@ -100,13 +105,17 @@ impl RecipeArgs {
         }
         if let Some(plates) = self.plates {
             if !recipe.plates.is_empty() {
-                return Err(CliError::input("--plates cannot be used with a preset that lists its plates"));
+                return Err(CliError::input(
+                    "--plates cannot be used with a preset that lists its plates",
+                ));
             }
             recipe.plate_count = plates as u32;
         }
         if let Some(land) = self.land {
             if !recipe.continents.is_empty() {
-                return Err(CliError::input("--land cannot be used with a preset that lists its continents"));
+                return Err(CliError::input(
+                    "--land cannot be used with a preset that lists its continents",
+                ));
             }
             recipe.land = land;
         }
@@ -168,7 +177,8 @@ pub struct RenderArgs {
     /// How to grow the planet.
     #[command(flatten)]
     pub growth: GrowthArgs,
-    /// Where the camera stands and looks: degrees, degrees, metres above the sea; heading and pitch in degrees
+    /// Where the camera stands and looks: degrees, degrees, metres above the sea; heading and pitch
+    /// in degrees
     ///
     /// Without heading and pitch it looks straight down, north up. Heading 90 is east, pitch 0 the
     /// horizon, pitch -90 straight down.
@@ -180,8 +190,8 @@ pub struct RenderArgs {
         value_parser = camera
     )]
     pub camera: CameraSpec,
-    /// Overlay: elevation, plates, crust_type, ocean_age, thickness, orogeny_type, orogeny_age, fold_direction,
-    /// ridge_direction, velocity, slope, laplacian, vector_noise, mesh,
+    /// Overlay: elevation, plates, crust_type, ocean_age, thickness, orogeny_type, orogeny_age,
+    /// fold_direction, ridge_direction, velocity, slope, laplacian, vector_noise, mesh,
     /// temperature, rain, wetness, drainage (discharge in m³/s), rivers (by order), basins or lakes
     #[arg(long, value_name = "NAME", default_value = "elevation", value_parser = overlay)]
     pub overlay: Overlay,
@@ -243,7 +253,8 @@ pub struct ExportArgs {
     pub climate: ClimateArgs,
     /// Middle of the square in degrees, and its side in km
     ///
-    /// The square is azimuthal equidistant about its middle, north up; values are those of the centres of pixels.
+    /// The square is azimuthal equidistant about its middle, north up; values are those of the
+    /// centres of pixels.
     #[arg(long, value_name = "LAT,LON,SIZE_KM", allow_hyphen_values = true, value_parser = region)]
     pub region: RegionSpec,
     /// Pixels to a side, 2 to 16384; 8192 for .glb
@@ -255,13 +266,15 @@ pub struct ExportArgs {
         value_parser = |s: &str| integer(s, 2, 16_384)
     )]
     pub pixels: u64,
-    /// Level of detail, 0 (edges of about 52 km) to 17 (0.4 m) [default: the one whose edges fit the pixels]
+    /// Level of detail, 0 (edges of about 52 km) to 17 (0.4 m) [default: the one whose edges fit
+    /// the pixels]
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |s: &str| integer(s, 0, 17))]
     pub level: Option<u64>,
     /// The file; its extension says in which format
     ///
-    /// .tif: one band of f32 in metres, georeferenced. .png: 16-bit grey, with a .json of the same name to decode it:
-    /// min_m, max_m, metres_per_pixel, lat, lon. .glb: a mesh in metres, +x east, +y up, -z north.
+    /// .tif: one band of f32 in metres, georeferenced. .png: 16-bit grey, with a .json of the same
+    /// name to decode it: min_m, max_m, metres_per_pixel, lat, lon. .glb: a mesh in metres, +x
+    /// east, +y up, -z north.
     #[arg(long, value_name = "TILE.png|TILE.tif|TILE.glb")]
     pub out: PathBuf,
 }
@@ -277,7 +290,8 @@ pub struct ReliefArgs {
     pub climate: ClimateArgs,
     /// Folder of tiles of real ground to compare with
     ///
-    /// Files are .hgt, GeoTIFF, or 16-bit PNG with a sidecar NAME.json {metres_per_pixel, metres_per_unit}.
+    /// Files are .hgt, GeoTIFF, or 16-bit PNG with a sidecar NAME.json {metres_per_pixel,
+    /// metres_per_unit}.
     #[arg(long, value_name = "DIR")]
     pub dem: Option<PathBuf>,
     /// Most sites of a class, 1 to 20
@@ -299,8 +313,9 @@ pub struct QueryArgs {
     pub climate: ClimateArgs,
     /// The point in degrees; without it, lines "lat,lon" are read from the standard input
     ///
-    /// Printed are comma separated values with a header, in the order of the input. The normal is given in the
-    /// planet's axes: +z is the north pole, +x is 0° N 0° E. Where it is dry, water_m is height_m.
+    /// Printed are comma separated values with a header, in the order of the input. The normal is
+    /// given in the planet's axes: +z is the north pole, +x is 0° N 0° E. Where it is dry, water_m
+    /// is height_m.
     #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true, value_parser = place)]
     pub at: Option<PlaceSpec>,
     /// Level of detail, 0 (edges of about 52 km) to 17 (0.4 m)
@@ -326,46 +341,102 @@ mod tests {
 
     #[test]
     fn the_explorer_and_the_commands_take_the_same_recipe() {
-        let options = ["--seed", "7", "--samples", "500", "--plates", "9", "--land", "0.5"];
-        let started = Cli::try_parse_from(["pangaea"].into_iter().chain(options)).unwrap().start;
-        let line = ["pangaea", "generate", "--until", "20"].into_iter().chain(options);
-        let Some(Command::Generate(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
+        let options = [
+            "--seed",
+            "7",
+            "--samples",
+            "500",
+            "--plates",
+            "9",
+            "--land",
+            "0.5",
+        ];
+        let started = Cli::try_parse_from(["pangaea"].into_iter().chain(options))
+            .unwrap()
+            .start;
+        let line = ["pangaea", "generate", "--until", "20"]
+            .into_iter()
+            .chain(options);
+        let Some(Command::Generate(args)) = Cli::try_parse_from(line).unwrap().command else {
+            panic!()
+        };
         let recipe = args.growth.recipe.checked().unwrap();
-        assert_eq!((recipe.seed, recipe.samples, recipe.plate_count, recipe.land), (7, 500, 9, 0.5));
-        assert_eq!((started.recipe.checked().unwrap(), args.growth.until()), (recipe, 20.0));
+        assert_eq!(
+            (recipe.seed, recipe.samples, recipe.plate_count, recipe.land),
+            (7, 500, 9, 0.5)
+        );
+        assert_eq!(
+            (started.recipe.checked().unwrap(), args.growth.until()),
+            (recipe, 20.0)
+        );
         assert!(Cli::try_parse_from(["pangaea", "--open", "a.pangaea", "--seed", "7"]).is_err());
     }
 
     #[test]
     fn negative_coordinates_are_accepted() {
-        for line in [["--camera=-33,-70,1e6", "--out=a.png"], ["--out=a.png", "--camera=-33,-70,1e6"]] {
+        for line in [
+            ["--camera=-33,-70,1e6", "--out=a.png"],
+            ["--out=a.png", "--camera=-33,-70,1e6"],
+        ] {
             assert!(Cli::try_parse_from(["pangaea", "render"].into_iter().chain(line)).is_ok());
         }
-        let line = ["pangaea", "render", "--camera", "-33,-70,1000000,90,-10", "--out", "a.png"];
-        let Some(Command::Render(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
+        let line = [
+            "pangaea",
+            "render",
+            "--camera",
+            "-33,-70,1000000,90,-10",
+            "--out",
+            "a.png",
+        ];
+        let Some(Command::Render(args)) = Cli::try_parse_from(line).unwrap().command else {
+            panic!()
+        };
         assert_eq!((args.camera.lat, args.camera.lon), (-33.0, -70.0));
     }
 
     #[test]
     fn places_in_the_south_and_west_are_accepted_in_both_forms() {
-        let south = PlaceSpec { lat: -33.0, lon: -70.0 };
+        let south = PlaceSpec {
+            lat: -33.0,
+            lon: -70.0,
+        };
         for at in [&["--at=-33,-70"][..], &["--at", "-33,-70"]] {
             let line = [&["pangaea", "query", "a.pangaea"], at].concat();
-            let Some(Command::Query(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
+            let Some(Command::Query(args)) = Cli::try_parse_from(line).unwrap().command else {
+                panic!()
+            };
             assert_eq!((args.at, args.level), (Some(south), 17));
         }
         for region in [&["--region=-33,-70,12"][..], &["--region", "-33,-70,12"]] {
-            let line = [&["pangaea", "export", "a.pangaea", "--out", "a.tif"], region].concat();
-            let Some(Command::Export(args)) = Cli::try_parse_from(line).unwrap().command else { panic!() };
-            assert_eq!((args.region.middle, args.region.size_km, args.pixels), (south, 12.0, 1024));
+            let line = [
+                &["pangaea", "export", "a.pangaea", "--out", "a.tif"],
+                region,
+            ]
+            .concat();
+            let Some(Command::Export(args)) = Cli::try_parse_from(line).unwrap().command else {
+                panic!()
+            };
+            assert_eq!(
+                (args.region.middle, args.region.size_km, args.pixels),
+                (south, 12.0, 1024)
+            );
         }
     }
 
     #[test]
     fn the_help_names_every_overlay_and_the_true_defaults() {
         let mut help = Cli::command();
-        let render = help.find_subcommand_mut("render").unwrap().render_long_help().to_string();
-        assert!(Overlay::ALL.iter().all(|overlay| render.contains(overlay.name())), "{render}");
+        let render = help
+            .find_subcommand_mut("render")
+            .unwrap()
+            .render_long_help()
+            .to_string();
+        assert!(
+            Overlay::ALL
+                .iter()
+                .all(|overlay| render.contains(overlay.name())),
+            "{render}"
+        );
         let recipe = PlanetRecipe::default();
         for text in [
             format!("[default: {}]", recipe.seed),

@@ -1,4 +1,5 @@
-//! Maps of a user that replace fields of the climate, as options of all commands that ask for rivers or for the ground.
+//! Maps of a user that replace fields of the climate, as options of all commands that ask for
+//! rivers or for the ground.
 
 use crate::error::CliError;
 use bevy_pangaea::climate::{ClimateMaps, EquirectMap};
@@ -9,10 +10,11 @@ use std::path::PathBuf;
 /// Maps that replace fields of the climate.
 #[derive(Args, Debug, Default, Clone)]
 pub struct ClimateArgs {
-    /// Map of the mean temperature of a year at the ground in °C, to use instead of the planet's own
+    /// Map of the mean temperature of a year at the ground in °C, to use instead of the planet's
+    /// own
     ///
-    /// Maps show the whole planet, equirectangular, north up, 180° W at the left edge. A .tif holds values. A grey .png
-    /// needs a sidecar NAME.json {"min", "max"}: the values of black and white.
+    /// Maps show the whole planet, equirectangular, north up, 180° W at the left edge. A .tif holds
+    /// values. A grey .png needs a sidecar NAME.json {"min", "max"}: the values of black and white.
     #[arg(long, value_name = "MAP")]
     pub temperature: Option<PathBuf>,
     /// Map of the rain of a year in mm
@@ -27,7 +29,8 @@ impl ClimateArgs {
     /// Reads the maps.
     ///
     /// # Errors
-    /// The first file that cannot be read, is no map of a planet, or has values that no climate has; it is named.
+    /// The first file that cannot be read, is no map of a planet, or has values that no climate
+    /// has; it is named.
     pub fn load(&self) -> Result<ClimateMaps, CliError> {
         type Field = fn(&mut ClimateMaps) -> &mut Option<EquirectMap>;
         let fields: [(_, _, Field); 3] = [
@@ -40,7 +43,8 @@ impl ClimateArgs {
             let Some(path) = file else { continue };
             *field(&mut maps) = Some(load_map(path, grey)?);
             // What was read before is good: it is this file that is refused.
-            maps.check().map_err(|problem| CliError::input(format!("{}: {problem}", path.display())))?;
+            maps.check()
+                .map_err(|problem| CliError::input(format!("{}: {problem}", path.display())))?;
         }
         Ok(maps)
     }

@@ -8,7 +8,8 @@ use bevy_pangaea::authoring::{Scenario, TectonicCommand, TimedCommand};
 use bevy_pangaea::io::load_scenario;
 use bevy_pangaea::planet::{GeologicClock, Lattice};
 
-/// What sums of steps may be short of, in My: ten thousand My in steps of 0.1 add up to a fiftieth of it.
+/// What sums of steps may be short of, in My: ten thousand My in steps of 0.1 add up to a fiftieth
+/// of it.
 const HAIR: f64 = 1e-6;
 
 /// How far a planet grows, and what is done to it on the way.
@@ -24,7 +25,12 @@ impl Course {
     /// If the scenario is refused, or has commands that would come after the end.
     pub fn new(args: &GrowthArgs, time_step: f64) -> Result<Self, CliError> {
         let until = args.until();
-        let Some(path) = &args.scenario else { return Ok(Self { until, scenario: None }) };
+        let Some(path) = &args.scenario else {
+            return Ok(Self {
+                until,
+                scenario: None,
+            });
+        };
         let scenario = load_scenario(path)?;
         let steps = steps(until, time_step, &scenario);
         if let Some(late) = scenario.0.iter().position(|timed| timed.step >= steps) {
@@ -35,10 +41,14 @@ impl Course {
                 scenario.0[late].step,
             )));
         }
-        Ok(Self { until, scenario: Some(scenario) })
+        Ok(Self {
+            until,
+            scenario: Some(scenario),
+        })
     }
 
-    /// Grows a planet, with a progress bar. The steps go by its clock: a scenario may change their length.
+    /// Grows a planet, with a progress bar. The steps go by its clock: a scenario may change their
+    /// length.
     ///
     /// # Errors
     /// If a command of the scenario is refused, or the user interrupts it.
@@ -78,7 +88,9 @@ fn steps(until: f64, mut time_step: f64, scenario: &Scenario) -> u64 {
 /// When a command changes the time step, and to what.
 fn new_time_step(timed: &TimedCommand) -> Option<(u64, f64)> {
     match &timed.command {
-        TectonicCommand::SetParam { name, value } if name == "time_step" => Some((timed.step, *value)),
+        TectonicCommand::SetParam { name, value } if name == "time_step" => {
+            Some((timed.step, *value))
+        }
         _ => None,
     }
 }
@@ -88,9 +100,18 @@ mod tests {
     use super::*;
 
     fn scenario(changes: &[(u64, f64)]) -> Scenario {
-        let command = |value| TectonicCommand::SetParam { name: "time_step".into(), value };
+        let command = |value| TectonicCommand::SetParam {
+            name: "time_step".into(),
+            value,
+        };
         Scenario(
-            changes.iter().map(|&(step, value)| TimedCommand { step, command: command(value) }).collect(),
+            changes
+                .iter()
+                .map(|&(step, value)| TimedCommand {
+                    step,
+                    command: command(value),
+                })
+                .collect(),
         )
     }
 
@@ -108,6 +129,9 @@ mod tests {
     fn changes_of_the_step_count_from_when_they_are_due() {
         assert_eq!(steps(30.0, 2.0, &scenario(&[(1, 4.0)])), 8);
         // In order of time, then of the list.
-        assert_eq!(steps(30.0, 2.0, &scenario(&[(5, 5.0), (0, 1.0), (0, 4.0)])), 7);
+        assert_eq!(
+            steps(30.0, 2.0, &scenario(&[(5, 5.0), (0, 1.0), (0, 4.0)])),
+            7
+        );
     }
 }

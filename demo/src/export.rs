@@ -24,7 +24,11 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     let state = load(&args.planet)?;
     let square = square(args, 1000.0 * state.planet.radius)?;
     let ground = ground_of(state, climate)?;
-    say(&format!("level {}, {:.3} m to a pixel", square.level(), square.pixel_m()));
+    say(&format!(
+        "level {}, {:.3} m to a pixel",
+        square.level(),
+        square.pixel_m()
+    ));
     let files = squares::encode(&square, &heights(&ground, &square)?, &args.out)?;
     interrupt::check()?;
     write_all_atomically(&files)?;
@@ -51,7 +55,11 @@ fn heights(ground: &impl Ground, square: &Square) -> Result<HeightGrid, CliError
 fn square(args: &ExportArgs, radius_m: f64) -> Result<Square, CliError> {
     let middle = args.region.middle;
     let projection = AzimuthalEquidistant::new(middle.lat, middle.lon, radius_m)?;
-    let square = Square::new(projection, 1000.0 * args.region.size_km, args.pixels as usize);
+    let square = Square::new(
+        projection,
+        1000.0 * args.region.size_km,
+        args.pixels as usize,
+    );
     let square = square.map_err(|error| match error {
         GroundError::Length { min, max, .. } => CliError::input(format!(
             "--region: with {} pixels SIZE_KM is {} to {:.0}, not {}",

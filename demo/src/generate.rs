@@ -32,7 +32,9 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     let course = Course::new(&args.growth, recipe.params.time_step)?;
     let climate = args.climate.load()?;
     let maps = Overlay::ALL.map(map_name);
-    let names = [PLANET, ELEVATION, STATS].into_iter().chain(maps.iter().map(String::as_str));
+    let names = [PLANET, ELEVATION, STATS]
+        .into_iter()
+        .chain(maps.iter().map(String::as_str));
     let mut files = Files::new(&args.out, names)?;
     let start = Instant::now();
     let (state, mesh_ms) = sprout(&recipe)?;
@@ -55,7 +57,11 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     files.add(STATS, figures(&headless, hash, timings)?);
     interrupt::check()?;
     let written = files.write()?;
-    say(&format!("{} files in {}", written.len(), args.out.display()));
+    say(&format!(
+        "{} files in {}",
+        written.len(),
+        args.out.display()
+    ));
     Ok(())
 }
 
@@ -69,14 +75,21 @@ fn add_planet(headless: &Headless, files: &mut Files) -> Result<String, CliError
 }
 
 /// Adds the elevation in 16 bits and a colour map of every overlay.
-fn add_maps(headless: &Headless, files: &mut Files, mut drawn: impl FnMut(u64)) -> Result<(), CliError> {
+fn add_maps(
+    headless: &Headless,
+    files: &mut Files,
+    mut drawn: impl FnMut(u64),
+) -> Result<(), CliError> {
     let plates = headless.plates();
     let input = headless.overlay_input(&plates)?;
     let surface = headless.get::<PlanetSurface>()?;
     let broken = |error| CliError::Failed(format!("cannot encode a map: {error}"));
     let map = MapProjection::new(input.mesh, MAP.0, MAP.1);
     let elevation = map.elevation(surface);
-    files.add(ELEVATION, png::elevation_png(map.width(), &elevation).map_err(broken)?);
+    files.add(
+        ELEVATION,
+        png::elevation_png(map.width(), &elevation).map_err(broken)?,
+    );
     for (count, overlay) in Overlay::ALL.into_iter().enumerate() {
         interrupt::check()?;
         let picture = png::rgb_png(&map.draw(overlay, &input)).map_err(broken)?;
@@ -97,8 +110,8 @@ fn map_name(overlay: Overlay) -> String {
 fn figures(headless: &Headless, digest: String, timings: Timings) -> Result<Vec<u8>, CliError> {
     let input = headless.stats_input(headless.plates().rows().len())?;
     let stats = Stats::new(&input, digest, timings).with_bake(headless.get::<PlanetBake>()?);
-    let mut json =
-        serde_json::to_string_pretty(&stats).map_err(|error| CliError::Failed(error.to_string()))?;
+    let mut json = serde_json::to_string_pretty(&stats)
+        .map_err(|error| CliError::Failed(error.to_string()))?;
     json.push('\n');
     Ok(json.into_bytes())
 }

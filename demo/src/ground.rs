@@ -9,7 +9,8 @@ use bevy_pangaea::query::{PlanetGround, Rules};
 use bevy_pangaea::spawn::PlanetState;
 use std::path::Path;
 
-/// Loads a planet, looks at its surface, and makes its climate, but for what `maps` give, and its rivers.
+/// Loads a planet, looks at its surface, and makes its climate, but for what `maps` give, and its
+/// rivers.
 ///
 /// # Errors
 /// If the file is refused.
@@ -29,7 +30,10 @@ fn bake(state: PlanetState, maps: ClimateMaps) -> Result<Headless, CliError> {
 /// # Errors
 /// If there is no ground for a planet of its radius.
 pub fn ground(headless: &Headless) -> Result<PlanetGround, CliError> {
-    Ok(PlanetGround::of_bake(headless.get::<PlanetBake>()?, Rules::default())?)
+    Ok(PlanetGround::of_bake(
+        headless.get::<PlanetBake>()?,
+        Rules::default(),
+    )?)
 }
 
 /// The ground of a planet that was loaded, with the climate that `maps` give.

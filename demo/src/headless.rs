@@ -42,11 +42,17 @@ impl Headless {
     /// Puts a planet into an app of its own.
     pub fn new(state: PlanetState) -> Self {
         let mut app = App::new();
-        app.add_plugins((TaskPoolPlugin::default(), bevy::time::TimePlugin, PangaeaPlugins));
+        app.add_plugins((
+            TaskPoolPlugin::default(),
+            bevy::time::TimePlugin,
+            PangaeaPlugins,
+        ));
         app.init_resource::<Refused>();
-        app.add_observer(|rejected: On<CommandRejected>, mut refused: ResMut<Refused>| {
-            refused.0.get_or_insert_with(|| rejected.error.to_string());
-        });
+        app.add_observer(
+            |rejected: On<CommandRejected>, mut refused: ResMut<Refused>| {
+                refused.0.get_or_insert_with(|| rejected.error.to_string());
+            },
+        );
         app.finish();
         app.cleanup();
         let planet = state.spawn(app.world_mut());
@@ -56,7 +62,10 @@ impl Headless {
     /// Plays a scenario from now on.
     pub fn play(&mut self, scenario: Option<Scenario>) {
         if let Some(scenario) = scenario {
-            self.app.world_mut().entity_mut(self.planet).insert(scenario);
+            self.app
+                .world_mut()
+                .entity_mut(self.planet)
+                .insert(scenario);
         }
     }
 
@@ -65,15 +74,22 @@ impl Headless {
         project_now(self.app.world_mut(), self.planet);
     }
 
-    /// Bakes the climate, but for what `maps` give, the rivers and the control maps of the surface as it was last
-    /// looked at.
+    /// Bakes the climate, but for what `maps` give, the rivers and the control maps of the surface
+    /// as it was last looked at.
     ///
     /// # Errors
     /// If the planet cannot be baked.
     pub fn bake(&mut self, maps: ClimateMaps) -> Result<(), CliError> {
-        let rules = BakeRules { climate: maps, ..default() };
-        self.app.world_mut().entity_mut(self.planet).insert(BakeSettings { rules, ..default() });
-        bake_now(self.app.world_mut(), self.planet).map_err(|error| CliError::Failed(error.to_string()))
+        let rules = BakeRules {
+            climate: maps,
+            ..default()
+        };
+        self.app
+            .world_mut()
+            .entity_mut(self.planet)
+            .insert(BakeSettings { rules, ..default() });
+        bake_now(self.app.world_mut(), self.planet)
+            .map_err(|error| CliError::Failed(error.to_string()))
     }
 
     /// Takes a step.
@@ -86,13 +102,20 @@ impl Headless {
         run_steps(self.app.world_mut(), self.planet, 1);
         match self.app.world_mut().resource_mut::<Refused>().0.take() {
             None => Ok(()),
-            Some(problem) => Err(CliError::input(format!("a command at step {step} is refused: {problem}"))),
+            Some(problem) => Err(CliError::input(format!(
+                "a command at step {step} is refused: {problem}"
+            ))),
         }
     }
 
     /// A component of the planet; every planet has those that are asked for here.
     pub fn get<T: Component>(&self) -> Result<&T, CliError> {
-        let missing = || CliError::Failed(format!("the planet lost its {}", core::any::type_name::<T>()));
+        let missing = || {
+            CliError::Failed(format!(
+                "the planet lost its {}",
+                core::any::type_name::<T>()
+            ))
+        };
         self.app.world().get::<T>(self.planet).ok_or_else(missing)
     }
 
@@ -108,14 +131,21 @@ impl Headless {
     }
 
     /// What overlays look at.
-    pub fn overlay_input<'a>(&'a self, plates: &'a PlateTable) -> Result<OverlayInput<'a>, CliError> {
+    pub fn overlay_input<'a>(
+        &'a self,
+        plates: &'a PlateTable,
+    ) -> Result<OverlayInput<'a>, CliError> {
         Ok(OverlayInput {
             planet: self.get::<Planet>()?,
             mesh: &self.get::<Lattice>()?.0,
             surface: self.get::<PlanetSurface>()?,
             plates,
             params: self.get::<TectonicParams>()?,
-            bake: self.app.world().get::<PlanetBake>(self.planet).map(|bake| &*bake.0),
+            bake: self
+                .app
+                .world()
+                .get::<PlanetBake>(self.planet)
+                .map(|bake| &*bake.0),
         })
     }
 
@@ -190,7 +220,10 @@ impl Seedling {
 
 /// Sets the number of threads of all parallel loops.
 pub fn set_threads(threads: Option<u64>) -> Result<(), CliError> {
-    let Some(threads) = threads else { return Ok(()) };
+    let Some(threads) = threads else {
+        return Ok(());
+    };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads as usize);
-    pool.build_global().map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))
+    pool.build_global()
+        .map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))
 }

@@ -14,7 +14,11 @@ pub fn info(args: &InfoArgs) -> Result<(), CliError> {
     let state = load(&args.file)?;
     let hash = digest(&state);
     let headless = Headless::new(state);
-    let stats = Stats::new(&headless.stats_input(headless.plates().rows().len())?, hash, Timings::default());
+    let stats = Stats::new(
+        &headless.stats_input(headless.plates().rows().len())?,
+        hash,
+        Timings::default(),
+    );
     print(&facts(&headless, &stats)?)
 }
 
@@ -30,18 +34,36 @@ fn facts(headless: &Headless, stats: &Stats) -> Result<String, CliError> {
         ("radius", format!("{} km", planet.radius)),
         ("samples", stats.samples.to_string()),
         ("plates", stats.plates.to_string()),
-        ("time", format!("{} My in {} steps", stats.time_my, stats.steps)),
+        (
+            "time",
+            format!("{} My in {} steps", stats.time_my, stats.steps),
+        ),
         ("commands", commands.to_string()),
         ("land", percent(stats.land_fraction)),
         ("continental", percent(stats.continental_fraction)),
         (
             "elevation",
-            format!("{:.2} to {:.2} km, mean {:.2} km", elevation.min, elevation.max, elevation.mean),
+            format!(
+                "{:.2} to {:.2} km, mean {:.2} km",
+                elevation.min, elevation.max, elevation.mean
+            ),
         ),
-        ("ocean age", format!("{:.0} My, oldest {:.0} My", stats.ocean_age_my.mean, stats.ocean_age_my.max)),
+        (
+            "ocean age",
+            format!(
+                "{:.0} My, oldest {:.0} My",
+                stats.ocean_age_my.mean, stats.ocean_age_my.max
+            ),
+        ),
         ("Andean", percent(stats.orogeny_fraction.andean)),
         ("Himalayan", percent(stats.orogeny_fraction.himalayan)),
-        ("unexplained", format!("{:.1e} of the continental area", stats.ledger.unexplained_max)),
+        (
+            "unexplained",
+            format!(
+                "{:.1e} of the continental area",
+                stats.ledger.unexplained_max
+            ),
+        ),
     ];
     let mut text = String::new();
     for (name, value) in facts {

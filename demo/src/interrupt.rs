@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 
-/// From now on an interrupt is only noted, for [`check`] to find; a second one ends the program at once.
+/// From now on an interrupt is only noted, for [`check`] to find; a second one ends the program at
+/// once.
 ///
 /// Where that cannot be arranged, an interrupt ends the program as it always did.
 pub fn watch() {
@@ -21,5 +22,9 @@ pub fn watch() {
 /// # Errors
 /// [`CliError::Interrupted`] after an interrupt.
 pub fn check() -> Result<(), CliError> {
-    if ASKED.load(Ordering::Relaxed) { Err(CliError::Interrupted) } else { Ok(()) }
+    if ASKED.load(Ordering::Relaxed) {
+        Err(CliError::Interrupted)
+    } else {
+        Ok(())
+    }
 }

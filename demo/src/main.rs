@@ -1,7 +1,10 @@
 //! `pangaea`: the explorer, and headless commands that grow, draw and measure planets.
 
 #![allow(unreachable_pub, reason = "nothing outside can reach into a program")]
-#![allow(clippy::disallowed_methods, reason = "what is drawn or typed is no part of a planet's state")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "what is drawn or typed is no part of a planet's state"
+)]
 
 mod cli;
 mod climate;
@@ -57,7 +60,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Opens the explorer. Files are read and tried first: a window is no place to refuse the command line.
+/// Opens the explorer. Files are read and tried first: a window is no place to refuse the command
+/// line.
 fn explore(cli: &Cli) -> Result<(), CliError> {
     let recipe = cli.start.recipe.checked()?;
     if let Some(path) = &cli.capture {
@@ -68,8 +72,13 @@ fn explore(cli: &Cli) -> Result<(), CliError> {
         None => None,
     };
     let frames = cli.frames.map(|frames| frames as u32);
-    explorer::run(explorer::Options { recipe, open, frames, capture: cli.capture.clone() })
-        .map_err(CliError::Failed)
+    explorer::run(explorer::Options {
+        recipe,
+        open,
+        frames,
+        capture: cli.capture.clone(),
+    })
+    .map_err(CliError::Failed)
 }
 
 fn fail(error: &CliError) -> ExitCode {
@@ -79,13 +88,20 @@ fn fail(error: &CliError) -> ExitCode {
 
 /// Help and version go to stdout; anything else is one line on stderr.
 fn refuse(error: &clap::Error) -> ExitCode {
-    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+    if matches!(
+        error.kind(),
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion
+    ) {
         return output::print(&error.render().to_string())
             .map_or_else(|error| fail(&error), |()| ExitCode::SUCCESS);
     }
     let text = error.render().to_string();
     // The first paragraph is the problem; usage and hints follow.
-    let problem: Vec<&str> = text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
+    let problem: Vec<&str> = text
+        .lines()
+        .take_while(|line| !line.trim().is_empty())
+        .map(str::trim)
+        .collect();
     output::say(&problem.join(" "));
     ExitCode::from(2)
 }

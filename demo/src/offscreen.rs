@@ -31,7 +31,8 @@ pub const FIELD_OF_VIEW: f32 = 0.7;
 /// Frames that run before the image is read: meshes and pipelines are made in the first ones.
 const WARM_UP: usize = 4;
 
-/// Longest wait for a picture; two million samples on one core of a slow machine need a fraction of it.
+/// Longest wait for a picture; two million samples on one core of a slow machine need a fraction of
+/// it.
 const PATIENCE: Duration = Duration::from_secs(240);
 
 /// Why there is no picture.
@@ -78,9 +79,16 @@ impl Offscreen {
             synchronous_pipeline_compilation: true,
             ..default()
         };
-        let window =
-            WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() };
-        let log = LogPlugin { level: Level::ERROR, filter: "error".into(), ..default() };
+        let window = WindowPlugin {
+            primary_window: None,
+            exit_condition: ExitCondition::DontExit,
+            ..default()
+        };
+        let log = LogPlugin {
+            level: Level::ERROR,
+            filter: "error".into(),
+            ..default()
+        };
         let mut app = App::new();
         app.add_plugins(
             DefaultPlugins
@@ -98,12 +106,22 @@ impl Offscreen {
         }
         app.finish();
         app.cleanup();
-        let mut image = Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
+        let mut image =
+            Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
         image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
         let target = app.world_mut().resource_mut::<Assets<Image>>().add(image);
-        let camera = (Camera3d::default(), Tonemapping::None, RenderTarget::Image(target.clone().into()));
+        let camera = (
+            Camera3d::default(),
+            Tonemapping::None,
+            RenderTarget::Image(target.clone().into()),
+        );
         let camera = app.world_mut().spawn(camera).id();
-        Ok(Self { app, camera, target, planet: None })
+        Ok(Self {
+            app,
+            camera,
+            target,
+            planet: None,
+        })
     }
 
     /// Draws this planet from now on.
@@ -118,16 +136,22 @@ impl Offscreen {
     /// The planet as the camera at `view` sees it.
     ///
     /// # Errors
-    /// [`OffscreenError::Renderer`] if the renderer stopped, or did not answer in minutes; [`OffscreenError::Planet`] if
-    /// the overlay needs what the planet does not have.
+    /// [`OffscreenError::Renderer`] if the renderer stopped, or did not answer in minutes;
+    /// [`OffscreenError::Planet`] if the overlay needs what the planet does not have.
     pub fn picture(&mut self, view: Transform, globe: Globe) -> Result<Raster, OffscreenError> {
         let Some(planet) = self.planet else {
             return Err(OffscreenError::Renderer("there is no planet".into()));
         };
         let near = 0.05 * (view.translation.length() - 1.0).max(1e-5);
-        let projection = PerspectiveProjection { fov: FIELD_OF_VIEW, near: near.min(0.1), ..default() };
+        let projection = PerspectiveProjection {
+            fov: FIELD_OF_VIEW,
+            near: near.min(0.1),
+            ..default()
+        };
         let world = self.app.world_mut();
-        world.entity_mut(self.camera).insert((view, Projection::Perspective(projection)));
+        world
+            .entity_mut(self.camera)
+            .insert((view, Projection::Perspective(projection)));
         world.entity_mut(planet).insert(globe.clone());
         if globe.overlay.needs_bake() {
             project_now(world, planet);
@@ -135,24 +159,35 @@ impl Offscreen {
         }
         let deadline = Instant::now() + PATIENCE;
         self.run_until(deadline, |world| {
-            let version = world.get::<PlanetSurface>(planet).map(|surface| surface.version);
+            let version = world
+                .get::<PlanetSurface>(planet)
+                .map(|surface| surface.version);
             let drawn = world.get::<GlobeDrawn>(planet);
             drawn.is_some_and(|d| Some(d.version) == version && d.overlay == globe.overlay)
         })?;
         for _ in 0..WARM_UP {
             self.frame()?;
         }
-        self.app.world_mut().spawn(Screenshot::image(self.target.clone())).observe(
-            |shot: On<ScreenshotCaptured>, mut captured: ResMut<Captured>| {
-                captured.0 = Some(shot.image.clone());
-            },
-        );
+        self.app
+            .world_mut()
+            .spawn(Screenshot::image(self.target.clone()))
+            .observe(
+                |shot: On<ScreenshotCaptured>, mut captured: ResMut<Captured>| {
+                    captured.0 = Some(shot.image.clone());
+                },
+            );
         self.run_until(deadline, |world| world.resource::<Captured>().0.is_some())?;
         let image = self.app.world_mut().resource_mut::<Captured>().0.take();
-        image.and_then(raster).ok_or_else(|| OffscreenError::Renderer("the image is empty".into()))
+        image
+            .and_then(raster)
+            .ok_or_else(|| OffscreenError::Renderer("the image is empty".into()))
     }
 
-    fn run_until(&mut self, deadline: Instant, done: impl Fn(&World) -> bool) -> Result<(), OffscreenError> {
+    fn run_until(
+        &mut self,
+        deadline: Instant,
+        done: impl Fn(&World) -> bool,
+    ) -> Result<(), OffscreenError> {
         while !done(self.app.world()) {
             if Instant::now() > deadline {
                 return Err(OffscreenError::Renderer("it did not answer".into()));
@@ -182,6 +217,11 @@ impl Offscreen {
 fn raster(image: Image) -> Option<Raster> {
     let (width, height) = (image.width(), image.height());
     let rgba = image.data?;
-    let rgb: Vec<u8> = rgba.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+    let rgb: Vec<u8> = rgba
+        .as_chunks::<4>()
+        .0
+        .iter()
+        .flat_map(|&[r, g, b, _]| [r, g, b])
+        .collect();
     (rgb.len() == 3 * width as usize * height as usize).then_some(Raster { width, height, rgb })
 }

@@ -15,17 +15,28 @@ pub struct Files {
 }
 
 impl Files {
-    /// Makes the folder where it is missing, and tries whether files of these names can be written to it.
+    /// Makes the folder where it is missing, and tries whether files of these names can be written
+    /// to it.
     ///
     /// # Errors
     /// If not.
-    pub fn new<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<Self, CliError> {
-        let refused =
-            |error: io::Error| CliError::input(format!("cannot write to {}: {error}", folder.display()));
-        let missing = folder.ancestors().take_while(|f| !f.as_os_str().is_empty() && !f.exists());
+    pub fn new<'a>(
+        folder: &Path,
+        names: impl IntoIterator<Item = &'a str>,
+    ) -> Result<Self, CliError> {
+        let refused = |error: io::Error| {
+            CliError::input(format!("cannot write to {}: {error}", folder.display()))
+        };
+        let missing = folder
+            .ancestors()
+            .take_while(|f| !f.as_os_str().is_empty() && !f.exists());
         let made = missing.map(Path::to_path_buf).collect();
         // From here on an early return removes what was made.
-        let files = Self { folder: folder.to_path_buf(), made, files: Vec::new() };
+        let files = Self {
+            folder: folder.to_path_buf(),
+            made,
+            files: Vec::new(),
+        };
         fs::create_dir_all(folder).map_err(refused)?;
         for name in names {
             check_file(&folder.join(name))?;
@@ -54,7 +65,8 @@ impl Files {
 }
 
 impl Drop for Files {
-    /// Folders that were made for files that never came go again, unless someone else uses them by now.
+    /// Folders that were made for files that never came go again, unless someone else uses them by
+    /// now.
     fn drop(&mut self) {
         for folder in &self.made {
             let _ = fs::remove_dir(folder);
@@ -67,7 +79,9 @@ impl Drop for Files {
 /// # Errors
 /// If it is a folder, or lies in none.
 pub fn check_file(path: &Path) -> Result<(), CliError> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
     let problem = if path.is_dir() {
         "it is a folder"
     } else if folder.is_some_and(|folder| !folder.is_dir()) {
@@ -75,7 +89,10 @@ pub fn check_file(path: &Path) -> Result<(), CliError> {
     } else {
         return Ok(());
     };
-    Err(CliError::input(format!("cannot write {}: {problem}", path.display())))
+    Err(CliError::input(format!(
+        "cannot write {}: {problem}",
+        path.display()
+    )))
 }
 
 /// Writes one file, whole or not at all.

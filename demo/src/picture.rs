@@ -1,4 +1,5 @@
-//! `pangaea render`: the globe as a PNG file, and the eight orbit views of a machine without a display.
+//! `pangaea render`: the globe as a PNG file, and the eight orbit views of a machine without a
+//! display.
 
 use crate::cli::{CameraSpec, RenderArgs, ViewsArgs};
 use crate::error::CliError;
@@ -52,7 +53,11 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     let seedling = Seedling::new(args.planet.as_deref(), &args.growth)?;
     check_file(&args.out)?;
     let view = view(&args.camera, seedling.radius());
-    let globe = Globe { overlay: args.overlay, sun: sun(&view), ..default() };
+    let globe = Globe {
+        overlay: args.overlay,
+        sun: sun(&view),
+        ..default()
+    };
     let mut studio = Offscreen::new(args.size).map_err(PictureError::from)?;
     studio.show(seedling.grow()?);
     let picture = studio.picture(view, globe).map_err(PictureError::from)?;
@@ -77,21 +82,44 @@ pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
         files.add(name, orbit_view(&mut studio, radius, lat, lon)?);
     }
     interrupt::check()?;
-    let list: String = files.write()?.iter().map(|path| format!("{}\n", path.display())).collect();
+    let list: String = files
+        .write()?
+        .iter()
+        .map(|path| format!("{}\n", path.display()))
+        .collect();
     print(&list)
 }
 
 /// The planet that is on show, from an orbit above `lat` and `lon`, as a PNG file.
-fn orbit_view(studio: &mut Offscreen, radius: f64, lat: f64, lon: f64) -> Result<Vec<u8>, PictureError> {
+fn orbit_view(
+    studio: &mut Offscreen,
+    radius: f64,
+    lat: f64,
+    lon: f64,
+) -> Result<Vec<u8>, PictureError> {
     let altitude_m = ORBIT_ALTITUDE * radius * 1000.0;
-    let view = view(&CameraSpec { lat, lon, altitude_m, heading: 0.0, pitch: -90.0 }, radius);
-    let globe = Globe { overlay: Overlay::Elevation, sun: sun(&view), ..default() };
+    let view = view(
+        &CameraSpec {
+            lat,
+            lon,
+            altitude_m,
+            heading: 0.0,
+            pitch: -90.0,
+        },
+        radius,
+    );
+    let globe = Globe {
+        overlay: Overlay::Elevation,
+        sun: sun(&view),
+        ..default()
+    };
     png(&studio.picture(view, globe)?)
 }
 
 /// Where the camera stands and looks on a planet of `radius` km.
 ///
-/// Heading is clockwise from north, pitch above the horizon; -90 looks straight down, with the heading up.
+/// Heading is clockwise from north, pitch above the horizon; -90 looks straight down, with the
+/// heading up.
 fn view(camera: &CameraSpec, radius: f64) -> Transform {
     let up = math::direction(camera.lat, camera.lon);
     let east = math::direction(0.0, camera.lon + 90.0);
@@ -127,7 +155,16 @@ mod tests {
     use super::*;
 
     fn camera(lat: f64, lon: f64, heading: f64, pitch: f64) -> Transform {
-        view(&CameraSpec { lat, lon, altitude_m: 6_370_000.0, heading, pitch }, 6370.0)
+        view(
+            &CameraSpec {
+                lat,
+                lon,
+                altitude_m: 6_370_000.0,
+                heading,
+                pitch,
+            },
+            6370.0,
+        )
     }
 
     #[test]

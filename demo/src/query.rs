@@ -27,7 +27,9 @@ pub fn query(args: &QueryArgs) -> Result<(), CliError> {
     let climate = args.climate.load()?;
     let ground = ground_of(load(&args.planet)?, climate)?;
     print(&format!("{HEADER}\n"))?;
-    places.chunks(BLOCK).try_for_each(|places| print(&table(&ground, places, args.level as u8)?))
+    places
+        .chunks(BLOCK)
+        .try_for_each(|places| print(&table(&ground, places, args.level as u8)?))
 }
 
 /// Reads lines "lat,lon"; empty lines are passed over.
@@ -37,10 +39,14 @@ fn read_places(mut input: impl BufRead) -> Result<Vec<PlaceSpec>, CliError> {
     for number in 1.. {
         line.clear();
         let read = io::Read::take(&mut input, MAX_LINE as u64 + 1).read_until(b'\n', &mut line);
-        if read.map_err(|error| CliError::input(format!("cannot read the standard input: {error}")))? == 0 {
+        if read
+            .map_err(|error| CliError::input(format!("cannot read the standard input: {error}")))?
+            == 0
+        {
             break;
         }
-        let refused = |problem: &str| CliError::input(format!("line {number} of the input: {problem}"));
+        let refused =
+            |problem: &str| CliError::input(format!("line {number} of the input: {problem}"));
         if line.len() > MAX_LINE {
             return Err(refused("it is too long"));
         }
@@ -56,13 +62,25 @@ fn read_places(mut input: impl BufRead) -> Result<Vec<PlaceSpec>, CliError> {
 
 /// A line for each place, in their order.
 fn table(ground: &impl Ground, places: &[PlaceSpec], level: u8) -> Result<String, CliError> {
-    let directions: Result<Vec<_>, _> = places.iter().map(|at| direction_at(at.lat, at.lon)).collect();
+    let directions: Result<Vec<_>, _> = places
+        .iter()
+        .map(|at| direction_at(at.lat, at.lon))
+        .collect();
     let found = samples(ground, &directions?, level)?;
-    Ok(places.iter().zip(&found).map(|(place, found)| line(place, found)).collect())
+    Ok(places
+        .iter()
+        .zip(&found)
+        .map(|(place, found)| line(place, found))
+        .collect())
 }
 
 fn line(place: &PlaceSpec, found: &Sample) -> String {
-    let Sample { height_m, water_m, normal, surface } = found;
+    let Sample {
+        height_m,
+        water_m,
+        normal,
+        surface,
+    } = found;
     format!(
         "{},{},{height_m:.3},{water_m:.3},{:.6},{:.6},{:.6},{}\n",
         place.lat,
@@ -116,13 +134,21 @@ mod tests {
             ("1,2\n3\n", ["line 2", "LAT,LON"]),
             ("91,2\n", ["line 1", "latitude"]),
             ("1,2\n1,2\n\n5,NaN\n", ["line 4", "longitude"]),
-            ("lat,lon\n1,2\n", ["line 1 of the input: `lat,lon`", "latitude"]),
+            (
+                "lat,lon\n1,2\n",
+                ["line 1 of the input: `lat,lon`", "latitude"],
+            ),
             ("1,2,3\n", ["line 1", "LAT,LON"]),
         ] {
             let problem = read_places(bad.as_bytes()).unwrap_err().to_string();
             assert!(words.iter().all(|word| problem.contains(word)), "{problem}");
         }
         assert!(read_places([0xff, 0xfe, b'\n'].as_slice()).is_err());
-        assert!(read_places(vec![b'1'; 5000].as_slice()).unwrap_err().to_string().contains("too long"));
+        assert!(
+            read_places(vec![b'1'; 5000].as_slice())
+                .unwrap_err()
+                .to_string()
+                .contains("too long")
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! `pangaea relief`: relief statistics of a planet by what built the relief, beside those of real ground.
+//! `pangaea relief`: relief statistics of a planet by what built the relief, beside those of real
+//! ground.
 
 use crate::cli::ReliefArgs;
 use crate::error::CliError;
@@ -9,7 +10,9 @@ use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::io::{dem_files, load_dem};
 use bevy_pangaea::planet::{Lattice, Planet};
-use bevy_pangaea::relief::{CLASSES, Relief, SiteInput, class_relief, medians, relief as relief_of, sites};
+use bevy_pangaea::relief::{
+    CLASSES, Relief, SiteInput, class_relief, medians, relief as relief_of, sites,
+};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -26,7 +29,13 @@ struct Row {
 impl Row {
     fn new(name: String, reliefs: &[Relief]) -> Self {
         let [relief10_median_m, slope_p90_deg, spectral_exponent] = medians(reliefs);
-        Self { name, sites: reliefs.len(), relief10_median_m, slope_p90_deg, spectral_exponent }
+        Self {
+            name,
+            sites: reliefs.len(),
+            relief10_median_m,
+            slope_p90_deg,
+            spectral_exponent,
+        }
     }
 
     fn json(&self) -> Value {
@@ -46,7 +55,12 @@ pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
     }
     let climate = args.climate.load()?;
     // Bad tiles are told before the planet is measured.
-    let tiles = args.dem.as_deref().map(tiles).transpose()?.unwrap_or_default();
+    let tiles = args
+        .dem
+        .as_deref()
+        .map(tiles)
+        .transpose()?
+        .unwrap_or_default();
     let classes = classes(&open_planet(&args.planet, climate)?, args.sites as usize)?;
     if let Some(path) = &args.json {
         let mut text = serde_json::to_string_pretty(&figures(&classes, &tiles))
@@ -68,9 +82,21 @@ fn classes(headless: &Headless, most: usize) -> Result<Vec<Row>, CliError> {
         orogeny_age: &surface.crust.orogeny_age,
         seed: headless.get::<Planet>()?.seed,
     };
-    let drawn = CLASSES.map(|class| (class, sites(&input, class).into_iter().take(most).collect::<Vec<_>>()));
+    let drawn = CLASSES.map(|class| {
+        (
+            class,
+            sites(&input, class)
+                .into_iter()
+                .take(most)
+                .collect::<Vec<_>>(),
+        )
+    });
     let ground = ground(headless)?;
-    let bar = progress::bar(drawn.iter().map(|(_, sites)| sites.len() as u64).sum(), "sites", "measuring");
+    let bar = progress::bar(
+        drawn.iter().map(|(_, sites)| sites.len() as u64).sum(),
+        "sites",
+        "measuring",
+    );
     let mut rows = Vec::new();
     for (class, sites) in &drawn {
         let reliefs = class_relief(&ground, &lattice.0, sites, || bar.inc(1))?;
@@ -85,15 +111,28 @@ fn tiles(folder: &Path) -> Result<Vec<Row>, CliError> {
     let files = dem_files(folder)?;
     if files.is_empty() {
         let problem = "it has no .hgt, .tif or .png files";
-        return Err(CliError::input(format!("cannot compare with {}: {problem}", folder.display())));
+        return Err(CliError::input(format!(
+            "cannot compare with {}: {problem}",
+            folder.display()
+        )));
     }
     let mut rows: Vec<Row> = Vec::new();
     for path in files {
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let name = path
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
         // Two files may differ in their extension only.
         let taken = rows.iter().any(|row| row.name == name);
-        let name =
-            if taken { path.file_name().unwrap_or_default().to_string_lossy().into_owned() } else { name };
+        let name = if taken {
+            path.file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned()
+        } else {
+            name
+        };
         let found = relief_of(&load_dem(&path)?.grid)
             .ok_or_else(|| CliError::input(format!("{}: the tile is too small", path.display())))?;
         rows.push(Row::new(name, &[found]));
@@ -102,14 +141,19 @@ fn tiles(folder: &Path) -> Result<Vec<Row>, CliError> {
 }
 
 fn figures(classes: &[Row], tiles: &[Row]) -> Value {
-    let map = |rows: &[Row]| rows.iter().map(|row| (row.name.clone(), row.json())).collect::<Map<_, _>>();
+    let map = |rows: &[Row]| {
+        rows.iter()
+            .map(|row| (row.name.clone(), row.json()))
+            .collect::<Map<_, _>>()
+    };
     let mut all = map(classes);
     all.insert("tiles".into(), Value::Object(map(tiles)));
     Value::Object(all)
 }
 
 fn table(classes: &[Row], tiles: &[Row]) -> String {
-    let number = |value: Option<f64>, digits: usize| value.map_or("-".into(), |x| format!("{x:.digits$}"));
+    let number =
+        |value: Option<f64>, digits: usize| value.map_or("-".into(), |x| format!("{x:.digits$}"));
     let mut text = format!(
         "{:<24} {:>5} {:>18} {:>14} {:>18}\n",
         "", "sites", "relief in 10 km, m", "slope p90, deg", "spectral exponent"
@@ -146,7 +190,12 @@ mod tests {
         assert_eq!(json["plains"]["sites"], 0);
         assert!(json["plains"]["slope_p90_deg"].is_null());
         assert_eq!(json["tiles"]["N44W072"]["relief10_median_m"], 653.4);
-        let keys: Vec<&str> = json["plains"].as_object().unwrap().keys().map(String::as_str).collect();
+        let keys: Vec<&str> = json["plains"]
+            .as_object()
+            .unwrap()
+            .keys()
+            .map(String::as_str)
+            .collect();
         assert_eq!(keys.len(), 4);
         let text = table(&[Row::new("plains".into(), &[])], &[]);
         assert!(text.contains("plains") && text.lines().count() == 2);

@@ -1,4 +1,5 @@
-//! Values of options: numbers with limits, coordinates, sizes and names. Every message names the limits.
+//! Values of options: numbers with limits, coordinates, sizes and names. Every message names the
+//! limits.
 
 use bevy_pangaea::overlay::Overlay;
 
@@ -65,7 +66,10 @@ pub fn camera(text: &str) -> Result<CameraSpec, String> {
         number(parts[k], low, high).map_err(|problem| problem.replacen("it", name, 1))
     };
     let (heading, pitch) = if parts.len() == 5 {
-        (part(3, "the heading", -360.0, 360.0)?, part(4, "the pitch", -90.0, 90.0)?)
+        (
+            part(3, "the heading", -360.0, 360.0)?,
+            part(4, "the pitch", -90.0, 90.0)?,
+        )
     } else {
         (0.0, -90.0)
     };
@@ -91,32 +95,51 @@ pub fn region(text: &str) -> Result<RegionSpec, String> {
     let [lat, lon, size] = text.split(',').collect::<Vec<_>>()[..] else {
         return Err("it must be LAT,LON,SIZE_KM".into());
     };
-    let size_km = number(size, 1e-3, 1e5).map_err(|problem| problem.replacen("it", "the size in km", 1))?;
-    Ok(RegionSpec { middle: coordinates(lat, lon)?, size_km })
+    let size_km =
+        number(size, 1e-3, 1e5).map_err(|problem| problem.replacen("it", "the size in km", 1))?;
+    Ok(RegionSpec {
+        middle: coordinates(lat, lon)?,
+        size_km,
+    })
 }
 
 fn coordinates(lat: &str, lon: &str) -> Result<PlaceSpec, String> {
     let part = |text: &str, name: &str, limit: f64| {
         number(text, -limit, limit).map_err(|problem| problem.replacen("it", name, 1))
     };
-    Ok(PlaceSpec { lat: part(lat, "the latitude", 90.0)?, lon: part(lon, "the longitude", 360.0)? })
+    Ok(PlaceSpec {
+        lat: part(lat, "the latitude", 90.0)?,
+        lon: part(lon, "the longitude", 360.0)?,
+    })
 }
 
 /// `WIDTHxHEIGHT`.
 pub fn size(text: &str) -> Result<(u32, u32), String> {
     let problem = || "it must be WIDTHxHEIGHT, each from 16 to 8192 pixels".to_string();
     let (width, height) = text.split_once(['x', 'X']).ok_or_else(problem)?;
-    let side = |text: &str| integer(text, 16, 8192).map(|side| side as u32).map_err(|_| problem());
+    let side = |text: &str| {
+        integer(text, 16, 8192)
+            .map(|side| side as u32)
+            .map_err(|_| problem())
+    };
     Ok((side(width)?, side(height)?))
 }
 
 /// Numbers of samples, separated by commas.
 pub fn counts(text: &str) -> Result<Counts, String> {
-    let problem =
-        || "it must be one to twenty whole numbers from 100 to 2000000, separated by commas".to_string();
-    let counts: Result<Vec<u32>, String> =
-        text.split(',').map(|part| integer(part, 100, 2_000_000).map(|count| count as u32)).collect();
-    counts.ok().filter(|counts| counts.len() <= 20).map(Counts).ok_or_else(problem)
+    let problem = || {
+        "it must be one to twenty whole numbers from 100 to 2000000, separated by commas"
+            .to_string()
+    };
+    let counts: Result<Vec<u32>, String> = text
+        .split(',')
+        .map(|part| integer(part, 100, 2_000_000).map(|count| count as u32))
+        .collect();
+    counts
+        .ok()
+        .filter(|counts| counts.len() <= 20)
+        .map(Counts)
+        .ok_or_else(problem)
 }
 
 /// The name of an overlay.
@@ -134,20 +157,37 @@ mod tests {
     #[test]
     fn numbers_have_limits() {
         assert_eq!(integer("60000", 100, 2_000_000), Ok(60_000));
-        for bad in
-            ["", "0", "-5", "NaN", "inf", "1e3", "99", "2000001", "1000000000000", "99999999999999999999999"]
-        {
+        for bad in [
+            "",
+            "0",
+            "-5",
+            "NaN",
+            "inf",
+            "1e3",
+            "99",
+            "2000001",
+            "1000000000000",
+            "99999999999999999999999",
+        ] {
             assert!(integer(bad, 100, 2_000_000).is_err(), "{bad}");
         }
         assert_eq!(number("0.3", 0.0, 0.9), Ok(0.3));
-        for bad in ["", "NaN", "nan", "inf", "-inf", "infinity", "-0.1", "0.91", "1e300", "x"] {
+        for bad in [
+            "", "NaN", "nan", "inf", "-inf", "infinity", "-0.1", "0.91", "1e300", "x",
+        ] {
             assert!(number(bad, 0.0, 0.9).is_err(), "{bad}");
         }
     }
 
     #[test]
     fn cameras_and_sizes_are_read() {
-        let expected = CameraSpec { lat: -33.0, lon: -70.5, altitude_m: 2e6, heading: 90.0, pitch: -10.0 };
+        let expected = CameraSpec {
+            lat: -33.0,
+            lon: -70.5,
+            altitude_m: 2e6,
+            heading: 90.0,
+            pitch: -10.0,
+        };
         assert_eq!(camera("-33,-70.5,2000000,90,-10"), Ok(expected));
         assert_eq!(camera("0, 0, 1000").unwrap().pitch, -90.0);
         for bad in [
@@ -164,17 +204,39 @@ mod tests {
         ] {
             assert!(camera(bad).is_err(), "{bad}");
         }
-        let south = PlaceSpec { lat: -33.0, lon: -70.5 };
+        let south = PlaceSpec {
+            lat: -33.0,
+            lon: -70.5,
+        };
         assert_eq!(place(" -33, -70.5"), Ok(south));
-        assert_eq!(region("-33,-70.5,12"), Ok(RegionSpec { middle: south, size_km: 12.0 }));
-        for bad in ["", "1", "1,2,3", "91,0", "0,361", "NaN,0", "0,inf", "a,b", "1;2"] {
+        assert_eq!(
+            region("-33,-70.5,12"),
+            Ok(RegionSpec {
+                middle: south,
+                size_km: 12.0
+            })
+        );
+        for bad in [
+            "", "1", "1,2,3", "91,0", "0,361", "NaN,0", "0,inf", "a,b", "1;2",
+        ] {
             assert!(place(bad).is_err(), "{bad}");
         }
-        for bad in ["", "1,2", "1,2,0", "1,2,-5", "1,2,NaN", "1,2,1e9", "1,2,3,4", "-91,2,3"] {
+        for bad in [
+            "", "1,2", "1,2,0", "1,2,-5", "1,2,NaN", "1,2,1e9", "1,2,3,4", "-91,2,3",
+        ] {
             assert!(region(bad).is_err(), "{bad}");
         }
         assert_eq!(size("1280x720"), Ok((1280, 720)));
-        for bad in ["", "0x0", "1280", "1280x", "-1x5", "100000x100000", "16x15", "NaNx5"] {
+        for bad in [
+            "",
+            "0x0",
+            "1280",
+            "1280x",
+            "-1x5",
+            "100000x100000",
+            "16x15",
+            "NaNx5",
+        ] {
             assert!(size(bad).is_err(), "{bad}");
         }
         assert_eq!(counts("100,2000"), Ok(Counts(vec![100, 2000])));

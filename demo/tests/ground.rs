@@ -33,7 +33,17 @@ fn stdout(output: &Output) -> String {
 /// A folder with planet.pangaea in it: 500 samples at 30 My.
 fn planet() -> TempDir {
     let folder = TempDir::new().unwrap();
-    let args = ["generate", "--samples", "500", "--plates", "12", "--until", "30", "--out", "."];
+    let args = [
+        "generate",
+        "--samples",
+        "500",
+        "--plates",
+        "12",
+        "--until",
+        "30",
+        "--out",
+        ".",
+    ];
     let output = pangaea(folder.path(), &args, "");
     assert!(output.status.success(), "{}", stderr(&output));
     for entry in fs::read_dir(folder.path()).unwrap() {
@@ -60,10 +70,16 @@ fn refused(folder: &Path, args: &[&str], input: &str, words: &[&str]) {
     let output = pangaea(folder, args, input);
     let text = stderr(&output);
     assert_eq!(output.status.code(), Some(2), "{args:?}: {text}");
-    assert!(text.starts_with("error: ") && text.lines().count() == 1, "{args:?}: {text}");
+    assert!(
+        text.starts_with("error: ") && text.lines().count() == 1,
+        "{args:?}: {text}"
+    );
     assert!(output.stdout.is_empty(), "{args:?}");
     for word in words {
-        assert!(text.contains(word), "{args:?}: {text:?} does not name {word:?}");
+        assert!(
+            text.contains(word),
+            "{args:?}: {text:?} does not name {word:?}"
+        );
     }
     assert_eq!(names(folder), before, "{args:?} left files behind");
 }
@@ -72,58 +88,143 @@ fn refused(folder: &Path, args: &[&str], input: &str, words: &[&str]) {
 fn bad_options_are_refused_by_name() {
     let folder = TempDir::new().unwrap();
     let refused = |args: &[&str], words: &[&str]| refused(folder.path(), args, "", words);
-    for region in
-        ["", "1,2", "91,0,10", "0,361,10", "NaN,0,10", "0,0,inf", "0,0,0", "0,0,-5", "0,0,1e9", "a,b,c"]
-    {
-        refused(&["export", "a.pangaea", "--out", "a.tif", "--region", region], &["--region"]);
+    for region in [
+        "", "1,2", "91,0,10", "0,361,10", "NaN,0,10", "0,0,inf", "0,0,0", "0,0,-5", "0,0,1e9",
+        "a,b,c",
+    ] {
+        refused(
+            &["export", "a.pangaea", "--out", "a.tif", "--region", region],
+            &["--region"],
+        );
     }
     for pixels in ["0", "1", "-5", "NaN", "1e3", "20000"] {
-        let args = ["export", "a.pangaea", "--out", "a.tif", "--region", "0,0,10", "--pixels", pixels];
+        let args = [
+            "export",
+            "a.pangaea",
+            "--out",
+            "a.tif",
+            "--region",
+            "0,0,10",
+            "--pixels",
+            pixels,
+        ];
         refused(&args, &["--pixels", "16384"]);
     }
     refused(&["export", "a.pangaea", "--region", "0,0,10"], &["--out"]);
     refused(&["export", "a.pangaea", "--out", "a.tif"], &["--region"]);
     for out in ["a.bmp", "a", ".tif", "a.jpg"] {
-        refused(&["export", "a.pangaea", "--region", "0,0,10", "--out", out], &[out, ".tif, .png or .glb"]);
+        refused(
+            &["export", "a.pangaea", "--region", "0,0,10", "--out", out],
+            &[out, ".tif, .png or .glb"],
+        );
     }
-    let mesh = ["export", "a.pangaea", "--region", "0,0,10", "--out", "a.glb", "--pixels", "9000"];
+    let mesh = [
+        "export",
+        "a.pangaea",
+        "--region",
+        "0,0,10",
+        "--out",
+        "a.glb",
+        "--pixels",
+        "9000",
+    ];
     refused(&mesh, &[".glb", "8192"]);
-    for at in ["", "1", "1,2,3", "91,0", "-90.5,0", "0,400", "NaN,0", "0,inf"] {
+    for at in [
+        "", "1", "1,2,3", "91,0", "-90.5,0", "0,400", "NaN,0", "0,inf",
+    ] {
         refused(&["query", "a.pangaea", "--at", at], &["--at"]);
     }
     for level in ["18", "-1", "NaN", "1.5", "999999999999999999999"] {
-        refused(&["query", "a.pangaea", "--at", "0,0", "--level", level], &["--level", "17"]);
+        refused(
+            &["query", "a.pangaea", "--at", "0,0", "--level", level],
+            &["--level", "17"],
+        );
     }
     for command in ["export", "relief", "query"] {
         refused(&[command], &["PLANET.pangaea"]);
     }
-    refused(&["query", "missing.pangaea", "--at", "0,0"], &["missing.pangaea"]);
+    refused(
+        &["query", "missing.pangaea", "--at", "0,0"],
+        &["missing.pangaea"],
+    );
     refused(&["relief", "missing.pangaea"], &["missing.pangaea"]);
     refused(&["relief", "a.pangaea", "--sites", "0"], &["1 to 20"]);
-    refused(&["export", "missing.pangaea", "--region", "0,0,10", "--out", "a.tif"], &["missing.pangaea"]);
+    refused(
+        &[
+            "export",
+            "missing.pangaea",
+            "--region",
+            "0,0,10",
+            "--out",
+            "a.tif",
+        ],
+        &["missing.pangaea"],
+    );
 }
 
 #[test]
 fn unwritable_places_and_squares_larger_than_the_planet_are_refused() {
     let folder = planet();
     let refused = |args: &[&str], words: &[&str]| refused(folder.path(), args, "", words);
-    for out in ["no/such/a.tif", "planet.pangaea/a.png", "/proc/nowhere/a.glb"] {
-        refused(&["export", "planet.pangaea", "--region", "0,0,10", "--out", out], &[out]);
+    for out in [
+        "no/such/a.tif",
+        "planet.pangaea/a.png",
+        "/proc/nowhere/a.glb",
+    ] {
+        refused(
+            &[
+                "export",
+                "planet.pangaea",
+                "--region",
+                "0,0,10",
+                "--out",
+                out,
+            ],
+            &[out],
+        );
     }
-    refused(&["relief", "planet.pangaea", "--json", "no/such/a.json"], &["no/such/a.json"]);
-    let large = ["export", "planet.pangaea", "--region", "0,0,90000", "--pixels", "16", "--out", "a.tif"];
+    refused(
+        &["relief", "planet.pangaea", "--json", "no/such/a.json"],
+        &["no/such/a.json"],
+    );
+    let large = [
+        "export",
+        "planet.pangaea",
+        "--region",
+        "0,0,90000",
+        "--pixels",
+        "16",
+        "--out",
+        "a.tif",
+    ];
     refused(&large, &["--region"]);
     fs::write(folder.path().join("bad.pangaea"), "no planet").unwrap();
     for args in [
         &["query", "bad.pangaea", "--at", "0,0"][..],
         &["relief", "bad.pangaea"],
-        &["export", "bad.pangaea", "--region", "0,0,10", "--out", "a.tif"],
+        &[
+            "export",
+            "bad.pangaea",
+            "--region",
+            "0,0,10",
+            "--out",
+            "a.tif",
+        ],
     ] {
         refused(args, &["bad.pangaea", "no Pangaea planet"]);
     }
     fs::create_dir(folder.path().join("a.json")).unwrap();
     refused(
-        &["export", "planet.pangaea", "--region", "0,0,10", "--pixels", "8", "--out", "a.png"],
+        &[
+            "export",
+            "planet.pangaea",
+            "--region",
+            "0,0,10",
+            "--pixels",
+            "8",
+            "--out",
+            "a.png",
+        ],
         &["a.json"],
     );
 }
@@ -132,19 +233,38 @@ fn unwritable_places_and_squares_larger_than_the_planet_are_refused() {
 fn squares_are_written_in_every_format() {
     let folder = planet();
     let export = |out: &str| {
-        let args = ["export", "planet.pangaea", "--region=-12.5,-170,500", "--pixels", "32", "--out", out];
+        let args = [
+            "export",
+            "planet.pangaea",
+            "--region=-12.5,-170,500",
+            "--pixels",
+            "32",
+            "--out",
+            out,
+        ];
         let output = pangaea(folder.path(), &args, "");
-        assert!(output.status.success() && output.stdout.is_empty(), "{}", stderr(&output));
+        assert!(
+            output.status.success() && output.stdout.is_empty(),
+            "{}",
+            stderr(&output)
+        );
         fs::read(folder.path().join(out)).unwrap()
     };
     assert_eq!(&export("a.tif")[..4], b"II*\0");
     assert_eq!(&export("a.png")[..4], b"\x89PNG");
     assert_eq!(&export("a.glb")[..4], b"glTF");
-    let sidecar: Value = serde_json::from_slice(&fs::read(folder.path().join("a.json")).unwrap()).unwrap();
+    let sidecar: Value =
+        serde_json::from_slice(&fs::read(folder.path().join("a.json")).unwrap()).unwrap();
     assert_eq!(sidecar["metres_per_pixel"], 15_625.0);
-    assert_eq!((&sidecar["lat"], &sidecar["lon"]), (&Value::from(-12.5), &Value::from(-170.0)));
+    assert_eq!(
+        (&sidecar["lat"], &sidecar["lon"]),
+        (&Value::from(-12.5), &Value::from(-170.0))
+    );
     assert!(sidecar["min_m"].as_f64().unwrap() <= sidecar["max_m"].as_f64().unwrap());
-    assert_eq!(names(folder.path()), ["a.glb", "a.json", "a.png", "a.tif", "planet.pangaea"]);
+    assert_eq!(
+        names(folder.path()),
+        ["a.glb", "a.json", "a.png", "a.tif", "planet.pangaea"]
+    );
     // The same again gives the same bytes.
     let first = fs::read(folder.path().join("a.tif")).unwrap();
     assert_eq!(export("a.tif"), first);
@@ -154,7 +274,11 @@ fn squares_are_written_in_every_format() {
 fn grey_map(path: &Path, grey: u8) {
     let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), 16, 8);
     encoder.set_color(png::ColorType::Grayscale);
-    encoder.write_header().unwrap().write_image_data(&[grey; 128]).unwrap();
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(&[grey; 128])
+        .unwrap();
 }
 
 #[test]
@@ -162,17 +286,30 @@ fn maps_replace_fields_of_the_climate() {
     let folder = planet();
     grey_map(&folder.path().join("t.png"), 0);
     fs::write(folder.path().join("t.json"), r#"{"min": -60, "max": 60}"#).unwrap();
-    let points: Vec<String> = (0..400).map(|i| format!("{},{}", 60 - i % 120, 3 * (i % 117) - 170)).collect();
+    let points: Vec<String> = (0..400)
+        .map(|i| format!("{},{}", 60 - i % 120, 3 * (i % 117) - 170))
+        .collect();
     let snow = |more: &[&str]| {
         let args = [&["query", "planet.pangaea", "--level", "6"], more].concat();
         let output = pangaea(folder.path(), &args, &points.join("\n"));
         assert!(output.status.success(), "{}", stderr(&output));
         let text = stdout(&output);
-        let dry = text.lines().filter(|line| !line.ends_with("sea_floor")).count();
-        (text.lines().filter(|line| line.ends_with("snow") || line.ends_with("ice")).count(), dry)
+        let dry = text
+            .lines()
+            .filter(|line| !line.ends_with("sea_floor"))
+            .count();
+        (
+            text.lines()
+                .filter(|line| line.ends_with("snow") || line.ends_with("ice"))
+                .count(),
+            dry,
+        )
     };
     let (mild, (frozen, land)) = (snow(&[]).0, snow(&["--temperature", "t.png"]));
-    assert!(mild < frozen && frozen * 2 > land, "{mild} and {frozen} of {land} points are frozen");
+    assert!(
+        mild < frozen && frozen * 2 > land,
+        "{mild} and {frozen} of {land} points are frozen"
+    );
 }
 
 #[test]
@@ -187,12 +324,22 @@ fn maps_that_are_no_climate_are_refused_before_anything_grows() {
         (&["--rain", "missing.tif"], &["missing.tif"]),
         (&["--rain", "bad.tif"], &["bad.tif", "no TIFF"]),
         (&["--rain", "dry.png"], &["dry.png", "dry.json"]),
-        (&["--temperature", "hot.png"], &["hot.png", "3000", "-150 to 150 °C"]),
+        (
+            &["--temperature", "hot.png"],
+            &["hot.png", "3000", "-150 to 150 °C"],
+        ),
         (&["--wetness", "dry.jpg"], &["dry.jpg", ".tif"]),
     ];
     let commands: [&[&str]; 4] = [
         &["generate", "--samples", "2000000", "--out", "out"],
-        &["export", "planet.pangaea", "--region", "0,0,10", "--out", "a.tif"],
+        &[
+            "export",
+            "planet.pangaea",
+            "--region",
+            "0,0,10",
+            "--out",
+            "a.tif",
+        ],
         &["relief", "planet.pangaea", "--json", "r.json"],
         &["query", "planet.pangaea", "--at", "0,0"],
     ];
@@ -209,11 +356,17 @@ const HEADER: &str = "lat,lon,height_m,water_m,normal_x,normal_y,normal_z,surfac
 fn points_are_answered_in_the_order_of_the_input() {
     let folder = planet();
     let ask = |args: &[&str], input: &str| {
-        let output = pangaea(folder.path(), &[&["query", "planet.pangaea"], args].concat(), input);
+        let output = pangaea(
+            folder.path(),
+            &[&["query", "planet.pangaea"], args].concat(),
+            input,
+        );
         assert!(output.status.success(), "{}", stderr(&output));
         stdout(&output)
     };
-    let lines: Vec<String> = (0..200).map(|i| format!("{},{}", 80 - i % 160, 3 * i - 300)).collect();
+    let lines: Vec<String> = (0..200)
+        .map(|i| format!("{},{}", 80 - i % 160, 3 * i - 300))
+        .collect();
     let text = ask(&[], &lines.join("\n"));
     let rows: Vec<&str> = text.lines().collect();
     assert_eq!((rows[0], rows.len()), (HEADER, 201));
@@ -222,10 +375,17 @@ fn points_are_answered_in_the_order_of_the_input() {
         let fields: Vec<&str> = row.split(',').collect();
         let number = |k: usize| fields[k].parse::<f64>().unwrap();
         assert!(
-            fields.len() == 8 && (-12_000.0..12_000.0).contains(&number(2)) && number(3) >= number(2) - 1e-9
+            fields.len() == 8
+                && (-12_000.0..12_000.0).contains(&number(2))
+                && number(3) >= number(2) - 1e-9
         );
         assert!(((4..7).map(|k| number(k) * number(k)).sum::<f64>() - 1.0).abs() < 1e-4);
-        assert!(!fields[7].is_empty() && fields[7].chars().all(|c| c.is_ascii_lowercase() || c == '_'));
+        assert!(
+            !fields[7].is_empty()
+                && fields[7]
+                    .chars()
+                    .all(|c| c.is_ascii_lowercase() || c == '_')
+        );
     }
     let one = ask(&["--at", "-33,-70"], "");
     assert_eq!(one, ask(&["--at=-33,-70"], "ignored"));
@@ -264,11 +424,28 @@ fn real_tiles() -> Option<PathBuf> {
 
 /// The figures that `relief` writes for planet.pangaea.
 fn relief(folder: &Path, more: &[&str]) -> Value {
-    let args = [&["relief", "planet.pangaea", "--sites", "1", "--json", "r.json"], more].concat();
+    let args = [
+        &[
+            "relief",
+            "planet.pangaea",
+            "--sites",
+            "1",
+            "--json",
+            "r.json",
+        ],
+        more,
+    ]
+    .concat();
     let output = pangaea(folder, &args, "");
     assert!(output.status.success(), "{}", stderr(&output));
     let text = stdout(&output);
-    for word in ["young_himalayan", "young_andean", "old_belts", "plains", "relief in 10 km"] {
+    for word in [
+        "young_himalayan",
+        "young_andean",
+        "old_belts",
+        "plains",
+        "relief in 10 km",
+    ] {
         assert!(text.contains(word), "{text}");
     }
     serde_json::from_slice(&fs::read(folder.join("r.json")).unwrap()).unwrap()
@@ -292,9 +469,14 @@ fn relief_has_figures_of_classes_and_of_real_tiles() {
     }
     let tiles = json["tiles"].as_object().unwrap();
     if real.is_some() {
-        let relief10 = tiles["himalaya-annapurna"]["relief10_median_m"].as_f64().unwrap();
+        let relief10 = tiles["himalaya-annapurna"]["relief10_median_m"]
+            .as_f64()
+            .unwrap();
         assert!((relief10 / 3221.0 - 1.0).abs() < 0.05, "{relief10}");
-        assert_eq!((tiles.len(), &tiles["N44W072"]["sites"]), (5, &Value::from(1)));
+        assert_eq!(
+            (tiles.len(), &tiles["N44W072"]["sites"]),
+            (5, &Value::from(1))
+        );
     } else {
         assert!(tiles.is_empty());
     }
@@ -305,15 +487,29 @@ fn bad_tiles_are_named() {
     let folder = planet();
     let tiles = folder.path().join("tiles");
     fs::create_dir(&tiles).unwrap();
-    let args = ["relief", "planet.pangaea", "--dem", "tiles", "--json", "r.json"];
+    let args = [
+        "relief",
+        "planet.pangaea",
+        "--dem",
+        "tiles",
+        "--json",
+        "r.json",
+    ];
     refused(folder.path(), &args, "", &["tiles", ".hgt"]);
-    for (name, words) in
-        [("N44W072.hgt", &["N44W072.hgt", "1201"][..]), ("b.tif", &["b.tif"]), ("c.png", &["c.json"])]
-    {
+    for (name, words) in [
+        ("N44W072.hgt", &["N44W072.hgt", "1201"][..]),
+        ("b.tif", &["b.tif"]),
+        ("c.png", &["c.json"]),
+    ] {
         let path = tiles.join(name);
         fs::write(&path, "nonsense").unwrap();
         refused(folder.path(), &args, "", words);
         fs::remove_file(path).unwrap();
     }
-    refused(folder.path(), &["relief", "planet.pangaea", "--dem", "nowhere"], "", &["nowhere"]);
+    refused(
+        folder.path(),
+        &["relief", "planet.pangaea", "--dem", "nowhere"],
+        "",
+        &["nowhere"],
+    );
 }

@@ -1,5 +1,6 @@
-//! Pictures of the globe, without a window and of one. They need a Vulkan adapter, lavapipe included: without one the
-//! tests say SKIPPED, or fail where `PANGAEA_GPU=require`. The window needs the X server Xvfb besides.
+//! Pictures of the globe, without a window and of one. They need a Vulkan adapter, lavapipe
+//! included: without one the tests say SKIPPED, or fail where `PANGAEA_GPU=require`. The window
+//! needs the X server Xvfb besides.
 
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader};
@@ -21,7 +22,10 @@ fn drew(output: &Output) -> bool {
         return true;
     }
     assert!(text.contains("no GPU adapter"), "{text}");
-    assert!(std::env::var("PANGAEA_GPU").as_deref() != Ok("require"), "{text}");
+    assert!(
+        std::env::var("PANGAEA_GPU").as_deref() != Ok("require"),
+        "{text}"
+    );
     eprintln!("SKIPPED: {text}");
     false
 }
@@ -34,37 +38,69 @@ struct Picture {
 
 impl Picture {
     fn read(path: &Path) -> Self {
-        let mut reader = png::Decoder::new(BufReader::new(File::open(path).unwrap())).read_info().unwrap();
+        let mut reader = png::Decoder::new(BufReader::new(File::open(path).unwrap()))
+            .read_info()
+            .unwrap();
         let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut rgb).unwrap();
-        assert_eq!((info.color_type, info.bit_depth), (png::ColorType::Rgb, png::BitDepth::Eight));
-        Self { width: info.width as usize, height: info.height as usize, rgb }
+        assert_eq!(
+            (info.color_type, info.bit_depth),
+            (png::ColorType::Rgb, png::BitDepth::Eight)
+        );
+        Self {
+            width: info.width as usize,
+            height: info.height as usize,
+            rgb,
+        }
     }
 
     fn brightness(&self, x: usize, y: usize) -> u32 {
         let at = 3 * (y * self.width + x);
-        self.rgb[at..at + 3].iter().map(|&channel| u32::from(channel)).sum()
+        self.rgb[at..at + 3]
+            .iter()
+            .map(|&channel| u32::from(channel))
+            .sum()
     }
 
     /// Share of pixels that are not space.
     fn lit(&self) -> f64 {
         let all = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
-        all.filter(|&(x, y)| self.brightness(x, y) > 60).count() as f64 / (self.width * self.height) as f64
+        all.filter(|&(x, y)| self.brightness(x, y) > 60).count() as f64
+            / (self.width * self.height) as f64
     }
 }
 
 #[test]
 fn a_globe_floats_in_the_middle_of_space_and_is_the_same_twice() {
     let folder = TempDir::new().unwrap();
-    let grown = ["generate", "--samples", "3000", "--plates", "12", "--until", "20", "--out", "g"];
+    let grown = [
+        "generate",
+        "--samples",
+        "3000",
+        "--plates",
+        "12",
+        "--until",
+        "20",
+        "--out",
+        "g",
+    ];
     assert!(pangaea(folder.path(), &grown).status().unwrap().success());
     let draw = |name: &str, more: &[&str]| {
-        let mut args = vec!["render", "g/planet.pangaea", "--size", "320x180", "--out", name];
+        let mut args = vec![
+            "render",
+            "g/planet.pangaea",
+            "--size",
+            "320x180",
+            "--out",
+            name,
+        ];
         args.extend(more);
         drew(&pangaea(folder.path(), &args).output().unwrap())
             .then(|| Picture::read(&folder.path().join(name)))
     };
-    let Some(globe) = draw("a.png", &[]) else { return };
+    let Some(globe) = draw("a.png", &[]) else {
+        return;
+    };
     assert_eq!((globe.width, globe.height), (320, 180));
     for (x, y) in [(0, 0), (319, 0), (0, 179), (319, 179)] {
         assert!(globe.brightness(x, y) < 45, "space is bright at {x},{y}");
@@ -91,16 +127,36 @@ fn without_an_adapter_the_reason_and_the_cure_are_printed_and_nothing_is_written
     }
     let folder = TempDir::new().unwrap();
     for (command, out) in [("render", "a.png"), ("views", "folder/for/views")] {
-        let small = [command, "--samples", "500", "--plates", "8", "--until", "4", "--out", out];
+        let small = [
+            command,
+            "--samples",
+            "500",
+            "--plates",
+            "8",
+            "--until",
+            "4",
+            "--out",
+            out,
+        ];
         let output = pangaea(folder.path(), &small)
-            .envs([("VK_ICD_FILENAMES", "/nowhere.json"), ("VK_DRIVER_FILES", "/nowhere.json")])
+            .envs([
+                ("VK_ICD_FILENAMES", "/nowhere.json"),
+                ("VK_DRIVER_FILES", "/nowhere.json"),
+            ])
             .env("VK_LOADER_DRIVERS_DISABLE", "*")
             .output()
             .unwrap();
         let text = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{text}");
-        assert!(text.contains("no GPU adapter") && text.contains("mesa-vulkan-drivers"), "{text}");
-        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "{command} left files behind");
+        assert!(
+            text.contains("no GPU adapter") && text.contains("mesa-vulkan-drivers"),
+            "{text}"
+        );
+        assert_eq!(
+            fs::read_dir(folder.path()).unwrap().count(),
+            0,
+            "{command} left files behind"
+        );
     }
 }
 
@@ -120,8 +176,13 @@ impl Display {
             .spawn()
             .ok()?;
         let mut number = String::new();
-        BufReader::new(server.stdout.take()?).read_line(&mut number).ok()?;
-        Some(Self { server, name: format!(":{}", number.trim()) })
+        BufReader::new(server.stdout.take()?)
+            .read_line(&mut number)
+            .ok()?;
+        Some(Self {
+            server,
+            name: format!(":{}", number.trim()),
+        })
     }
 }
 
@@ -151,7 +212,16 @@ fn the_explorer_opens_a_window_with_panels_around_a_globe() {
         return;
     };
     let folder = TempDir::new().unwrap();
-    let run = ["--samples", "2000", "--plates", "12", "--frames", "30", "--capture", "window.png"];
+    let run = [
+        "--samples",
+        "2000",
+        "--plates",
+        "12",
+        "--frames",
+        "30",
+        "--capture",
+        "window.png",
+    ];
     let explorer = pangaea(folder.path(), &run)
         .env("DISPLAY", &display.name)
         .env_remove("WAYLAND_DISPLAY")

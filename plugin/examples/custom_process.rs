@@ -1,10 +1,12 @@
 //! A geological process of your own, between those of Pangaea: a hot spot.
 //!
-//! A plume is fixed to the mantle; the plates drift over it, and it builds a chain of volcanoes on each of them. The system
-//! runs after the stage `Relief` of every step, for the planet that the step works on.
+//! A plume is fixed to the mantle; the plates drift over it, and it builds a chain of volcanoes on
+//! each of them. The system runs after the stage `Relief` of every step, for the planet that the
+//! step works on.
 //!
-//! Rules of the house: continental crust is conserved, so what the process adds to continents is booked in the
-//! [`Ledger`], and thickness follows elevation by isostasy, or the volcano would sink again.
+//! Rules of the house: continental crust is conserved, so what the process adds to continents is
+//! booked in the [`Ledger`], and thickness follows elevation by isostasy, or the volcano would sink
+//! again.
 //!
 //! `cargo run -p bevy_pangaea --example custom_process --no-default-features`
 
@@ -32,15 +34,28 @@ struct HotSpotPlugin;
 
 impl Plugin for HotSpotPlugin {
     fn build(&self, app: &mut App) {
-        app.add_systems(TectonicStep, erupt.in_set(TectonicSystems::After(Stage::Relief)));
+        app.add_systems(
+            TectonicStep,
+            erupt.in_set(TectonicSystems::After(Stage::Relief)),
+        );
     }
 }
 
 fn erupt(
     current: Res<CurrentPlanet>,
-    mut planets: Query<(&HotSpot, &Planet, &Lattice, &TectonicParams, &Frames, &mut Crust, &mut Ledger)>,
+    mut planets: Query<(
+        &HotSpot,
+        &Planet,
+        &Lattice,
+        &TectonicParams,
+        &Frames,
+        &mut Crust,
+        &mut Ledger,
+    )>,
 ) {
-    let Ok((spot, planet, mesh, params, frames, mut crust, mut ledger)) = planets.get_mut(current.0) else {
+    let Ok((spot, planet, mesh, params, frames, mut crust, mut ledger)) =
+        planets.get_mut(current.0)
+    else {
         return;
     };
     let isostasy = Isostasy::new(params);
@@ -59,8 +74,10 @@ fn erupt(
         crust.thickness[i] += isostasy.thickening(z, raised - z);
         crust.elevation[i] = raised;
         if crust.is_continental(i) {
-            volume +=
-                f64::from(crust.thickness[i] - before) * mesh.area(i as u32) * planet.radius * planet.radius;
+            volume += f64::from(crust.thickness[i] - before)
+                * mesh.area(i as u32)
+                * planet.radius
+                * planet.radius;
         }
     }
     // The causes are a closed list; magma from below is what arcs grow by as well.
@@ -71,18 +88,31 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut app = App::new();
     app.add_plugins((PangaeaPlugins, HotSpotPlugin));
     let world = app.world_mut();
-    let planet = PlanetState::new(&PlanetRecipe { seed: 3, samples: 20_000, ..default() })?.spawn(world);
+    let planet = PlanetState::new(&PlanetRecipe {
+        seed: 3,
+        samples: 20_000,
+        ..default()
+    })?
+    .spawn(world);
     let at = direction(19.0, -155.0);
-    world.entity_mut(planet).insert(HotSpot { at, radius: 500.0, rate: 0.5 });
+    world.entity_mut(planet).insert(HotSpot {
+        at,
+        radius: 500.0,
+        rate: 0.5,
+    });
     for _ in 0..6 {
         run_steps(world, planet, 5);
         bevy_pangaea::resample::project_now(world, planet);
-        let (Some(surface), Some(mesh)) = (world.get::<PlanetSurface>(planet), world.get::<Lattice>(planet))
-        else {
+        let (Some(surface), Some(mesh)) = (
+            world.get::<PlanetSurface>(planet),
+            world.get::<Lattice>(planet),
+        ) else {
             break;
         };
         let spot = surface.at(mesh, at);
-        let unexplained = world.get::<Ledger>(planet).map_or(0.0, |ledger| ledger.unexplained_volume_max);
+        let unexplained = world
+            .get::<Ledger>(planet)
+            .map_or(0.0, |ledger| ledger.unexplained_volume_max);
         let (lat, lon) = lat_lon(at);
         println!(
             "{:3.0} My  {:5.2} km at the hot spot ({lat:.0} N, {lon:.0} E), unexplained volume {unexplained:.0e}",

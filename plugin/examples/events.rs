@@ -16,8 +16,14 @@ struct Chronicle {
 }
 
 /// Continents have met: time for earthquakes.
-fn shake(event: On<TerraneCollided>, clocks: Query<&GeologicClock>, mut chronicle: ResMut<Chronicle>) {
-    let Ok(clock) = clocks.get(event.planet) else { return };
+fn shake(
+    event: On<TerraneCollided>,
+    clocks: Query<&GeologicClock>,
+    mut chronicle: ResMut<Chronicle>,
+) {
+    let Ok(clock) = clocks.get(event.planet) else {
+        return;
+    };
     let (lat, lon) = lat_lon(event.at);
     chronicle.collisions += 1;
     println!(
@@ -37,11 +43,20 @@ fn hurry(
     mut chronicle: ResMut<Chronicle>,
     mut commands: Commands,
 ) {
-    let Ok(clock) = clocks.get(event.planet) else { return };
+    let Ok(clock) = clocks.get(event.planet) else {
+        return;
+    };
     chronicle.rifts += 1;
-    println!("{:4.0} My  plate {} breaks into {:?}", clock.time, event.parent.0, event.fragments);
+    println!(
+        "{:4.0} My  plate {} breaks into {:?}",
+        clock.time, event.parent.0, event.fragments
+    );
     if let Some(&plate) = event.fragments.last() {
-        let faster = TectonicCommand::SetPlateMotion { plate, pole: (60.0, 30.0), speed: 90.0 };
+        let faster = TectonicCommand::SetPlateMotion {
+            plate,
+            pole: (60.0, 30.0),
+            speed: 90.0,
+        };
         commands.entity(event.planet).tectonic(faster);
     }
 }
@@ -50,15 +65,26 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut app = App::new();
     app.add_plugins(PangaeaPlugins).init_resource::<Chronicle>();
     app.add_observer(shake).add_observer(hurry);
-    app.add_observer(|event: On<PlateConsumed>| println!("         plate {} is gone", event.plate.0));
+    app.add_observer(|event: On<PlateConsumed>| {
+        println!("         plate {} is gone", event.plate.0)
+    });
     app.add_observer(|event: On<CommandRejected>| println!("         refused: {}", event.error));
-    let mut recipe = PlanetRecipe { seed: 1, samples: 10_000, ..default() };
+    let mut recipe = PlanetRecipe {
+        seed: 1,
+        samples: 10_000,
+        ..default()
+    };
     recipe.params.rift_rate = 0.02;
     let world = app.world_mut();
     let planet = PlanetState::new(&recipe)?.spawn(world);
     run_steps(world, planet, 50);
     let chronicle = world.resource::<Chronicle>();
-    let orders = world.get::<Recording>(planet).map_or(0, |recording| recording.0.len());
-    println!("{} collisions, {} rifts, {orders} orders in 100 My", chronicle.collisions, chronicle.rifts);
+    let orders = world
+        .get::<Recording>(planet)
+        .map_or(0, |recording| recording.0.len());
+    println!(
+        "{} collisions, {} rifts, {orders} orders in 100 My",
+        chronicle.collisions, chronicle.rifts
+    );
     Ok(())
 }

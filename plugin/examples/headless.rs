@@ -9,7 +9,11 @@ use bevy_pangaea::schedule::{StageTimings, run_steps};
 use bevy_pangaea::spawn::PlanetState;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let recipe = PlanetRecipe { seed: 7, samples: 10_000, ..default() };
+    let recipe = PlanetRecipe {
+        seed: 7,
+        samples: 10_000,
+        ..default()
+    };
     let mut app = App::new();
     app.add_plugins(PangaeaPlugins);
     let world = app.world_mut();
@@ -18,9 +22,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         run_steps(world, planet, 10);
         bevy_pangaea::resample::project_now(world, planet);
         let surface = world.get::<PlanetSurface>(planet).ok_or("no surface")?;
-        let land = (0..surface.len()).filter(|&i| surface.elevation(i) > 0.0).count();
-        let plates = world.get::<Plates>(planet).map_or(0, |plates| plates.iter().count());
-        let ms = world.get::<StageTimings>(planet).map_or(0.0, StageTimings::step_mean_ms);
+        let land = (0..surface.len())
+            .filter(|&i| surface.elevation(i) > 0.0)
+            .count();
+        let plates = world
+            .get::<Plates>(planet)
+            .map_or(0, |plates| plates.iter().count());
+        let ms = world
+            .get::<StageTimings>(planet)
+            .map_or(0.0, StageTimings::step_mean_ms);
         println!(
             "{:4.0} My  {plates} plates  {:4.1} % land  {ms:.2} ms per step",
             surface.time,

@@ -14,6 +14,12 @@ fn main() {
 }
 
 fn setup(mut commands: Commands) {
-    commands.spawn_planet(PlanetRecipe { seed: 7, ..default() });
-    commands.spawn((Camera3d::default(), Transform::from_xyz(0.0, 1.0, 3.0).looking_at(Vec3::ZERO, Vec3::Y)));
+    commands.spawn_planet(PlanetRecipe {
+        seed: 7,
+        ..default()
+    });
+    commands.spawn((
+        Camera3d::default(),
+        Transform::from_xyz(0.0, 1.0, 3.0).looking_at(Vec3::ZERO, Vec3::Y),
+    ));
 }

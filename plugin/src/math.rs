@@ -105,8 +105,14 @@ pub fn direction(latitude: f64, longitude: f64) -> DVec3 {
 
 /// Latitude and longitude in degrees of a direction, the inverse of [`direction`].
 pub fn lat_lon(direction: DVec3) -> (f64, f64) {
-    let lat = atan2(direction.z, (direction.x * direction.x + direction.y * direction.y).sqrt());
-    (lat.to_degrees(), atan2(direction.y, direction.x).to_degrees())
+    let lat = atan2(
+        direction.z,
+        (direction.x * direction.x + direction.y * direction.y).sqrt(),
+    );
+    (
+        lat.to_degrees(),
+        atan2(direction.y, direction.x).to_degrees(),
+    )
 }
 
 /// A unit vector perpendicular to the unit vector `n`.
@@ -130,7 +136,10 @@ mod tests {
     fn directions_and_coordinates_are_inverse() {
         for (lat, lon) in [(0.0, 0.0), (45.0, 10.0), (-89.0, 179.0), (12.5, -120.25)] {
             let (a, b) = lat_lon(direction(lat, lon));
-            assert!((a - lat).abs() < 1e-9 && (b - lon).abs() < 1e-9, "{lat} {lon} -> {a} {b}");
+            assert!(
+                (a - lat).abs() < 1e-9 && (b - lon).abs() < 1e-9,
+                "{lat} {lon} -> {a} {b}"
+            );
         }
     }
 

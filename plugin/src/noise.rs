@@ -14,7 +14,9 @@ pub struct Noise {
 impl Noise {
     /// The noise of `purpose` for the thing `id` of the planet `seed`.
     pub fn new(seed: u64, purpose: Purpose, id: u64) -> Self {
-        Self { key: Stream::new(seed, purpose, id).bits(0) }
+        Self {
+            key: Stream::new(seed, purpose, id).bits(0),
+        }
     }
 
     /// One octave at `p`, which is in units of the noise's lattice.
@@ -23,11 +25,16 @@ impl Noise {
         interpolate(f, |corner, d| gradient(hashes[corner], d))
     }
 
-    /// Hashes of the corners of the cell around `p`, in the order of x, then y, then z, and the position in it.
+    /// Hashes of the corners of the cell around `p`, in the order of x, then y, then z, and the
+    /// position in it.
     #[inline]
     fn corners(&self, p: DVec3) -> ([u64; 8], DVec3) {
         let cell = DVec3::new(floor(p.x), floor(p.y), floor(p.z));
-        let (x, y, z) = (cell.x as i64 as u64, cell.y as i64 as u64, cell.z as i64 as u64);
+        let (x, y, z) = (
+            cell.x as i64 as u64,
+            cell.y as i64 as u64,
+            cell.z as i64 as u64,
+        );
         let planes = [0, 1].map(|i| mix(self.key ^ x.wrapping_add(i)));
         let mut hashes = [0; 8];
         for (row, hashes) in hashes.chunks_exact_mut(2).enumerate() {
@@ -44,7 +51,8 @@ impl Noise {
     pub fn fractal(&self, p: DVec3, frequency: f64, octaves: u32) -> f64 {
         let (mut sum, mut norm, mut amplitude, mut scale) = (0.0, 0.0, 1.0, frequency);
         for octave in 0..octaves {
-            // Each octave looks at another part of the lattice, or all would vanish at the origin together.
+            // Each octave looks at another part of the lattice, or all would vanish at the origin
+            // together.
             let shift = DVec3::splat(17.3 * f64::from(octave + 1));
             sum += amplitude * self.octave(p * scale + shift);
             norm += amplitude;
@@ -61,7 +69,8 @@ impl Noise {
     }
 }
 
-/// The largest whole number not above `x`, for numbers of ordinary size: a call of libm is dear here.
+/// The largest whole number not above `x`, for numbers of ordinary size: a call of libm is dear
+/// here.
 #[inline]
 fn floor(x: f64) -> f64 {
     let whole = x as i64 as f64;
@@ -75,10 +84,18 @@ fn interpolate(f: DVec3, value: impl Fn(usize, DVec3) -> f64) -> f64 {
     let fade = |t: f64| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
     let (u, v, w) = (fade(f.x), fade(f.y), fade(f.z));
     let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
-    let corner =
-        |i: usize, j: usize, k: usize| value(i + 2 * j + 4 * k, f - DVec3::new(i as f64, j as f64, k as f64));
+    let corner = |i: usize, j: usize, k: usize| {
+        value(
+            i + 2 * j + 4 * k,
+            f - DVec3::new(i as f64, j as f64, k as f64),
+        )
+    };
     let edge = |j, k| lerp(u, corner(0, j, k), corner(1, j, k));
-    lerp(w, lerp(v, edge(0, 0), edge(1, 0)), lerp(v, edge(0, 1), edge(1, 1)))
+    lerp(
+        w,
+        lerp(v, edge(0, 0), edge(1, 0)),
+        lerp(v, edge(0, 1), edge(1, 1)),
+    )
 }
 
 /// Dot product of `d` with one of twelve edge directions of a cube, chosen by `hash` (Perlin 2002),

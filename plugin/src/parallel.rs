@@ -12,7 +12,9 @@ pub const CHUNK: usize = 2048;
 
 /// The ranges that a sweep over `n` samples is cut into.
 pub fn chunks(n: usize) -> impl IndexedParallelIterator<Item = Range<usize>> {
-    (0..n.div_ceil(CHUNK)).into_par_iter().map(move |c| c * CHUNK..((c + 1) * CHUNK).min(n))
+    (0..n.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(move |c| c * CHUNK..((c + 1) * CHUNK).min(n))
 }
 
 /// Runs `work` on every chunk and returns its results in sample order.
@@ -20,7 +22,10 @@ pub fn map_chunks<T: Send>(n: usize, work: impl Fn(Range<usize>) -> T + Sync + S
     chunks(n).map(work).collect()
 }
 
-/// The sum of `value(sample)` over `n` samples, added in sample order within chunks and then over chunks.
+/// The sum of `value(sample)` over `n` samples, added in sample order within chunks and then over
+/// chunks.
 pub fn sum(n: usize, value: impl Fn(usize) -> f64 + Sync + Send) -> f64 {
-    map_chunks(n, |range| range.map(&value).sum::<f64>()).into_iter().sum()
+    map_chunks(n, |range| range.map(&value).sum::<f64>())
+        .into_iter()
+        .sum()
 }

@@ -62,9 +62,14 @@ pub enum ParamError {
     },
 }
 
-/// A refused number as a message shows it: a huge one with an exponent, not with three hundred digits.
+/// A refused number as a message shows it: a huge one with an exponent, not with three hundred
+/// digits.
 pub(crate) fn shown(value: f64) -> String {
-    if value.abs() >= 1e15 { format!("{value:e}") } else { value.to_string() }
+    if value.abs() >= 1e15 {
+        format!("{value:e}")
+    } else {
+        value.to_string()
+    }
 }
 
 macro_rules! params {
@@ -137,8 +142,9 @@ params! {
     "Motion" {
         /// Highest plate speed v_0. Paper 000, Appendix A.
         max_speed = 100.0 in 1.0..300.0, "km/My";
-        /// Slab pull ε: how fast a subducting front as long as the planet's radius turns the plate's
-        /// axis. Paper 000 §4.1 asks for ε much below 1; at this value a plate with a long front turns by some degrees in 10 My.
+        /// Slab pull ε: how fast a subducting front as long as the planet's radius turns the
+        /// plate's axis. Paper 000 §4.1 asks for ε much below 1; at this value a plate with a long
+        /// front turns by some degrees in 10 My.
         slab_pull = 0.002 in 0.0..0.1, "rad/My";
     }
     "Subduction" {
@@ -146,10 +152,12 @@ params! {
         uplift = 0.6 in 0.0..5.0, "km/My";
         /// Subduction distance r_s: where the uplift has faded to 0. Paper 000, Appendix A.
         subduction_distance = 1800.0 in 100.0..5000.0, "km";
-        /// Share of the subduction distance at which the uplift really ends: 1 is the paper's, which lifts whole continents to 2 km.
-        /// The Andes and their foreland reach 600 to 1000 km from the trench.
+        /// Share of the subduction distance at which the uplift really ends: 1 is the paper's,
+        /// which lifts whole continents to 2 km. The Andes and their foreland reach 600 to 1000 km
+        /// from the trench.
         subduction_reach = 0.55 in 0.05..1.0, "";
-        /// Distance d_c from the front at which the uplift peaks. Arcs stand 100 to 300 km from the trench (paper 001 §4.2.1).
+        /// Distance d_c from the front at which the uplift peaks. Arcs stand 100 to 300 km from the
+        /// trench (paper 001 §4.2.1).
         uplift_peak = 300.0 in 10.0..2000.0, "km";
         /// Weight of the distance profile f: 0 ignores it, 1 is the paper's.
         weight_distance = 1.0 in 0.0..1.0, "";
@@ -157,69 +165,81 @@ params! {
         weight_speed = 1.0 in 0.0..1.0, "";
         /// Weight of the subducting relief h: 0 ignores it, 1 is the paper's.
         weight_relief = 1.0 in 0.0..1.0, "";
-        /// Continental crust that rises faster than this is being folded: its orogeny becomes Andean. At this value the young
-        /// belts of a planet are some hundred km wide, as the Andes are.
+        /// Continental crust that rises faster than this is being folded: its orogeny becomes
+        /// Andean. At this value the young belts of a planet are some hundred km wide, as the Andes
+        /// are.
         orogeny_rate = 0.02 in 0.0..1.0, "km/My";
-        /// Fold rate β: how fast the relative motion turns the fold direction. At this value a front of
-        /// full speed turns it within about 10 My.
+        /// Fold rate β: how fast the relative motion turns the fold direction. At this value a
+        /// front of full speed turns it within about 10 My.
         fold_rate = 0.001 in 0.0..0.1, "1/km";
-        /// Width over which subducting crust bends down to the trench; seismic profiles show 150 to 200 km.
+        /// Width over which subducting crust bends down to the trench; seismic profiles show 150 to
+        /// 200 km.
         trench_width = 180.0 in 20.0..600.0, "km";
-        /// Age by which the older of two ocean plates must exceed the other before a front turns over.
+        /// Age by which the older of two ocean plates must exceed the other before a front turns
+        /// over.
         polarity_hysteresis = 30.0 in 0.0..200.0, "My";
     }
     "Collision" {
-        /// Interpenetration of continents at which a terrane breaks off and is sutured. Paper 000 §6.
+        /// Interpenetration of continents at which a terrane breaks off and is sutured. Paper 000
+        /// §6.
         collision_trigger = 300.0 in 20.0..2000.0, "km";
         /// Collision distance r_c. Paper 000, Appendix A.
         collision_distance = 4200.0 in 100.0..10000.0, "km";
-        /// Share of the collision distance at which the surge really ends: 1 is the paper's, which makes belts of 2000 km and
-        /// more when continents meet; Earth's widest, Tibet, reaches 1500 km from the suture.
+        /// Share of the collision distance at which the surge really ends: 1 is the paper's, which
+        /// makes belts of 2000 km and more when continents meet; Earth's widest, Tibet, reaches
+        /// 1500 km from the suture.
         collision_reach = 0.25 in 0.05..1.0, "";
         /// Average initial area A_0 of a plate as a share of the planet's: 1/40.
         plate_share = 0.025 in 0.001..1.0, "";
         /// Collision coefficient Δ_c. Paper 000, Appendix A.
         collision_coefficient = 1.3e-5 in 0.0..1e-3, "1/km";
-        /// Highest surge of one collision: the Δ_c A of a continent would be 100 km and more. Tibet stands 5 km high.
+        /// Highest surge of one collision: the Δ_c A of a continent would be 100 km and more. Tibet
+        /// stands 5 km high.
         collision_surge_max = 4.0 in 0.0..15.0, "km";
-        /// Area of the smallest terrane that breaks off its slab; smaller islands are forced down or scraped off.
+        /// Area of the smallest terrane that breaks off its slab; smaller islands are forced down
+        /// or scraped off.
         terrane_min_area = 20000.0 in 0.0..1e7, "km²";
     }
     "Ocean floor" {
         /// Half-distance σ at which a ridge of average speed has lost half of its height.
         ridge_width = 320.0 in 20.0..3000.0, "km";
-        /// Time in which young ocean floor sinks by 1/e of its height above the abyss. 36 My fit the depths of
-        /// Earth's oceans (Stein and Stein 1992, model GDH1).
+        /// Time in which young ocean floor sinks by 1/e of its height above the abyss. 36 My fit
+        /// the depths of Earth's oceans (Stein and Stein 1992, model GDH1).
         subsidence_time = 36.0 in 1.0..1000.0, "My";
         /// Oceanic dampening ε_o, used by the paper's printed form only. Paper 000, Appendix A.
         ocean_damping = 0.04 in 0.0..1.0, "km/My";
-        /// Sediment accretion ε_t: fastest filling of floor that lies too deep. Paper 000, Appendix A.
+        /// Sediment accretion ε_t: fastest filling of floor that lies too deep. Paper 000, Appendix
+        /// A.
         sediment = 0.3 in 0.0..5.0, "km/My";
-        /// Width of the continental rise: sediment from the land lifts the floor beside a continent.
-        /// Passive margins reach the abyssal plain 200 to 500 km off the shelf.
+        /// Width of the continental rise: sediment from the land lifts the floor beside a
+        /// continent. Passive margins reach the abyssal plain 200 to 500 km off the shelf.
         margin_width = 250.0 in 0.0..1000.0, "km";
         /// Thickness of oceanic crust; seismic mean of 7 km.
         ocean_thickness = 7.0 in 3.0..15.0, "km";
     }
     "Continents" {
-        /// Continental erosion ε_c. Paper 000, Appendix A, has 0.03, which leaves land 2 km high on average after 250 My; at this
-        /// value it is 1.2 to 1.6 km (Earth's is 0.84 km). At more than this old planets lose their land to the sea.
+        /// Continental erosion ε_c. Paper 000, Appendix A, has 0.03, which leaves land 2 km high on
+        /// average after 250 My; at this value it is 1.2 to 1.6 km (Earth's is 0.84 km). At more
+        /// than this old planets lose their land to the sea.
         erosion = 0.06 in 0.0..5.0, "km/My";
         /// Thickness of crust that floats at sea level; 33 km on Earth.
         sea_level_thickness = 33.2 in 20.0..60.0, "km";
-        /// Elevation gained per thickness of crust on land: (3.3 - 2.78) / 3.3, densities of mantle and crust.
+        /// Elevation gained per thickness of crust on land: (3.3 - 2.78) / 3.3, densities of mantle
+        /// and crust.
         isostasy = 0.158 in 0.05..0.5, "";
-        /// Time in which the elevation of thickened or thinned crust follows; glacial rebound is much faster, thermal adjustment slower.
+        /// Time in which the elevation of thickened or thinned crust follows; glacial rebound is
+        /// much faster, thermal adjustment slower.
         isostasy_time = 8.0 in 0.5..200.0, "My";
-        /// Amplitude of the low-frequency coherent noise of the relief: its drift in a My. The paper gives none; this adds
-        /// some hundred metres in 100 My.
+        /// Amplitude of the low-frequency coherent noise of the relief: its drift in a My. The
+        /// paper gives none; this adds some hundred metres in 100 My.
         noise_amplitude = 0.015 in 0.0..0.2, "km/My";
         /// Wavelength of that noise.
         noise_wavelength = 1800.0 in 200.0..10000.0, "km";
     }
     "Rifting" {
-        /// Mean number of riftings λ_0 in a time step of a wholly continental plate of average initial area.
-        /// At this value a planet of 40 plates with 30 % land rifts about once in 15 to 50 My, which keeps its ocean floor below a mean age of 90 My.
+        /// Mean number of riftings λ_0 in a time step of a wholly continental plate of average
+        /// initial area. At this value a planet of 40 plates with 30 % land rifts about once in 15
+        /// to 50 My, which keeps its ocean floor below a mean age of 90 My.
         rift_rate = 0.01 in 0.0..10.0, "";
         /// Share of λ that a wholly oceanic plate keeps.
         rift_oceanic_share = 0.3 in 0.0..1.0, "";
@@ -227,9 +247,11 @@ params! {
         rift_speed = 60.0 in 1.0..300.0, "km/My";
         /// Width of the zone that a rift thins on either side.
         rift_width = 200.0 in 0.0..1000.0, "km";
-        /// Share of its thickness that continental crust at a new rift loses; stretched margins lose a tenth to a half.
+        /// Share of its thickness that continental crust at a new rift loses; stretched margins
+        /// lose a tenth to a half.
         rift_thinning = 0.15 in 0.0..0.9, "";
-        /// Amplitude of the warp of rift lines and initial borders, relative to the distance of the centroids.
+        /// Amplitude of the warp of rift lines and initial borders, relative to the distance of the
+        /// centroids.
         border_warp = 0.3 in 0.0..1.0, "";
     }
 }
@@ -243,7 +265,8 @@ impl TectonicParams {
     /// Sets one parameter by name.
     ///
     /// # Errors
-    /// [`ParamError`] for an unknown name or a value outside of the limits; nothing is changed then.
+    /// [`ParamError`] for an unknown name or a value outside of the limits; nothing is changed
+    /// then.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), ParamError> {
         let info = Self::info(name).ok_or_else(|| ParamError::Unknown(name.to_string()))?;
         info.check(value)?;
@@ -261,14 +284,19 @@ impl TectonicParams {
     /// # Errors
     /// The first [`ParamError::OutOfRange`], or [`ParamError::Order`].
     pub fn validate(&self) -> Result<(), ParamError> {
-        Self::TABLE.iter().try_for_each(|info| info.check((info.get)(self)))?;
+        Self::TABLE
+            .iter()
+            .try_for_each(|info| info.check((info.get)(self)))?;
         let depths = [
             ("trench_elevation", self.trench_elevation),
             ("abyss_elevation", self.abyss_elevation),
             ("ridge_elevation", self.ridge_elevation),
         ];
         match depths.windows(2).find(|pair| pair[0].1 > pair[1].1) {
-            Some(pair) => Err(ParamError::Order { lower: pair[0].0, upper: pair[1].0 }),
+            Some(pair) => Err(ParamError::Order {
+                lower: pair[0].0,
+                upper: pair[1].0,
+            }),
             None => Ok(()),
         }
     }
@@ -280,8 +308,20 @@ impl ParamInfo {
         if value >= self.min && value <= self.max {
             return Ok(());
         }
-        let Self { name, min, max, unit, .. } = *self;
-        Err(ParamError::OutOfRange { name, value, min, max, unit })
+        let Self {
+            name,
+            min,
+            max,
+            unit,
+            ..
+        } = *self;
+        Err(ParamError::OutOfRange {
+            name,
+            value,
+            min,
+            max,
+            unit,
+        })
     }
 }
 
@@ -297,11 +337,22 @@ mod tests {
             assert_eq!((info.get)(&params), info.default, "{}", info.name);
             params.set(info.name, info.max).unwrap();
             assert_eq!((info.get)(&params), info.max);
-            assert!(params.set(info.name, info.max + info.max.abs() + 1.0).is_err());
+            assert!(
+                params
+                    .set(info.name, info.max + info.max.abs() + 1.0)
+                    .is_err()
+            );
             assert!(params.set(info.name, f64::NAN).is_err());
-            assert_eq!((info.get)(&params), info.max, "a refused value changes nothing");
+            assert_eq!(
+                (info.get)(&params),
+                info.max,
+                "a refused value changes nothing"
+            );
             assert!(info.doc.len() > 20);
         }
-        assert_eq!(params.set("upift", 1.0), Err(ParamError::Unknown("upift".into())));
+        assert_eq!(
+            params.set("upift", 1.0),
+            Err(ParamError::Unknown("upift".into()))
+        );
     }
 }

@@ -177,22 +177,40 @@ impl PlanetRecipe {
             if value >= min && value <= max {
                 Ok(())
             } else {
-                Err(PlanetError::OutOfRange { field, value, min, max })
+                Err(PlanetError::OutOfRange {
+                    field,
+                    value,
+                    min,
+                    max,
+                })
             }
         };
         within("samples", f64::from(self.samples), 100.0, 2_000_000.0)?;
         within("radius", self.radius, 50.0, 100_000.0)?;
         within("land", self.land, 0.0, 0.9)?;
-        let plates = if self.plates.is_empty() { self.plate_count as usize } else { self.plates.len() };
+        let plates = if self.plates.is_empty() {
+            self.plate_count as usize
+        } else {
+            self.plates.len()
+        };
         within("plates", plates as f64, 2.0, Self::MAX_PLATES as f64)?;
         if plates * 10 > self.samples as usize {
-            return Err(PlanetError::TooManyPlates { plates, needed: plates * 10, samples: self.samples });
+            return Err(PlanetError::TooManyPlates {
+                plates,
+                needed: plates * 10,
+                samples: self.samples,
+            });
         }
         self.params.validate()?;
         for plate in &self.plates {
             within("plate latitude", plate.centroid.0, -90.0, 90.0)?;
             within("plate longitude", plate.centroid.1, -360.0, 360.0)?;
-            within("plate speed", plate.speed, -self.params.max_speed, self.params.max_speed)?;
+            within(
+                "plate speed",
+                plate.speed,
+                -self.params.max_speed,
+                self.params.max_speed,
+            )?;
             if let Some((lat, lon)) = plate.pole {
                 within("pole latitude", lat, -90.0, 90.0)?;
                 within("pole longitude", lon, -360.0, 360.0)?;

@@ -50,7 +50,9 @@ pub struct Stream {
 impl Stream {
     /// The stream of `purpose` for the thing `id` (a plate, a sample) of the planet `seed`.
     pub fn new(seed: u64, purpose: Purpose, id: u64) -> Self {
-        Self { key: mix(mix(mix(seed) ^ purpose as u64) ^ id) }
+        Self {
+            key: mix(mix(mix(seed) ^ purpose as u64) ^ id),
+        }
     }
 
     /// 64 random bits.

@@ -1,9 +1,9 @@
 //! The schedule of one tectonic step, and the runner that spreads it over frames.
 //!
-//! A step is a walk through the [`Stage`]s. A slice of it ends where its time is up: between two stages, or within a
-//! long one that asks for another slice with [`StepCursor::hold`]. The runner runs [`TectonicStep`] again and again
-//! until the frame's budget is spent, and each run goes on where the last one stopped. Without a budget a single run
-//! is a whole step.
+//! A step is a walk through the [`Stage`]s. A slice of it ends where its time is up: between two
+//! stages, or within a long one that asks for another slice with [`StepCursor::hold`]. The runner
+//! runs [`TectonicStep`] again and again until the frame's budget is spent, and each run goes on
+//! where the last one stopped. Without a budget a single run is a whole step.
 
 use crate::planet::{GeologicClock, Planet};
 use bevy::ecs::schedule::{LogLevel, ScheduleBuildSettings, ScheduleLabel, SingleThreadedExecutor};
@@ -80,7 +80,8 @@ impl Stage {
     }
 }
 
-/// The sets of [`TectonicStep`], all in one chain: `Process(s)` then `After(s)` for every stage in order.
+/// The sets of [`TectonicStep`], all in one chain: `Process(s)` then `After(s)` for every stage in
+/// order.
 ///
 /// A stage that holds runs its `Process` set several times in one step; `After` runs once.
 /// A geological process of your own goes into the `After` set of the stage that it follows.
@@ -124,7 +125,8 @@ impl StepCursor {
 
     /// Whether the present slice should end.
     pub fn out_of_time(&self) -> bool {
-        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
+        self.deadline
+            .is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// Whether the planet stands between two steps: saves and commands are safe.
@@ -145,7 +147,8 @@ impl StepCursor {
 /// Wall-clock time of each stage.
 #[derive(Component, Clone, Debug, Default)]
 pub struct StageTimings {
-    /// Time of each stage in the last step in ms, in the order of [`Stage::ALL`]; slices are summed.
+    /// Time of each stage in the last step in ms, in the order of [`Stage::ALL`]; slices are
+    /// summed.
     pub last_ms: [f64; Stage::COUNT],
     /// Sum over all steps in ms.
     pub total_ms: [f64; Stage::COUNT],
@@ -184,7 +187,10 @@ impl Plugin for TectonicSchedulePlugin {
         let mut schedule = Schedule::new(TectonicStep);
         schedule
             .set_executor(SingleThreadedExecutor::new())
-            .set_build_settings(ScheduleBuildSettings { ambiguity_detection: LogLevel::Error, ..default() });
+            .set_build_settings(ScheduleBuildSettings {
+                ambiguity_detection: LogLevel::Error,
+                ..default()
+            });
         let mut previous = None;
         for position in 0..StepCursor::len() {
             let set = set_at(position);
@@ -206,26 +212,38 @@ struct Leave(usize);
 
 fn set_at(position: usize) -> TectonicSystems {
     let stage = Stage::ALL[position / 2];
-    if position.is_multiple_of(2) { TectonicSystems::Process(stage) } else { TectonicSystems::After(stage) }
+    if position.is_multiple_of(2) {
+        TectonicSystems::Process(stage)
+    } else {
+        TectonicSystems::After(stage)
+    }
 }
 
 fn at(position: usize) -> impl Fn(Res<CurrentPlanet>, Query<&StepCursor>) -> bool + Clone {
     move |current: Res<CurrentPlanet>, cursors: Query<&StepCursor>| {
-        cursors.get(current.0).is_ok_and(|cursor| cursor.position == position && !cursor.held)
+        cursors
+            .get(current.0)
+            .is_ok_and(|cursor| cursor.position == position && !cursor.held)
     }
 }
 
 fn reached(position: usize) -> impl Fn(Res<CurrentPlanet>, Query<&StepCursor>) -> bool + Clone {
     move |current: Res<CurrentPlanet>, cursors: Query<&StepCursor>| {
-        cursors.get(current.0).is_ok_and(|cursor| cursor.position == position)
+        cursors
+            .get(current.0)
+            .is_ok_and(|cursor| cursor.position == position)
     }
 }
 
 /// Moves the cursor on, unless the stage holds.
 fn leave(current: Res<CurrentPlanet>, mut planets: Query<(&mut StepCursor, &mut StageTimings)>) {
-    let Ok((mut cursor, mut timings)) = planets.get_mut(current.0) else { return };
+    let Ok((mut cursor, mut timings)) = planets.get_mut(current.0) else {
+        return;
+    };
     let now = Instant::now();
-    let elapsed = cursor.entered.map_or(Duration::ZERO, |entered| now - entered);
+    let elapsed = cursor
+        .entered
+        .map_or(Duration::ZERO, |entered| now - entered);
     cursor.entered = Some(now);
     cursor.spent += elapsed;
     if cursor.held {
@@ -252,7 +270,8 @@ fn leave(current: Res<CurrentPlanet>, mut planets: Query<(&mut StepCursor, &mut 
     }
 }
 
-/// Runs one slice of a step for `planet`; with no deadline that is one whole step. Returns whether a step ended.
+/// Runs one slice of a step for `planet`; with no deadline that is one whole step. Returns whether
+/// a step ended.
 pub fn run_slice(world: &mut World, planet: Entity, deadline: Option<Instant>) -> bool {
     world.insert_resource(CurrentPlanet(planet));
     if let Some(mut cursor) = world.get_mut::<StepCursor>(planet) {
@@ -263,12 +282,14 @@ pub fn run_slice(world: &mut World, planet: Entity, deadline: Option<Instant>) -
     if world.try_run_schedule(TectonicStep).is_err() {
         return false;
     }
-    let Some(mut cursor) = world.get_mut::<StepCursor>(planet) else { return false };
+    let Some(mut cursor) = world.get_mut::<StepCursor>(planet) else {
+        return false;
+    };
     core::mem::take(&mut cursor.step_done)
 }
 
-/// Runs `count` whole steps, without regard to clocks and budgets: for tools and tests. Nothing happens to what is no
-/// planet, or in a world without [`TectonicSchedulePlugin`].
+/// Runs `count` whole steps, without regard to clocks and budgets: for tools and tests. Nothing
+/// happens to what is no planet, or in a world without [`TectonicSchedulePlugin`].
 pub fn run_steps(world: &mut World, planet: Entity, count: u64) {
     for _ in 0..count {
         if !run_slice(world, planet, None) {
@@ -279,27 +300,45 @@ pub fn run_steps(world: &mut World, planet: Entity, count: u64) {
 
 /// Advances every planet by as many slices as its clock and budget allow.
 fn run_planets(world: &mut World) {
-    let delta = world.get_resource::<Time>().map_or(0.0, |time| time.delta_secs_f64());
-    let mut planets: Vec<Entity> = world.query_filtered::<Entity, With<Planet>>().iter(world).collect();
+    let delta = world
+        .get_resource::<Time>()
+        .map_or(0.0, |time| time.delta_secs_f64());
+    let mut planets: Vec<Entity> = world
+        .query_filtered::<Entity, With<Planet>>()
+        .iter(world)
+        .collect();
     planets.sort();
     for planet in planets {
         run_planet(world, planet, delta);
     }
 }
 
-/// Geological time that a clock owes to the wall clock; a component so that each planet has its own.
+/// Geological time that a clock owes to the wall clock; a component so that each planet has its
+/// own.
 #[derive(Component, Clone, Debug, Default)]
 pub struct TimeDebt(f64);
 
 fn run_planet(world: &mut World, planet: Entity, delta: f64) {
-    let Some(clock) = world.get::<GeologicClock>(planet).cloned() else { return };
-    let step = world.get::<crate::params::TectonicParams>(planet).map_or(2.0, |p| p.time_step);
-    let at_boundary = world.get::<StepCursor>(planet).is_some_and(StepCursor::at_boundary);
-    let Some(mut debt) = world.get_mut::<TimeDebt>(planet) else { return };
+    let Some(clock) = world.get::<GeologicClock>(planet).cloned() else {
+        return;
+    };
+    let step = world
+        .get::<crate::params::TectonicParams>(planet)
+        .map_or(2.0, |p| p.time_step);
+    let at_boundary = world
+        .get::<StepCursor>(planet)
+        .is_some_and(StepCursor::at_boundary);
+    let Some(mut debt) = world.get_mut::<TimeDebt>(planet) else {
+        return;
+    };
     if !clock.paused {
         // A slow machine owes at most two steps: it lags instead of working off a backlog.
         let owed = debt.0 + delta * clock.speed;
-        debt.0 = if owed.is_finite() { owed.clamp(0.0, 2.0 * step) } else { 0.0 };
+        debt.0 = if owed.is_finite() {
+            owed.clamp(0.0, 2.0 * step)
+        } else {
+            0.0
+        };
     }
     let wanted = (!clock.paused && debt.0 >= step) || clock.single_steps > 0;
     if at_boundary && !wanted {

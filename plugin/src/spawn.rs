@@ -9,7 +9,8 @@ use crate::sphere::SphereMesh;
 use bevy::prelude::*;
 use std::sync::Arc;
 
-/// Everything that a planet is made of, before it is in a world: what a recipe or a save file gives.
+/// Everything that a planet is made of, before it is in a world: what a recipe or a save file
+/// gives.
 #[derive(Clone)]
 pub struct PlanetState {
     /// Radius and seed.
@@ -22,8 +23,8 @@ pub struct PlanetState {
     pub frames: Frames,
     /// Plates in order of their numbers: number, motion, time of birth in My.
     pub plates: Vec<(PlateId, PlateMotion, f64)>,
-    /// What each of the plates is made of, as it was found when frames last gained or lost samples: the
-    /// plates' rifting and pull go by it until the next time.
+    /// What each of the plates is made of, as it was found when frames last gained or lost samples:
+    /// the plates' rifting and pull go by it until the next time.
     pub stats: Vec<PlateStats>,
     /// The clock.
     pub clock: GeologicClock,
@@ -57,19 +58,37 @@ impl PlanetState {
     /// As [`PlanetState::new`].
     pub fn on(recipe: &PlanetRecipe, mesh: Arc<SphereMesh>) -> Result<Self, PlanetError> {
         recipe.validate()?;
-        let planet = Planet { radius: recipe.radius, seed: recipe.seed };
+        let planet = Planet {
+            radius: recipe.radius,
+            seed: recipe.seed,
+        };
         let (motions, owner) = crate::plate::partition::initial_plates(recipe, &mesh);
         let mut crust = crate::plate::continents::initial_crust(recipe, &mesh, &owner);
         crust.frame.clone_from(&owner);
-        let plates: Vec<_> =
-            motions.into_iter().enumerate().map(|(i, motion)| (PlateId(i as u32), motion, 0.0)).collect();
-        let frames = Frames(plates.iter().map(|&(id, ..)| crate::crust::Frame::at_rest(id)).collect());
-        let stats = crate::plate::stats::plate_stats(&mesh, &crust, &frames, planet.radius, |_| true);
+        let plates: Vec<_> = motions
+            .into_iter()
+            .enumerate()
+            .map(|(i, motion)| (PlateId(i as u32), motion, 0.0))
+            .collect();
+        let frames = Frames(
+            plates
+                .iter()
+                .map(|&(id, ..)| crate::crust::Frame::at_rest(id))
+                .collect(),
+        );
+        let stats =
+            crate::plate::stats::plate_stats(&mesh, &crust, &frames, planet.radius, |_| true);
         let stats = stats.into_iter().map(|(_, stats)| stats).collect();
         let initial = crate::crust::ledger::measure(&crust, &mesh, planet.radius);
-        let ledger = Ledger { initial, ..default() };
+        let ledger = Ledger {
+            initial,
+            ..default()
+        };
         let fronts = crate::process::front::FrontField::new(mesh.len());
-        let clock = GeologicClock { next_plate: plates.len() as u32, ..default() };
+        let clock = GeologicClock {
+            next_plate: plates.len() as u32,
+            ..default()
+        };
         Ok(Self {
             planet,
             lattice: Lattice(mesh),
@@ -91,10 +110,25 @@ impl PlanetState {
     pub fn spawn(self, world: &mut World) -> Entity {
         let planet = world
             .spawn((
-                (self.planet, self.lattice, self.crust, self.frames, self.clock, self.params),
+                (
+                    self.planet,
+                    self.lattice,
+                    self.crust,
+                    self.frames,
+                    self.clock,
+                    self.params,
+                ),
                 (self.ledger, self.recording, self.polarity, self.fronts),
-                (Inbox::default(), PlanetSurface::default(), crate::resample::SurfaceDemand::default()),
-                (StepCursor::default(), StageTimings::default(), TimeDebt::default()),
+                (
+                    Inbox::default(),
+                    PlanetSurface::default(),
+                    crate::resample::SurfaceDemand::default(),
+                ),
+                (
+                    StepCursor::default(),
+                    StageTimings::default(),
+                    TimeDebt::default(),
+                ),
                 (Name::new("planet"), crate::process::ProcessState::default()),
             ))
             .id();
@@ -104,7 +138,14 @@ impl PlanetState {
         let mut plates = Vec::with_capacity(self.plates.len());
         for (id, motion, born) in self.plates {
             let name = Name::new(format!("plate {}", id.0));
-            let plate = (name, PlateOf(planet), Plate { born }, id, motion, PlateStats::default());
+            let plate = (
+                name,
+                PlateOf(planet),
+                Plate { born },
+                id,
+                motion,
+                PlateStats::default(),
+            );
             plates.push(world.spawn(plate).id());
         }
         crate::resample::refresh(world, planet);

@@ -42,18 +42,34 @@ fn direction(k: u32) -> [i32; 3] {
 }
 
 fn main() {
-    let depth = std::env::args().nth(1).and_then(|a| a.parse().ok()).unwrap_or(7);
+    let depth = std::env::args()
+        .nth(1)
+        .and_then(|a| a.parse().ok())
+        .unwrap_or(7);
     let start = Watch::start();
     let mesh = control_mesh(6_371_000, depth, 1);
-    println!("control mesh: {} vertices, {:.0} ms", mesh.vertices.len(), start.seconds() * 1e3);
+    println!(
+        "control mesh: {} vertices, {:.0} ms",
+        mesh.vertices.len(),
+        start.seconds() * 1e3
+    );
     let start = Watch::start();
     let base = match Base::new(&mesh) {
         Ok(base) => base,
         Err(error) => return println!("{error}"),
     };
-    println!("made ready: {:.0} ms, vertex {} B", start.seconds() * 1e3, size_of_val(&base.vertices[0]));
+    println!(
+        "made ready: {:.0} ms, vertex {} B",
+        start.seconds() * 1e3,
+        size_of_val(&base.vertices[0])
+    );
     let rules = Rules::default();
-    let land: Vec<_> = base.vertices.iter().filter(|v| v.height > 0).map(|v| v.direction).collect();
+    let land: Vec<_> = base
+        .vertices
+        .iter()
+        .filter(|v| v.height > 0)
+        .map(|v| v.direction)
+        .collect();
     let mut local = Local::new(&base, &rules);
     for (name, all_land) in [("anywhere", false), ("on land", true)] {
         let n = 2000;
@@ -82,11 +98,14 @@ fn main() {
         let counts = fresh.demand().counts();
         sums = [0, 1, 2].map(|i| sums[i] + counts[i]);
     }
-    println!("vertices a fresh point needs: {:?} pending, split, settled", sums.map(|s| s as f64 / 100.0));
+    println!(
+        "vertices a fresh point needs: {:?} pending, split, settled",
+        sums.map(|s| s as f64 / 100.0)
+    );
     let (mut cold, mut near) = (0.0, 0.0);
     for k in 0..200 {
-        let centre =
-            land[pcg(k) as usize % land.len()].map(|x| x.wrapping_add((pcg(k) >> 12) as i32 - (1 << 19)));
+        let centre = land[pcg(k) as usize % land.len()]
+            .map(|x| x.wrapping_add((pcg(k) >> 12) as i32 - (1 << 19)));
         let watch = Watch::start();
         local.leaf(centre, 17, None);
         cold += watch.seconds();
@@ -98,7 +117,11 @@ fn main() {
         }
         near += watch.seconds();
     }
-    println!("first at a centre: {:.0} us; then within 100 m of it: {:.2} us", cold * 5e3, near * 10.0);
+    println!(
+        "first at a centre: {:.0} us; then within 100 m of it: {:.2} us",
+        cold * 5e3,
+        near * 10.0
+    );
     let mut walked = 0.0;
     for k in 0..20 {
         let mut at = land[pcg(k + 70) as usize % land.len()];
@@ -120,12 +143,17 @@ fn main() {
         let carved = carve_all(&ground.planet, &ground.vertices);
         let time = start.seconds() * 1e3;
         let finest = ground.levels.last().map_or(0, |l| l.faces.len());
-        println!("patch: {} finest faces, {} vertices, {time:.1} ms", finest, carved.len());
+        println!(
+            "patch: {} finest faces, {} vertices, {time:.1} ms",
+            finest,
+            carved.len()
+        );
     }
     for (altitude, sharpness) in [(2, 18), (1000, 24), (100_000, 32), (1_000_000, 48)] {
         let centre = land[pcg(9) as usize % land.len()];
         let height = local.leaf(centre, 17, None).carved[0].ground;
-        let horizon = ((2.0 * 6_371_000.0 * (f64::from(altitude) + 9000.0)).sqrt() * 16.0).min(2e9) as i32;
+        let horizon =
+            ((2.0 * 6_371_000.0 * (f64::from(altitude) + 9000.0)).sqrt() * 16.0).min(2e9) as i32;
         let view = View {
             direction: centre,
             altitude: Some(height + altitude * GRAINS),

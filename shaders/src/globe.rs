@@ -3,13 +3,15 @@
 /// A source of WGSL with the path it is known by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
-    /// Path for error messages, and the import path with `::` for `/` where the source is a library.
+    /// Path for error messages, and the import path with `::` for `/` where the source is a
+    /// library.
     pub path: &'static str,
     /// The text.
     pub wgsl: &'static str,
 }
 
-/// Library `pangaea_shaders::globe::sample`: unpacking of samples, tangent basis, displacement and normal.
+/// Library `pangaea_shaders::globe::sample`: unpacking of samples, tangent basis, displacement and
+/// normal.
 pub const SAMPLE: &str = include_str!("globe/sample.wgsl");
 
 /// Library `pangaea_shaders::globe::light`: sun, twilight, gloss of the sea, air, highlights.
@@ -18,7 +20,8 @@ pub const LIGHT: &str = include_str!("globe/light.wgsl");
 /// Library `pangaea_shaders::globe::coast`: noise that makes coasts ragged between the samples.
 pub const COAST: &str = include_str!("globe/coast.wgsl");
 
-/// Pass: ground and sea, displaced and lit; with the definition `WIREFRAME` triangle edges in one colour.
+/// Pass: ground and sea, displaced and lit; with the definition `WIREFRAME` triangle edges in one
+/// colour.
 pub const SURFACE: &str = include_str!("globe/surface.wgsl");
 
 /// Pass: the shell of air around the globe, blended premultiplied.
@@ -29,14 +32,32 @@ pub const LINE: &str = include_str!("globe/line.wgsl");
 
 /// Libraries, in the order in which they may be composed.
 pub const LIBRARIES: [Source; 3] = [
-    Source { path: "pangaea_shaders/globe/sample.wgsl", wgsl: SAMPLE },
-    Source { path: "pangaea_shaders/globe/light.wgsl", wgsl: LIGHT },
-    Source { path: "pangaea_shaders/globe/coast.wgsl", wgsl: COAST },
+    Source {
+        path: "pangaea_shaders/globe/sample.wgsl",
+        wgsl: SAMPLE,
+    },
+    Source {
+        path: "pangaea_shaders/globe/light.wgsl",
+        wgsl: LIGHT,
+    },
+    Source {
+        path: "pangaea_shaders/globe/coast.wgsl",
+        wgsl: COAST,
+    },
 ];
 
 /// Passes.
 pub const PASSES: [Source; 3] = [
-    Source { path: "pangaea_shaders/globe/surface.wgsl", wgsl: SURFACE },
-    Source { path: "pangaea_shaders/globe/atmosphere.wgsl", wgsl: ATMOSPHERE },
-    Source { path: "pangaea_shaders/globe/line.wgsl", wgsl: LINE },
+    Source {
+        path: "pangaea_shaders/globe/surface.wgsl",
+        wgsl: SURFACE,
+    },
+    Source {
+        path: "pangaea_shaders/globe/atmosphere.wgsl",
+        wgsl: ATMOSPHERE,
+    },
+    Source {
+        path: "pangaea_shaders/globe/line.wgsl",
+        wgsl: LINE,
+    },
 ];

@@ -1,7 +1,7 @@
 //! Digests as committed: the same bits on every machine, build profile and thread count.
 //!
-//! A line for every stage, so that the first line that differs names the stage that changed. After an intended
-//! change `PANGAEA_BLESS=1` writes the file anew.
+//! A line for every stage, so that the first line that differs names the stage that changed. After
+//! an intended change `PANGAEA_BLESS=1` writes the file anew.
 
 use super::lively;
 use bevy::prelude::*;
@@ -15,7 +15,8 @@ use pangaea_tests::world::{digest, get, planet_app, steps};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
-/// Steps after each stage of which there is a line: the first, one in the middle, and one that resamples.
+/// Steps after each stage of which there is a line: the first, one in the middle, and one that
+/// resamples.
 const STEPS: [u64; 3] = [0, 6, 19];
 
 fn mesh_hash(samples: u32) -> String {
@@ -48,8 +49,15 @@ fn hash(snapshot: &Snapshot) -> String {
     let mut hasher = blake3::Hasher::new();
     let crust = &snapshot.crust;
     for i in 0..crust.len() {
-        let numbers = [crust.thickness[i], crust.elevation[i], crust.ocean_age[i], crust.orogeny_age[i]];
-        let vectors = [crust.ridge[i], crust.fold[i]].into_iter().flat_map(|v| v.to_array());
+        let numbers = [
+            crust.thickness[i],
+            crust.elevation[i],
+            crust.ocean_age[i],
+            crust.orogeny_age[i],
+        ];
+        let vectors = [crust.ridge[i], crust.fold[i]]
+            .into_iter()
+            .flat_map(|v| v.to_array());
         for x in numbers.into_iter().chain(vectors) {
             hasher.update(&x.to_bits().to_le_bytes());
         }
@@ -62,7 +70,16 @@ fn hash(snapshot: &Snapshot) -> String {
     }
     for (id, motion, born) in &snapshot.plates {
         hasher.update(&id.0.to_le_bytes());
-        floats(&mut hasher, &[motion.axis.x, motion.axis.y, motion.axis.z, motion.speed, *born]);
+        floats(
+            &mut hasher,
+            &[
+                motion.axis.x,
+                motion.axis.y,
+                motion.axis.z,
+                motion.speed,
+                *born,
+            ],
+        );
     }
     for segment in &snapshot.polarity.0 {
         hasher.update(format!("{segment:?}").as_bytes());
@@ -81,7 +98,12 @@ fn stages() -> Vec<String> {
     let log = Arc::clone(&seen);
     probe(&mut app, move |change| {
         if STEPS.contains(&change.step) && !matches!(change.stage, Stage::Commit | Stage::Surface) {
-            let line = format!("step {}, {}: {}", change.step, change.stage.name(), hash(&change.after));
+            let line = format!(
+                "step {}, {}: {}",
+                change.step,
+                change.stage.name(),
+                hash(&change.after)
+            );
             log.lock().unwrap().push(line);
         }
     });
@@ -101,7 +123,10 @@ const SPACING: f64 = 0.03;
 fn ground(app: &mut App, planet: Entity) -> Vec<String> {
     let digest_before = digest(app, planet);
     bevy_pangaea::resample::project_now(app.world_mut(), planet);
-    app.world_mut().entity_mut(planet).insert(BakeSettings { spacing: SPACING, ..default() });
+    app.world_mut().entity_mut(planet).insert(BakeSettings {
+        spacing: SPACING,
+        ..default()
+    });
     bake_now(app.world_mut(), planet).unwrap();
     assert_eq!(digest(app, planet), digest_before, "a bake changes nothing");
     let bake = get::<PlanetBake>(app, planet);
@@ -121,7 +146,12 @@ fn ground(app: &mut App, planet: Entity) -> Vec<String> {
         }
     };
     vec![
-        line("base mesh", &|hasher| bake.mesh().points().iter().for_each(|p| floats(hasher, &p.to_array()))),
+        line("base mesh", &|hasher| {
+            bake.mesh()
+                .points()
+                .iter()
+                .for_each(|p| floats(hasher, &p.to_array()))
+        }),
         line("rain", &|hasher| singles(hasher, &bake.climate.rain)),
         line("discharge", &|hasher| {
             for x in &bake.drainage.discharge {
@@ -144,10 +174,16 @@ fn digests_are_as_committed() {
         std::fs::write(&path, found.join("\n") + "\n").unwrap();
         return;
     }
-    let text = std::fs::read_to_string(&path).expect("golden/planet.txt; PANGAEA_BLESS=1 writes it");
+    let text =
+        std::fs::read_to_string(&path).expect("golden/planet.txt; PANGAEA_BLESS=1 writes it");
     let wanted: Vec<&str> = text.lines().collect();
     for (wanted, found) in wanted.iter().zip(&found) {
-        assert_eq!(wanted, found, "the first stage that differs from {}", path.display());
+        assert_eq!(
+            wanted,
+            found,
+            "the first stage that differs from {}",
+            path.display()
+        );
     }
     assert_eq!(wanted.len(), found.len());
 }

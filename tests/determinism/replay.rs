@@ -8,20 +8,92 @@ use pangaea_tests::world::{command, digest, get, heard, listen, planet_app, step
 
 /// What a user does, and before which step; two commands are refused.
 fn session() -> Vec<(u64, TectonicCommand)> {
-    let disc = PaintTarget::Disc { center: (20.0, 40.0), radius: 1500.0 };
+    let disc = PaintTarget::Disc {
+        center: (20.0, 40.0),
+        radius: 1500.0,
+    };
     vec![
-        (0, TectonicCommand::SetPlateMotion { plate: PlateId(1), pole: (40.0, -70.0), speed: -85.5 }),
-        (2, TectonicCommand::PaintCrust { target: disc, brush: Brush::Kind(CrustKind::Continental) }),
-        (2, TectonicCommand::PaintCrust { target: disc, brush: Brush::Raise(1.25) }),
-        (5, TectonicCommand::RiftPlate { plate: PlateId(0), line: Vec::new(), fragments: 2 }),
-        (5, TectonicCommand::SetPlateMotion { plate: PlateId(999), pole: (0.0, 0.0), speed: 1.0 }),
-        (6, TectonicCommand::SetParam { name: "uplift".into(), value: 1.1 }),
+        (
+            0,
+            TectonicCommand::SetPlateMotion {
+                plate: PlateId(1),
+                pole: (40.0, -70.0),
+                speed: -85.5,
+            },
+        ),
+        (
+            2,
+            TectonicCommand::PaintCrust {
+                target: disc,
+                brush: Brush::Kind(CrustKind::Continental),
+            },
+        ),
+        (
+            2,
+            TectonicCommand::PaintCrust {
+                target: disc,
+                brush: Brush::Raise(1.25),
+            },
+        ),
+        (
+            5,
+            TectonicCommand::RiftPlate {
+                plate: PlateId(0),
+                line: Vec::new(),
+                fragments: 2,
+            },
+        ),
+        (
+            5,
+            TectonicCommand::SetPlateMotion {
+                plate: PlateId(999),
+                pole: (0.0, 0.0),
+                speed: 1.0,
+            },
+        ),
+        (
+            6,
+            TectonicCommand::SetParam {
+                name: "uplift".into(),
+                value: 1.1,
+            },
+        ),
         (8, TectonicCommand::Resample),
-        (9, TectonicCommand::SetPlateCrust { plate: PlateId(5), kind: CrustKind::Oceanic }),
-        (9, TectonicCommand::SetProcess { name: "erosion".into(), on: false }),
-        (14, TectonicCommand::SetParam { name: "erosion".into(), value: f64::NAN }),
-        (15, TectonicCommand::PaintCrust { target: PaintTarget::Everywhere, brush: Brush::Raise(-0.1) }),
-        (17, TectonicCommand::SetProcess { name: "erosion".into(), on: true }),
+        (
+            9,
+            TectonicCommand::SetPlateCrust {
+                plate: PlateId(5),
+                kind: CrustKind::Oceanic,
+            },
+        ),
+        (
+            9,
+            TectonicCommand::SetProcess {
+                name: "erosion".into(),
+                on: false,
+            },
+        ),
+        (
+            14,
+            TectonicCommand::SetParam {
+                name: "erosion".into(),
+                value: f64::NAN,
+            },
+        ),
+        (
+            15,
+            TectonicCommand::PaintCrust {
+                target: PaintTarget::Everywhere,
+                brush: Brush::Raise(-0.1),
+            },
+        ),
+        (
+            17,
+            TectonicCommand::SetProcess {
+                name: "erosion".into(),
+                on: true,
+            },
+        ),
     ]
 }
 
@@ -44,7 +116,10 @@ fn a_recording_replays_to_the_same_digest() {
     let recording = get::<Recording>(&app, planet).clone();
     assert_eq!(recording.0.len(), session().len() - 2);
     let (mut again, replayed) = planet_app(&recipe);
-    again.world_mut().entity_mut(replayed).insert(Scenario::from(recording));
+    again
+        .world_mut()
+        .entity_mut(replayed)
+        .insert(Scenario::from(recording));
     steps(&mut again, replayed, STEPS);
     assert_eq!(digest(&app, planet), digest(&again, replayed));
 }
@@ -57,17 +132,31 @@ fn a_scenario_file_plays_like_a_user() {
     command(
         &mut app,
         planet,
-        TectonicCommand::SetPlateMotion { plate: PlateId(2), pole: (60.0, -30.0), speed: 80.0 },
+        TectonicCommand::SetPlateMotion {
+            plate: PlateId(2),
+            pole: (60.0, -30.0),
+            speed: 80.0,
+        },
     );
     steps(&mut app, planet, 4);
-    command(&mut app, planet, TectonicCommand::SetParam { name: "erosion".into(), value: 0.1 });
+    command(
+        &mut app,
+        planet,
+        TectonicCommand::SetParam {
+            name: "erosion".into(),
+            value: 0.1,
+        },
+    );
     steps(&mut app, planet, 5);
     let text = "[
         (step: 7, command: SetParam(name: \"erosion\", value: 0.1)),
         (step: 3, command: SetPlateMotion(plate: 2, pole: (60, -30), speed: 80)),
     ]";
     let (mut other, played) = planet_app(&recipe);
-    other.world_mut().entity_mut(played).insert(parse_scenario(text).unwrap());
+    other
+        .world_mut()
+        .entity_mut(played)
+        .insert(parse_scenario(text).unwrap());
     steps(&mut other, played, 12);
     assert_eq!(digest(&app, planet), digest(&other, played));
 }
@@ -76,8 +165,13 @@ fn a_scenario_file_plays_like_a_user() {
 fn late_commands_of_a_scenario_are_not_lost() {
     let (mut app, planet) = planet_app(&lively(8, 1000));
     steps(&mut app, planet, 5);
-    let timed = TimedCommand { step: 2, command: TectonicCommand::Resample };
-    app.world_mut().entity_mut(planet).insert(Scenario(vec![timed]));
+    let timed = TimedCommand {
+        step: 2,
+        command: TectonicCommand::Resample,
+    };
+    app.world_mut()
+        .entity_mut(planet)
+        .insert(Scenario(vec![timed]));
     listen::<CrustResampled>(&mut app);
     steps(&mut app, planet, 1);
     assert_eq!(heard::<CrustResampled>(&app).len(), 1);

@@ -22,7 +22,10 @@ fn every_step_of_a_lively_planet_can_be_saved_and_continued() {
         steps(&mut app, planet, 1);
     }
     let (collisions, rifts, resamples) = happened(&app);
-    assert!(collisions > 0 && rifts > 0 && resamples > 1, "{collisions} {rifts} {resamples}");
+    assert!(
+        collisions > 0 && rifts > 0 && resamples > 1,
+        "{collisions} {rifts} {resamples}"
+    );
     let end = digest(&app, planet);
     for (step, bytes, (collisions, rifts, resamples)) in saves {
         let loaded = read_from(&bytes).unwrap();
@@ -45,7 +48,11 @@ fn every_step_of_a_lively_planet_can_be_saved_and_continued() {
 }
 
 fn happened(app: &bevy::prelude::App) -> (usize, usize, usize) {
-    (heard::<TerraneCollided>(app).len(), heard::<PlateRifted>(app).len(), heard::<CrustResampled>(app).len())
+    (
+        heard::<TerraneCollided>(app).len(),
+        heard::<PlateRifted>(app).len(),
+        heard::<CrustResampled>(app).len(),
+    )
 }
 
 #[test]
@@ -55,11 +62,22 @@ fn a_file_holds_all_state_and_replaces_an_older_one() {
     let (mut app, planet) = planet_app(&lively(5, 2000));
     save(&state(&app, planet), &path).unwrap();
     let old = std::fs::read(&path).unwrap();
-    command(&mut app, planet, TectonicCommand::SetParam { name: "erosion".into(), value: 0.1 });
+    command(
+        &mut app,
+        planet,
+        TectonicCommand::SetParam {
+            name: "erosion".into(),
+            value: 0.1,
+        },
+    );
     steps(&mut app, planet, 7);
     save(&state(&app, planet), &path).unwrap();
     assert!(old != std::fs::read(&path).unwrap());
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "no part file stays behind");
+    assert_eq!(
+        std::fs::read_dir(folder.path()).unwrap().count(),
+        1,
+        "no part file stays behind"
+    );
     let loaded = load(&path).unwrap();
     assert_eq!(loaded.recording.0.len(), 1);
     assert_eq!(loaded.params.erosion, 0.1);
@@ -101,14 +119,25 @@ fn equal_planets_give_equal_bytes_and_digests_see_every_column() {
 fn commands_that_are_still_to_come_are_saved() {
     let tear = |step, plate| TimedCommand {
         step,
-        command: TectonicCommand::RiftPlate { plate: PlateId(plate), line: Vec::new(), fragments: 2 },
+        command: TectonicCommand::RiftPlate {
+            plate: PlateId(plate),
+            line: Vec::new(),
+            fragments: 2,
+        },
     };
     let start = || {
         let (mut app, planet) = planet_app(&lively(8, 3000));
         let scenario = Scenario(vec![tear(9, 3), tear(2, 1), tear(6, 5)]);
         app.world_mut().entity_mut(planet).insert(scenario);
         steps(&mut app, planet, 5);
-        command(&mut app, planet, TectonicCommand::SetParam { name: "erosion".into(), value: 0.2 });
+        command(
+            &mut app,
+            planet,
+            TectonicCommand::SetParam {
+                name: "erosion".into(),
+                value: 0.2,
+            },
+        );
         (app, planet)
     };
     let (mut app, planet) = start();
@@ -118,6 +147,9 @@ fn commands_that_are_still_to_come_are_saved() {
     let (mut again, loaded) = spawn(read_from(&bytes).unwrap());
     steps(&mut again, loaded, 10);
     assert_eq!(digest(&again, loaded), digest(&app, planet));
-    assert_eq!(state(&again, loaded).recording.0.len(), state(&app, planet).recording.0.len());
+    assert_eq!(
+        state(&again, loaded).recording.0.len(),
+        state(&app, planet).recording.0.len()
+    );
     assert!(state(&again, loaded).pending.0.is_empty());
 }

@@ -5,11 +5,12 @@ use flate2::read::GzDecoder;
 use std::io::Read;
 use std::path::PathBuf;
 
-/// Rows and columns of the file: cell centres, latitude from -89.83, longitude from 20.17, one column twice.
+/// Rows and columns of the file: cell centres, latitude from -89.83, longitude from 20.17, one
+/// column twice.
 const SIZE: (usize, usize) = (540, 1081);
 
-/// Elevation of the Earth in km, or none where the file is missing, which is said on stderr. The folder is
-/// `PANGAEA_DATA`, or `../shared/data` beside the workspace.
+/// Elevation of the Earth in km, or none where the file is missing, which is said on stderr. The
+/// folder is `PANGAEA_DATA`, or `../shared/data` beside the workspace.
 pub fn earth() -> Option<EquirectMap> {
     let beside = || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data");
     let folder = std::env::var_os("PANGAEA_DATA").map_or_else(beside, PathBuf::from);
@@ -19,8 +20,13 @@ pub fn earth() -> Option<EquirectMap> {
         return None;
     };
     let mut text = String::new();
-    GzDecoder::new(file).read_to_string(&mut text).expect("the relief is gzipped text");
-    let metres: Vec<f32> = text.split_ascii_whitespace().map(|x| x.parse().expect("a number")).collect();
+    GzDecoder::new(file)
+        .read_to_string(&mut text)
+        .expect("the relief is gzipped text");
+    let metres: Vec<f32> = text
+        .split_ascii_whitespace()
+        .map(|x| x.parse().expect("a number"))
+        .collect();
     assert_eq!(metres.len(), SIZE.0 * SIZE.1);
     let height = |lat: f64, lon: f64| {
         let row = ((lat + 90.0) * 3.0 - 0.5).round() as usize;

@@ -1,5 +1,5 @@
-//! What the tests of Pangaea share: planets without a window, hand-made crust, and measurements that do not
-//! use the code under test.
+//! What the tests of Pangaea share: planets without a window, hand-made crust, and measurements
+//! that do not use the code under test.
 //!
 //! ```text
 //! world      apps, steps, digests, commands, snapshots of the state

@@ -22,12 +22,21 @@ pub fn continents(crust: &Crust, mesh: &SphereMesh, radius: f64) -> (f64, f64) {
 
 /// Share of the sphere where `belongs`.
 pub fn share(mesh: &SphereMesh, belongs: impl Fn(usize) -> bool) -> f64 {
-    let area: f64 = (0..mesh.len()).filter(|&i| belongs(i)).map(|i| mesh.area(i as u32)).sum();
+    let area: f64 = (0..mesh.len())
+        .filter(|&i| belongs(i))
+        .map(|i| mesh.area(i as u32))
+        .sum();
     area / (4.0 * core::f64::consts::PI)
 }
 
 /// Share of the sphere per bin of `width` km of elevation, from `low` km on.
-pub fn hypsometry(mesh: &SphereMesh, surface: &Surface, low: f64, width: f64, bins: usize) -> Vec<f64> {
+pub fn hypsometry(
+    mesh: &SphereMesh,
+    surface: &Surface,
+    low: f64,
+    width: f64,
+    bins: usize,
+) -> Vec<f64> {
     let mut shares = vec![0.0; bins];
     for i in 0..mesh.len() {
         let bin = ((f64::from(surface.elevation(i)) - low) / width).max(0.0) as usize;
@@ -71,7 +80,9 @@ impl<'a> Coverage<'a> {
 
     /// Whether continental crust of the plate covers `p`.
     pub fn continent(&self, plate: PlateId, p: DVec3) -> bool {
-        self.at(p).iter().any(|&(id, i)| id == plate && self.crust.is_continental(i as usize))
+        self.at(p)
+            .iter()
+            .any(|&(id, i)| id == plate && self.crust.is_continental(i as usize))
     }
 }
 

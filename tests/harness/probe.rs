@@ -49,7 +49,10 @@ struct Probe {
 
 /// Calls `look` after every stage of every step from now on.
 pub fn probe(app: &mut App, look: impl FnMut(&Change) + Send + Sync + 'static) {
-    app.insert_resource(Probe { last: None, look: Box::new(look) });
+    app.insert_resource(Probe {
+        last: None,
+        look: Box::new(look),
+    });
     for stage in Stage::ALL {
         let after = move |world: &mut World| visit(world, stage);
         app.add_systems(TectonicStep, after.in_set(TectonicSystems::After(stage)));
@@ -62,7 +65,12 @@ fn visit(world: &mut World, stage: Stage) {
     world.resource_scope(|_, mut probe: Mut<Probe>| {
         if let Some(before) = probe.last.take() {
             let step = before.clock.step;
-            (probe.look)(&Change { stage, step, before, after: after.clone() });
+            (probe.look)(&Change {
+                stage,
+                step,
+                before,
+                after: after.clone(),
+            });
         }
         probe.last = Some(after);
     });
@@ -80,7 +88,11 @@ pub fn snapshot(world: &World, planet: Entity) -> Snapshot {
         continents: continents(&crust, mesh, radius),
         crust,
         frames: planet_ref.get::<Frames>().expect(get).clone(),
-        plates: table.rows().iter().map(|row| (row.id, row.motion, row.born)).collect(),
+        plates: table
+            .rows()
+            .iter()
+            .map(|row| (row.id, row.motion, row.born))
+            .collect(),
         polarity: planet_ref.get::<PolarityMemory>().expect(get).clone(),
         ledger: planet_ref.get::<Ledger>().expect(get).clone(),
         clock: planet_ref.get::<GeologicClock>().expect(get).clone(),
@@ -93,8 +105,14 @@ impl Change {
         let (old, new) = (self.before.ledger.expected(), self.after.ledger.expected());
         let (was, is) = (self.before.continents, self.after.continents);
         (
-            Amount { area: new.area - old.area, volume: new.volume - old.volume },
-            Amount { area: is.0 - was.0, volume: is.1 - was.1 },
+            Amount {
+                area: new.area - old.area,
+                volume: new.volume - old.volume,
+            },
+            Amount {
+                area: is.0 - was.0,
+                volume: is.1 - was.1,
+            },
         )
     }
 
@@ -118,6 +136,10 @@ impl Change {
             ("ledger", a.ledger != b.ledger),
             ("clock", a.clock != b.clock),
         ];
-        checks.iter().filter(|(_, changed)| *changed).map(|(name, _)| *name).collect()
+        checks
+            .iter()
+            .filter(|(_, changed)| *changed)
+            .map(|(name, _)| *name)
+            .collect()
     }
 }

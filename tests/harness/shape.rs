@@ -9,16 +9,29 @@ use bevy_pangaea::spawn::PlanetState;
 
 /// A small random planet, as users make them.
 pub fn small(seed: u64, samples: u32) -> PlanetRecipe {
-    PlanetRecipe { seed, samples, ..PlanetRecipe::default() }
+    PlanetRecipe {
+        seed,
+        samples,
+        ..PlanetRecipe::default()
+    }
 }
 
-/// A recipe of given plates, with straight borders, without land, on which nothing happens by chance. A plate is the latitude
-/// and longitude of its centroid and of its pole in degrees, and its speed in km/My.
+/// A recipe of given plates, with straight borders, without land, on which nothing happens by
+/// chance. A plate is the latitude and longitude of its centroid and of its pole in degrees, and
+/// its speed in km/My.
 pub fn given(samples: u32, plates: &[((f64, f64), (f64, f64), f64)]) -> PlanetRecipe {
-    let mut recipe = PlanetRecipe { samples, land: 0.0, ..PlanetRecipe::default() };
+    let mut recipe = PlanetRecipe {
+        samples,
+        land: 0.0,
+        ..PlanetRecipe::default()
+    };
     recipe.plates = plates
         .iter()
-        .map(|&(centroid, pole, speed)| PlateRecipe { centroid, pole: Some(pole), speed })
+        .map(|&(centroid, pole, speed)| PlateRecipe {
+            centroid,
+            pole: Some(pole),
+            speed,
+        })
         .collect();
     recipe.params.border_warp = 0.0;
     recipe.params.processes.rifting = false;
@@ -26,16 +39,32 @@ pub fn given(samples: u32, plates: &[((f64, f64), (f64, f64), f64)]) -> PlanetRe
     recipe
 }
 
-/// Two hemispheres that meet at the meridians 0 and 180. Plate 0 lies in the west, plate 1 in the east; both turn about the
-/// north pole at the given speeds in km/My, eastward where positive.
+/// Two hemispheres that meet at the meridians 0 and 180. Plate 0 lies in the west, plate 1 in the
+/// east; both turn about the north pole at the given speeds in km/My, eastward where positive.
 pub fn hemispheres(samples: u32, west: f64, east: f64) -> PlanetRecipe {
-    given(samples, &[((0.0, -90.0), (90.0, 0.0), west), ((0.0, 90.0), (90.0, 0.0), east)])
+    given(
+        samples,
+        &[
+            ((0.0, -90.0), (90.0, 0.0), west),
+            ((0.0, 90.0), (90.0, 0.0), east),
+        ],
+    )
 }
 
 /// Six plates at rest, the faces of a cube; plate 0 is around latitude 0, longitude 0.
 pub fn cube(samples: u32) -> PlanetRecipe {
-    let centroids = [(0.0, 0.0), (0.0, 90.0), (0.0, 180.0), (0.0, -90.0), (90.0, 0.0), (-90.0, 0.0)];
-    given(samples, &centroids.map(|centroid| (centroid, (90.0, 0.0), 0.0)))
+    let centroids = [
+        (0.0, 0.0),
+        (0.0, 90.0),
+        (0.0, 180.0),
+        (0.0, -90.0),
+        (90.0, 0.0),
+        (-90.0, 0.0),
+    ];
+    given(
+        samples,
+        &centroids.map(|centroid| (centroid, (90.0, 0.0), 0.0)),
+    )
 }
 
 /// Crust at one place of a hand-made planet.
@@ -55,16 +84,20 @@ pub fn shaped(recipe: &PlanetRecipe, floor: impl Fn(u32, f64, f64) -> Floor) -> 
     for i in 0..crust.len() {
         let (lat, lon) = lat_lon(state.lattice.0.points()[i]);
         let plate = state.frames.plate(crust.frame[i]).0;
-        (crust.kind[i], crust.elevation[i], crust.thickness[i], crust.ocean_age[i]) =
-            match floor(plate, lat, lon) {
-                Floor::Land(z) => (CrustKind::Continental, z, law.thickness(z), 0.0),
-                Floor::Ocean(age) => (
-                    CrustKind::Oceanic,
-                    recipe.params.abyss_elevation as f32,
-                    recipe.params.ocean_thickness as f32,
-                    age,
-                ),
-            };
+        (
+            crust.kind[i],
+            crust.elevation[i],
+            crust.thickness[i],
+            crust.ocean_age[i],
+        ) = match floor(plate, lat, lon) {
+            Floor::Land(z) => (CrustKind::Continental, z, law.thickness(z), 0.0),
+            Floor::Ocean(age) => (
+                CrustKind::Oceanic,
+                recipe.params.abyss_elevation as f32,
+                recipe.params.ocean_thickness as f32,
+                age,
+            ),
+        };
         crust.orogeny[i] = Orogeny::None;
     }
     state.ledger.initial = measure(crust, &state.lattice.0, recipe.radius);

@@ -47,7 +47,11 @@ pub fn digest(app: &App, planet: Entity) -> String {
 
 /// Puts a command into the planet's inbox.
 pub fn command(app: &mut App, planet: Entity, command: TectonicCommand) {
-    app.world_mut().get_mut::<Inbox>(planet).expect("an inbox").0.push(command);
+    app.world_mut()
+        .get_mut::<Inbox>(planet)
+        .expect("an inbox")
+        .0
+        .push(command);
 }
 
 /// Carries out one command now. Returns whether it was accepted.
@@ -66,12 +70,18 @@ pub fn plates(app: &App, planet: Entity) -> PlateTable {
 /// The surface as it is now.
 pub fn surface(app: &mut App, planet: Entity) -> Arc<Surface> {
     bevy_pangaea::resample::project_now(app.world_mut(), planet);
-    app.world().get::<PlanetSurface>(planet).expect("a surface").0.clone()
+    app.world()
+        .get::<PlanetSurface>(planet)
+        .expect("a surface")
+        .0
+        .clone()
 }
 
 /// A component of the planet.
 pub fn get<C: Component>(app: &App, planet: Entity) -> &C {
-    app.world().get::<C>(planet).expect("a component of every planet")
+    app.world()
+        .get::<C>(planet)
+        .expect("a component of every planet")
 }
 
 /// The parameters, to be changed.
@@ -94,7 +104,9 @@ pub fn listen<E: EntityEvent + Clone>(app: &mut App) {
 
 /// The events logged so far; none where nobody listens.
 pub fn heard<E: Clone + Send + Sync + 'static>(app: &App) -> Vec<E> {
-    app.world().get_resource::<Log<E>>().map_or_else(Vec::new, |log| log.0.clone())
+    app.world()
+        .get_resource::<Log<E>>()
+        .map_or_else(Vec::new, |log| log.0.clone())
 }
 
 fn count<E: EntityEvent + Clone>(app: &mut App) -> usize {

@@ -14,14 +14,20 @@ use pangaea_tests::world::{get, planet_app, plates, spawn, steps, surface};
 /// Two oceans of given ages that close at the meridian 0.
 fn closing_oceans(west: f32, east: f32) -> (App, Entity) {
     let recipe = hemispheres(8000, 40.0, -40.0);
-    spawn(shaped(&recipe, move |plate, _, _| Floor::Ocean(if plate == 0 { west } else { east })))
+    spawn(shaped(&recipe, move |plate, _, _| {
+        Floor::Ocean(if plate == 0 { west } else { east })
+    }))
 }
 
 /// An Andean margin: the ocean of plate 0 moves towards the continent along the rim of plate 1.
 fn andean_margin(samples: u32) -> (App, Entity) {
     let recipe = hemispheres(samples, 80.0, 0.0);
     spawn(shaped(&recipe, |plate, lat, lon| {
-        if plate == 1 && lat.abs() < 45.0 && lon < 60.0 { Floor::Land(0.4) } else { Floor::Ocean(60.0) }
+        if plate == 1 && lat.abs() < 45.0 && lon < 60.0 {
+            Floor::Land(0.4)
+        } else {
+            Floor::Ocean(60.0)
+        }
     }))
 }
 
@@ -95,9 +101,15 @@ fn polarity_does_not_flicker() {
         steps(&mut app, planet, 1);
         let now = get::<PolarityMemory>(&app, planet).clone();
         for segment in &last.0 {
-            let same = now.0.iter().find(|s| (s.pair, s.bin) == (segment.pair, segment.bin));
+            let same = now
+                .0
+                .iter()
+                .find(|s| (s.pair, s.bin) == (segment.pair, segment.bin));
             if same.is_some_and(|same| same.first_under != segment.first_under) {
-                flips.entry((segment.pair, segment.bin)).or_default().push(step);
+                flips
+                    .entry((segment.pair, segment.bin))
+                    .or_default()
+                    .push(step);
             }
         }
         segments = now.0.len();
@@ -105,9 +117,16 @@ fn polarity_does_not_flicker() {
     }
     assert!(segments > 50);
     // A segment may turn over when other floor arrives, but not back and forth from step to step.
-    let hasty = flips.values().filter(|steps| steps.windows(2).any(|w| w[1] - w[0] < 5)).count();
+    let hasty = flips
+        .values()
+        .filter(|steps| steps.windows(2).any(|w| w[1] - w[0] < 5))
+        .count();
     assert_eq!(hasty, 0, "of {segments} segments: {flips:?}");
-    assert!(flips.len() * 10 < segments, "{} of {segments} segments turned over", flips.len());
+    assert!(
+        flips.len() * 10 < segments,
+        "{} of {segments} segments turned over",
+        flips.len()
+    );
 }
 
 #[test]
@@ -134,14 +153,26 @@ fn mountains_rise_beside_the_trench() {
         }
         if surface.crust.orogeny[i] != Orogeny::None {
             assert_eq!(surface.crust.orogeny[i], Orogeny::Andean);
-            assert!(km < params.uplift_end() + 200.0, "an Andean belt {km} km from the front");
+            assert!(
+                km < params.uplift_end() + 200.0,
+                "an Andean belt {km} km from the front"
+            );
             let fold = surface.crust.fold[i];
             assert!(fold.length() > 0.01 && fold.dot(mesh.points()[i].as_vec3()).abs() < 1e-3);
         }
     }
-    assert!(highest.0 > 0.6 && highest.1 > 100.0 && highest.1 < 700.0, "highest {highest:?}");
-    assert!(deepest.0 < -8.5 && deepest.1 < 100.0 && deepest.1 > -450.0, "deepest {deepest:?}");
-    let unbent = get::<Crust>(&app, planet).elevation.iter().fold(0.0_f32, |a, &b| a.min(b));
+    assert!(
+        highest.0 > 0.6 && highest.1 > 100.0 && highest.1 < 700.0,
+        "highest {highest:?}"
+    );
+    assert!(
+        deepest.0 < -8.5 && deepest.1 < 100.0 && deepest.1 > -450.0,
+        "deepest {deepest:?}"
+    );
+    let unbent = get::<Crust>(&app, planet)
+        .elevation
+        .iter()
+        .fold(0.0_f32, |a, &b| a.min(b));
     assert!(unbent > -6.5, "the trench is no state: {unbent}");
 }
 
@@ -149,18 +180,23 @@ fn mountains_rise_beside_the_trench() {
 fn uplift_grows_with_the_speed_and_is_none_at_rest() {
     let rise = |speed: f64| {
         let mut recipe = hemispheres(5000, speed, 0.0);
-        recipe.params.processes =
-            ProcessSwitches { drift: true, subduction: true, ..ProcessSwitches::all(false) };
-        let state =
-            shaped(
-                &recipe,
-                |plate, _, lon| {
-                    if plate == 1 && lon < 90.0 { Floor::Land(0.4) } else { Floor::Ocean(60.0) }
-                },
-            );
+        recipe.params.processes = ProcessSwitches {
+            drift: true,
+            subduction: true,
+            ..ProcessSwitches::all(false)
+        };
+        let state = shaped(&recipe, |plate, _, lon| {
+            if plate == 1 && lon < 90.0 {
+                Floor::Land(0.4)
+            } else {
+                Floor::Ocean(60.0)
+            }
+        });
         let (mut app, planet) = spawn(state);
         steps(&mut app, planet, 4);
-        get::<Ledger>(&app, planet).of(Cause::SubductionUplift).volume
+        get::<Ledger>(&app, planet)
+            .of(Cause::SubductionUplift)
+            .volume
     };
     let [still, slow, fast] = [0.0, 40.0, 80.0].map(rise);
     assert_eq!(still, 0.0);
@@ -176,7 +212,11 @@ fn slab_pull_turns_the_plate_towards_its_front() {
     recipe.plates[0].speed = 60.0;
     recipe.params.slab_pull = 0.02;
     let state = shaped(&recipe, |plate, lat, lon| {
-        if plate == 1 && lat.abs() < 60.0 && lon < 60.0 { Floor::Land(0.4) } else { Floor::Ocean(60.0) }
+        if plate == 1 && lat.abs() < 60.0 && lon < 60.0 {
+            Floor::Land(0.4)
+        } else {
+            Floor::Ocean(60.0)
+        }
     });
     let (mut app, planet) = spawn(state);
     // Plates younger than this are left alone, as fragments of a rift.
@@ -202,17 +242,25 @@ fn slab_pull_turns_the_plate_towards_its_front() {
 fn arcs_that_rise_above_the_sea_become_land_and_are_booked() {
     let mut recipe = hemispheres(8000, 100.0, 0.0);
     recipe.params.uplift = 5.0;
-    let state = shaped(&recipe, |plate, _, _| Floor::Ocean(if plate == 0 { 120.0 } else { 20.0 }));
+    let state = shaped(&recipe, |plate, _, _| {
+        Floor::Ocean(if plate == 0 { 120.0 } else { 20.0 })
+    });
     let (mut app, planet) = spawn(state);
     assert_eq!(get::<Ledger>(&app, planet).initial.area, 0.0);
     steps(&mut app, planet, 30);
     let grown = get::<Ledger>(&app, planet).of(Cause::ArcGrowth);
     assert!(grown.area > 1e5 && grown.volume > 0.0, "{grown:?}");
     let surface = surface(&mut app, planet);
-    let land: Vec<usize> = (0..surface.len()).filter(|&i| surface.crust.is_continental(i)).collect();
+    let land: Vec<usize> = (0..surface.len())
+        .filter(|&i| surface.crust.is_continental(i))
+        .collect();
     assert!(!land.is_empty());
     for i in land {
-        assert_eq!(surface.plate[i], PlateId(1), "arcs stand on the overriding plate");
+        assert_eq!(
+            surface.plate[i],
+            PlateId(1),
+            "arcs stand on the overriding plate"
+        );
         assert_eq!(surface.crust.orogeny[i], Orogeny::Andean);
     }
 }

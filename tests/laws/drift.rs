@@ -9,7 +9,10 @@ use pangaea_tests::world::{get, planet_app, plates, spawn, steps, surface};
 fn turntable(samples: u32, degrees: f64) -> PlanetRecipe {
     let speed = degrees.to_radians() * 6370.0 / 2.0;
     let mut recipe = hemispheres(samples, speed, speed);
-    recipe.params.processes = ProcessSwitches { drift: true, ..ProcessSwitches::all(false) };
+    recipe.params.processes = ProcessSwitches {
+        drift: true,
+        ..ProcessSwitches::all(false)
+    };
     recipe.params.isostasy_time = 200.0;
     recipe.params.max_speed = 300.0;
     recipe
@@ -34,7 +37,10 @@ fn a_full_turn_returns_every_sample() {
         assert!((frame.to_world(bevy::math::DVec3::X) - bevy::math::DVec3::X).length() < 1e-10);
     }
     for i in 0..before.len() {
-        assert!((before.elevation(i) - after.elevation(i)).abs() < 1e-4, "sample {i}");
+        assert!(
+            (before.elevation(i) - after.elevation(i)).abs() < 1e-4,
+            "sample {i}"
+        );
         assert_eq!(before.crust.kind[i], after.crust.kind[i]);
         assert_eq!(before.plate[i], after.plate[i]);
     }
@@ -50,7 +56,11 @@ fn a_full_turn_returns_every_sample() {
 fn a_continent_moves_at_the_speed_of_its_plate() {
     let recipe = turntable(8000, 1.0);
     let state = shaped(&recipe, |_, lat, lon| {
-        if lat.abs() < 30.0 && lon.abs() < 30.0 { Floor::Land(0.5) } else { Floor::Ocean(80.0) }
+        if lat.abs() < 30.0 && lon.abs() < 30.0 {
+            Floor::Land(0.5)
+        } else {
+            Floor::Ocean(80.0)
+        }
     });
     let (mut app, planet) = spawn(state);
     let before = surface(&mut app, planet);
@@ -63,10 +73,13 @@ fn a_continent_moves_at_the_speed_of_its_plate() {
         let from = mesh.nearest(turn.conjugate() * *p);
         let (lat, lon) = bevy_pangaea::math::lat_lon(turn.conjugate() * *p);
         let margin = 1.5 * spacing.to_degrees();
-        let near_coast =
-            (lat.abs() - 30.0).abs() < margin || (lon.abs() - 30.0).abs() < margin / lat.to_radians().cos();
+        let near_coast = (lat.abs() - 30.0).abs() < margin
+            || (lon.abs() - 30.0).abs() < margin / lat.to_radians().cos();
         if !near_coast {
-            assert_eq!(after.crust.kind[i], before.crust.kind[from as usize], "at {lat} {lon}");
+            assert_eq!(
+                after.crust.kind[i], before.crust.kind[from as usize],
+                "at {lat} {lon}"
+            );
         }
     }
     let row = plates(&app, planet).rows()[0];
@@ -80,7 +93,11 @@ fn plates_that_turn_together_never_open_or_overlap() {
     for _ in 0..5 {
         steps(&mut app, planet, 3);
         let surface = surface(&mut app, planet);
-        let odd = surface.cover.iter().filter(|&&c| c != bevy_pangaea::crust::Cover::One).count();
+        let odd = surface
+            .cover
+            .iter()
+            .filter(|&&c| c != bevy_pangaea::crust::Cover::One)
+            .count();
         assert_eq!(odd, 0, "the seam of two plates at rest against each other");
     }
 }

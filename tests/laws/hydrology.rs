@@ -1,4 +1,5 @@
-//! Rivers of whole planets: Horton's and Hack's laws, the Earth's great rivers, and bakes that follow a simulation.
+//! Rivers of whole planets: Horton's and Hack's laws, the Earth's great rivers, and bakes that
+//! follow a simulation.
 
 use bevy::prelude::*;
 use bevy_pangaea::control::{
@@ -24,7 +25,10 @@ fn assert_river_laws(bake: &Bake) {
     assert!((0.57..=0.63).contains(&stats.hack_exponent), "{stats:?}");
     let supply: u64 = bake.drainage.supply.iter().sum();
     let ends = (0..bake.drainage.len()).filter(|&i| bake.drainage.routes.receiver[i] == NONE);
-    assert_eq!(supply, ends.map(|i| bake.drainage.discharge[i]).sum::<u64>());
+    assert_eq!(
+        supply,
+        ends.map(|i| bake.drainage.discharge[i]).sum::<u64>()
+    );
 }
 
 fn grown(seed: u64, count: u64) {
@@ -55,9 +59,20 @@ fn rivers_of_planet_4_keep_the_laws() {
 #[test]
 fn rivers_of_the_earth_keep_the_laws_and_reach_their_mouths() {
     let Some(crust) = earth() else { return };
-    let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
+    let maps = TerrainMaps {
+        crust,
+        age: None,
+        plateau: None,
+        hills: None,
+    };
     let frame = Arc::new(BakeFrame::new(1, SPACING, None).expect("a base mesh"));
-    let bake = Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default()).expect("a bake");
+    let bake = Bake::new(
+        &frame,
+        6370.0,
+        &BakeSource::Maps(&maps),
+        &BakeRules::default(),
+    )
+    .expect("a bake");
     assert_river_laws(&bake);
     let sites = [
         ("Manaus", (-3.1, -60.0), (0.0, -50.0)),
@@ -81,8 +96,8 @@ fn rivers_of_the_earth_keep_the_laws_and_reach_their_mouths() {
             missed.push(name);
         }
     }
-    // The Ob ends at its delta at the head of a gulf 800 km long and 60 km wide: less than two edges of the
-    // base mesh, which therefore closes it. Its river ends at the gulf's open end.
+    // The Ob ends at its delta at the head of a gulf 800 km long and 60 km wide: less than two
+    // edges of the base mesh, which therefore closes it. Its river ends at the gulf's open end.
     assert_eq!(missed, ["Surgut"]);
 }
 
@@ -90,27 +105,42 @@ fn rivers_of_the_earth_keep_the_laws_and_reach_their_mouths() {
 fn a_bake_follows_a_planet_and_says_so() {
     let (mut app, planet) = planet_app(&small(5, 2000));
     listen::<BakeFinished>(&mut app);
-    app.world_mut().entity_mut(planet).insert(BakeSettings { spacing: 0.03, ..default() });
+    app.world_mut().entity_mut(planet).insert(BakeSettings {
+        spacing: 0.03,
+        ..default()
+    });
     let wait = |app: &mut App| {
         let wanted = surface(app, planet).version;
         for _ in 0..6000 {
             app.update();
-            if app.world().get::<PlanetBake>(planet).is_some_and(|bake| bake.version == wanted) {
+            if app
+                .world()
+                .get::<PlanetBake>(planet)
+                .is_some_and(|bake| bake.version == wanted)
+            {
                 return wanted;
             }
             std::thread::sleep(core::time::Duration::from_millis(10));
         }
         panic!("no bake of version {wanted} within a minute");
     };
-    app.world_mut().get_mut::<GeologicClock>(planet).expect("a clock").paused = true;
+    app.world_mut()
+        .get_mut::<GeologicClock>(planet)
+        .expect("a clock")
+        .paused = true;
     let first = wait(&mut app);
     let frame = get::<PlanetBake>(&app, planet).frame.clone();
     steps(&mut app, planet, 3);
     let second = wait(&mut app);
     assert!(second > first);
-    assert!(Arc::ptr_eq(&frame, &get::<PlanetBake>(&app, planet).frame), "the base mesh is built once");
+    assert!(
+        Arc::ptr_eq(&frame, &get::<PlanetBake>(&app, planet).frame),
+        "the base mesh is built once"
+    );
     let events = heard::<BakeFinished>(&app);
-    assert!(events.iter().any(|e| e.version == first) && events.iter().any(|e| e.version == second));
+    assert!(
+        events.iter().any(|e| e.version == first) && events.iter().any(|e| e.version == second)
+    );
     assert_eq!(events.last().map(|e| e.planet), Some(planet));
     // In the background as in the foreground.
     let followed = get::<PlanetBake>(&app, planet).0.clone();

@@ -13,7 +13,11 @@ fn an_island_below_the_least_area_is_forced_down_and_booked() {
     let island = |lat: f64, lon: f64| lat.abs() < 5.0 && (-15.0..-5.0).contains(&lon);
     let state = shaped(&recipe, |plate, lat, lon| {
         let mainland = plate == 1 && lat.abs() < 40.0 && lon < 50.0;
-        if mainland || island(lat, lon) { Floor::Land(0.3) } else { Floor::Ocean(60.0) }
+        if mainland || island(lat, lon) {
+            Floor::Land(0.3)
+        } else {
+            Floor::Ocean(60.0)
+        }
     });
     let island_area: f64 = (0..state.crust.len())
         .filter(|&i| {
@@ -25,14 +29,23 @@ fn an_island_below_the_least_area_is_forced_down_and_booked() {
     let (mut app, planet) = spawn(state);
     listen::<TerraneCollided>(&mut app);
     steps(&mut app, planet, 20);
-    assert!(heard::<TerraneCollided>(&app).is_empty(), "too small to break off");
+    assert!(
+        heard::<TerraneCollided>(&app).is_empty(),
+        "too small to break off"
+    );
     let ledger = get::<Ledger>(&app, planet);
     let lost = -ledger.of(Cause::ForcedSubduction).area - ledger.of(Cause::Stacking).area;
-    assert!((lost / island_area - 1.0).abs() < 0.1, "{lost:e} km² booked of {island_area:e}");
+    assert!(
+        (lost / island_area - 1.0).abs() < 0.1,
+        "{lost:e} km² booked of {island_area:e}"
+    );
     let (area, volume) = continents(get(&app, planet), get::<Lattice>(&app, planet), 6370.0);
     let expected = ledger.expected();
     assert!((area / expected.area - 1.0).abs() < 1e-3);
-    assert!((volume / expected.volume - 1.0).abs() < 1e-6, "its rock thickens what lies above");
+    assert!(
+        (volume / expected.volume - 1.0).abs() < 1e-6,
+        "its rock thickens what lies above"
+    );
 }
 
 #[test]
@@ -42,7 +55,11 @@ fn an_island_above_the_least_area_is_sutured() {
     let state = shaped(&recipe, |plate, lat, lon| {
         let mainland = plate == 1 && lat.abs() < 40.0 && lon < 50.0;
         let island = lat.abs() < 5.0 && (-13.0..-3.0).contains(&lon);
-        if mainland || island { Floor::Land(0.3) } else { Floor::Ocean(60.0) }
+        if mainland || island {
+            Floor::Land(0.3)
+        } else {
+            Floor::Ocean(60.0)
+        }
     });
     let (mut app, planet) = spawn(state);
     listen::<TerraneCollided>(&mut app);
@@ -50,5 +67,9 @@ fn an_island_above_the_least_area_is_sutured() {
     let events = heard::<TerraneCollided>(&app);
     assert_eq!(events.len(), 1);
     // 10 x 10 degrees on the equator.
-    assert!((events[0].area / 1.235e6 - 1.0).abs() < 0.15, "{:e}", events[0].area);
+    assert!(
+        (events[0].area / 1.235e6 - 1.0).abs() < 0.15,
+        "{:e}",
+        events[0].area
+    );
 }

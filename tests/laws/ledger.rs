@@ -1,7 +1,8 @@
-//! Conservation: every change of continental area and volume has a booked cause, in each stage of each step.
+//! Conservation: every change of continental area and volume has a booked cause, in each stage of
+//! each step.
 //!
-//! Area and volume are measured from the columns alone. Area is exact: a resample may carry less than half a
-//! sample to the next one, and says so. Volume agrees to 1e-6 of the whole.
+//! Area and volume are measured from the columns alone. Area is exact: a resample may carry less
+//! than half a sample to the next one, and says so. Volume agrees to 1e-6 of the whole.
 
 use bevy_pangaea::crust::Cause;
 use bevy_pangaea::prelude::*;
@@ -19,10 +20,19 @@ fn check(change: &Change, largest_sample: f64) {
     // What a resample cannot place is carried, so that nothing is lost in the long run.
     let carried = change.after.ledger.carried_area - change.before.ledger.carried_area;
     let error = (measured.area + carried - booked.area).abs() / area;
-    assert!(error < 1e-9, "{name}: area changed by {measured:?}, booked {booked:?}, carried {carried}");
-    assert!(change.after.ledger.carried_area.abs() <= 0.5 * largest_sample, "{name} carries too much");
+    assert!(
+        error < 1e-9,
+        "{name}: area changed by {measured:?}, booked {booked:?}, carried {carried}"
+    );
+    assert!(
+        change.after.ledger.carried_area.abs() <= 0.5 * largest_sample,
+        "{name} carries too much"
+    );
     if change.stage != Stage::Resample {
-        assert_eq!(carried, 0.0, "{name} carries area, which only a resample may");
+        assert_eq!(
+            carried, 0.0,
+            "{name} carries area, which only a resample may"
+        );
     }
     let error = (measured.volume - booked.volume).abs() / volume;
     assert!(
@@ -39,13 +49,25 @@ fn history(seed: u64) -> Ledger {
     listen::<TerraneCollided>(&mut app);
     listen::<PlateRifted>(&mut app);
     listen::<CrustResampled>(&mut app);
-    let largest = get::<Lattice>(&app, planet).areas().iter().fold(0.0, |a: f64, &b| a.max(b));
+    let largest = get::<Lattice>(&app, planet)
+        .areas()
+        .iter()
+        .fold(0.0, |a: f64, &b| a.max(b));
     let largest = largest * recipe.radius * recipe.radius;
     probe(&mut app, move |change| check(change, largest));
     steps(&mut app, planet, 60);
-    assert!(!heard::<TerraneCollided>(&app).is_empty(), "the test saw no collision");
-    assert!(!heard::<PlateRifted>(&app).is_empty(), "the test saw no rift");
-    assert!(heard::<CrustResampled>(&app).len() >= 2, "the test saw too few resamples");
+    assert!(
+        !heard::<TerraneCollided>(&app).is_empty(),
+        "the test saw no collision"
+    );
+    assert!(
+        !heard::<PlateRifted>(&app).is_empty(),
+        "the test saw no rift"
+    );
+    assert!(
+        heard::<CrustResampled>(&app).len() >= 2,
+        "the test saw too few resamples"
+    );
     get::<Ledger>(&app, planet).clone()
 }
 
@@ -55,7 +77,11 @@ fn every_change_has_a_cause_in_every_stage() {
         let ledger = history(seed);
         // A sample of 8,000 is 3e-4 of the continents; half of one may be carried.
         assert!(ledger.unexplained_max < 4e-4, "{}", ledger.unexplained_max);
-        assert!(ledger.unexplained_volume_max < 1e-6, "{}", ledger.unexplained_volume_max);
+        assert!(
+            ledger.unexplained_volume_max < 1e-6,
+            "{}",
+            ledger.unexplained_volume_max
+        );
         assert!(ledger.of(Cause::Erosion).volume < 0.0);
         assert!(ledger.of(Cause::SubductionUplift).volume > 0.0);
         assert!(ledger.of(Cause::CollisionUplift).volume > 0.0);
@@ -66,7 +92,12 @@ fn every_change_has_a_cause_in_every_stage() {
             Cause::Noise,
             Cause::Delamination,
         ] {
-            assert_eq!(ledger.of(cause).area, 0.0, "{} changes no area", cause.name());
+            assert_eq!(
+                ledger.of(cause).area,
+                0.0,
+                "{} changes no area",
+                cause.name()
+            );
         }
         for cause in [Cause::Stacking, Cause::ForcedSubduction] {
             let amount = ledger.of(cause);

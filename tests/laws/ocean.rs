@@ -1,6 +1,7 @@
 //! New ocean crust: gaps between plates that part.
 //!
-//! Two hemispheres part at the meridian 0 by rotation about the pole: the gap is a lune, and all is known in closed form.
+//! Two hemispheres part at the meridian 0 by rotation about the pole: the gap is a lune, and all is
+//! known in closed form.
 
 use bevy_pangaea::crust::Cover;
 use bevy_pangaea::math::{PI, lat_lon};
@@ -44,7 +45,10 @@ fn a_gap_holds_a_ridge_in_its_middle_before_any_resample() {
                 "age {age} for {expected} at {lat} {lon}"
             );
             let east = surface.plate[i].0 == 1;
-            assert!(lon.abs() < spacing || east == (lon > 0.0), "{lat} {lon} belongs to the wrong plate");
+            assert!(
+                lon.abs() < spacing || east == (lon > 0.0),
+                "{lat} {lon} belongs to the wrong plate"
+            );
             ridge += 1;
         } else if inside < -spacing {
             assert_eq!(surface.cover[i], Cover::One, "{lat} {lon}");
@@ -61,9 +65,20 @@ fn a_gap_holds_a_ridge_in_its_middle_before_any_resample() {
             .collect();
         zs.iter().sum::<f64>() / zs.len() as f64
     };
-    let profile = [mean(0.0, 2.0), mean(4.0, 7.0), mean(9.0, 12.0), mean(13.5, 16.0)];
-    assert!(profile.windows(2).all(|w| w[0] > w[1]), "the floor falls from ridge to rim: {profile:?}");
-    assert!((profile[0] - params.ridge_elevation).abs() < 0.5, "{profile:?}");
+    let profile = [
+        mean(0.0, 2.0),
+        mean(4.0, 7.0),
+        mean(9.0, 12.0),
+        mean(13.5, 16.0),
+    ];
+    assert!(
+        profile.windows(2).all(|w| w[0] > w[1]),
+        "the floor falls from ridge to rim: {profile:?}"
+    );
+    assert!(
+        (profile[0] - params.ridge_elevation).abs() < 0.5,
+        "{profile:?}"
+    );
     assert!(profile[3] < params.ridge_elevation - 0.6, "{profile:?}");
 }
 
@@ -94,10 +109,18 @@ fn the_area_of_new_crust_is_that_of_the_lune() {
     listen::<CrustResampled>(&mut app);
     steps(&mut app, planet, 10);
     let events = heard::<CrustResampled>(&app);
-    assert_eq!(events.len(), 1, "at 100 km/My a resample is due every 10 steps");
+    assert_eq!(
+        events.len(),
+        1,
+        "at 100 km/My a resample is due every 10 steps"
+    );
     // Opening angle of 2 x 100 km/My x 20 My; a lune of angle a covers 2 a R².
     let lune = 2.0 * (2.0 * 100.0 * 20.0 / RADIUS) * RADIUS * RADIUS;
-    assert!((events[0].new_ocean / lune - 1.0).abs() < 0.03, "{:e} for {lune:e}", events[0].new_ocean);
+    assert!(
+        (events[0].new_ocean / lune - 1.0).abs() < 0.03,
+        "{:e} for {lune:e}",
+        events[0].new_ocean
+    );
     let mean = |app: &bevy::prelude::App| {
         let crust = get::<Crust>(app, planet);
         crust.ocean_age.iter().map(|&a| f64::from(a)).sum::<f64>() / crust.len() as f64
@@ -105,7 +128,11 @@ fn the_area_of_new_crust_is_that_of_the_lune() {
     // Old floor aged by 20 My; the lune has a mean of 10; what went under is as large as the lune.
     let share = lune / (4.0 * PI * RADIUS * RADIUS);
     let expected = 120.0 * (1.0 - share) + 10.0 * share;
-    assert!((mean(&app) - expected).abs() < 1.0, "{} for {expected}", mean(&app));
+    assert!(
+        (mean(&app) - expected).abs() < 1.0,
+        "{} for {expected}",
+        mean(&app)
+    );
 }
 
 #[test]
@@ -115,5 +142,11 @@ fn a_new_rim_floor_ages_with_the_years() {
     let before = get::<Crust>(&app, planet).ocean_age.clone();
     steps(&mut app, planet, 3);
     let after = &get::<Crust>(&app, planet).ocean_age;
-    assert!(before.iter().zip(after).all(|(a, b)| (b - a - 6.0).abs() < 1e-3), "6 My older, everywhere");
+    assert!(
+        before
+            .iter()
+            .zip(after)
+            .all(|(a, b)| (b - a - 6.0).abs() < 1e-3),
+        "6 My older, everywhere"
+    );
 }

@@ -26,7 +26,11 @@ fn erosion_wears_the_land_and_leaves_the_shelves() {
         let (z, e) = (before.elevation[i], before.thickness[i]);
         assert!(after.is_continental(i), "worn land stays continental");
         if z > 0.01 {
-            assert!(after.elevation[i] < z && after.elevation[i] > 0.0, "{z} -> {}", after.elevation[i]);
+            assert!(
+                after.elevation[i] < z && after.elevation[i] > 0.0,
+                "{z} -> {}",
+                after.elevation[i]
+            );
             assert!(after.thickness[i] < e);
             land += 1;
         } else if z < 0.0 {
@@ -45,12 +49,23 @@ fn erosion_wears_the_land_and_leaves_the_shelves() {
 
 #[test]
 fn eroded_land_falls_off_exponentially_and_rebounds() {
-    // Isostasy carries what is left: z follows e, so both decay together. The closed form of a step is the product.
+    // Isostasy carries what is left: z follows e, so both decay together. The closed form of a step
+    // is the product.
     let mut recipe = only(cube(1000), "erosion");
     recipe.params.isostasy_time = 0.5;
-    let state = shaped(&recipe, |plate, _, _| if plate == 0 { Floor::Land(4.0) } else { Floor::Ocean(80.0) });
+    let state = shaped(&recipe, |plate, _, _| {
+        if plate == 0 {
+            Floor::Land(4.0)
+        } else {
+            Floor::Ocean(80.0)
+        }
+    });
     let (mut app, planet) = spawn(state);
-    let i = get::<Crust>(&app, planet).elevation.iter().position(|&z| z == 4.0).unwrap();
+    let i = get::<Crust>(&app, planet)
+        .elevation
+        .iter()
+        .position(|&z| z == 4.0)
+        .unwrap();
     steps(&mut app, planet, 100);
     let p = get::<TectonicParams>(&app, planet);
     let expected = 4.0 * (1.0 - p.erosion / p.summit_elevation * p.time_step).powi(100);
@@ -69,8 +84,15 @@ fn ocean_floor_sinks_as_the_plates_cool() {
         steps(&mut app, planet, step - done);
         let age = 2.0 * step as f64;
         let expected = -6.0 + 5.0 * (-age / 36.0).exp();
-        for (z, a) in get::<Crust>(&app, planet).elevation.iter().zip(&get::<Crust>(&app, planet).ocean_age) {
-            assert!((f64::from(*z) - expected).abs() < 0.01, "{z} for {expected} at {age} My");
+        for (z, a) in get::<Crust>(&app, planet)
+            .elevation
+            .iter()
+            .zip(&get::<Crust>(&app, planet).ocean_age)
+        {
+            assert!(
+                (f64::from(*z) - expected).abs() < 0.01,
+                "{z} for {expected} at {age} My"
+            );
             assert!((f64::from(*a) - age).abs() < 1e-3);
         }
     }
@@ -97,17 +119,29 @@ fn sediment_fills_what_lies_too_deep_and_no_more() {
     let z = get::<Crust>(&app, planet).elevation[7];
     assert!((z + 8.0 - 2.0 * 0.6).abs() < 1e-4, "0.3 km/My: {z}");
     steps(&mut app, planet, 20);
-    assert!(get::<Crust>(&app, planet).elevation.iter().all(|z| (z + 6.0).abs() < 1e-3));
+    assert!(
+        get::<Crust>(&app, planet)
+            .elevation
+            .iter()
+            .all(|z| (z + 6.0).abs() < 1e-3)
+    );
 }
 
 #[test]
 fn thickened_crust_rises_to_where_it_floats() {
     let mut recipe = cube(1000);
     recipe.params.processes = ProcessSwitches::all(false);
-    let mut state =
-        shaped(&recipe, |plate, _, _| if plate == 0 { Floor::Land(0.5) } else { Floor::Ocean(80.0) });
+    let mut state = shaped(&recipe, |plate, _, _| {
+        if plate == 0 {
+            Floor::Land(0.5)
+        } else {
+            Floor::Ocean(80.0)
+        }
+    });
     let law = Isostasy::new(&recipe.params);
-    let land: Vec<usize> = (0..state.crust.len()).filter(|&i| state.crust.is_continental(i)).collect();
+    let land: Vec<usize> = (0..state.crust.len())
+        .filter(|&i| state.crust.is_continental(i))
+        .collect();
     land.iter().for_each(|&i| state.crust.thickness[i] += 10.0);
     let target = f64::from(law.elevation(law.thickness(0.5) + 10.0));
     let (mut app, planet) = spawn(state);
@@ -135,7 +169,11 @@ fn noise_is_coherent_and_leaves_the_ocean_alone() {
             continue;
         }
         assert!(change(i).abs() < 1.0);
-        for &j in mesh.ring(i as u32).iter().filter(|&&j| before.is_continental(j as usize)) {
+        for &j in mesh
+            .ring(i as u32)
+            .iter()
+            .filter(|&&j| before.is_continental(j as usize))
+        {
             own += f64::from(change(i).abs());
             step += f64::from((change(i) - change(j as usize)).abs());
             n += 1.0;

@@ -18,7 +18,12 @@ fn resample_without_a_trace(app: &mut App, planet: Entity) {
     let seen = Arc::clone(&changes);
     probe(app, move |change| {
         if change.stage == Stage::Resample {
-            let pairs = change.before.crust.thickness.iter().zip(&change.after.crust.thickness);
+            let pairs = change
+                .before
+                .crust
+                .thickness
+                .iter()
+                .zip(&change.after.crust.thickness);
             let most = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
             seen.lock().unwrap().push((change.changed(), most));
         }
@@ -66,7 +71,10 @@ fn pictures_just_before_and_after_a_resample_agree() {
         let surface = world.get::<PlanetSurface>(planet).cloned();
         world.resource_mut::<Before>().0 = surface;
     };
-    app.add_systems(TectonicStep, look.in_set(TectonicSystems::After(Stage::Relief)));
+    app.add_systems(
+        TectonicStep,
+        look.in_set(TectonicSystems::After(Stage::Relief)),
+    );
     let mut compared = 0;
     for _ in 0..45 {
         let earlier = heard::<CrustResampled>(&app).len();
@@ -83,9 +91,14 @@ fn pictures_just_before_and_after_a_resample_agree() {
 
 fn compare(before: &Surface, after: &Surface) {
     let n = before.len();
-    let share = |differs: &dyn Fn(usize) -> bool| (0..n).filter(|&i| differs(i)).count() as f64 / n as f64;
+    let share =
+        |differs: &dyn Fn(usize) -> bool| (0..n).filter(|&i| differs(i)).count() as f64 / n as f64;
     let moved = share(&|i| (before.elevation(i) - after.elevation(i)).abs() > 0.05);
-    assert!(moved < 0.03, "{:.2} % of the samples move by more than 50 m", 100.0 * moved);
+    assert!(
+        moved < 0.03,
+        "{:.2} % of the samples move by more than 50 m",
+        100.0 * moved
+    );
     let kind = share(&|i| before.crust.kind[i] != after.crust.kind[i]);
     assert!(kind < 0.005, "{:.2} % change their kind", 100.0 * kind);
     let plate = share(&|i| before.plate[i] != after.plate[i]);
@@ -101,25 +114,38 @@ fn after_a_resample_one_frame_at_rest_covers_every_sample() {
     command(&mut app, planet, TectonicCommand::Resample);
     steps(&mut app, planet, 1);
     let frames = get::<Frames>(&app, planet);
-    assert!(frames.iter().all(|frame| frame.is_at_rest() && !frame.terrane));
+    assert!(
+        frames
+            .iter()
+            .all(|frame| frame.is_at_rest() && !frame.terrane)
+    );
     let mut owners: Vec<_> = frames.iter().map(|frame| frame.plate).collect();
     owners.dedup();
     assert_eq!(owners.len(), frames.len(), "one frame for a plate");
     project_now(app.world_mut(), planet);
     let surface = get::<PlanetSurface>(&app, planet);
     assert!(surface.cover.iter().all(|&cover| cover == Cover::One));
-    assert_eq!(&surface.crust, get::<Crust>(&app, planet), "the state is the surface, bit for bit");
+    assert_eq!(
+        &surface.crust,
+        get::<Crust>(&app, planet),
+        "the state is the surface, bit for bit"
+    );
 }
 
 #[test]
 fn looking_at_a_planet_does_not_change_it() {
     let (mut app, planet) = planet_app(&small(8, 5000));
     let (mut other, unseen) = planet_app(&small(8, 5000));
-    app.world_mut().entity_mut(planet).insert(bevy_pangaea::resample::SurfaceDemand::EveryStep);
+    app.world_mut()
+        .entity_mut(planet)
+        .insert(bevy_pangaea::resample::SurfaceDemand::EveryStep);
     for _ in 0..15 {
         steps(&mut app, planet, 1);
         project_now(app.world_mut(), planet);
     }
     steps(&mut other, unseen, 15);
-    assert_eq!(pangaea_tests::world::digest(&app, planet), pangaea_tests::world::digest(&other, unseen));
+    assert_eq!(
+        pangaea_tests::world::digest(&app, planet),
+        pangaea_tests::world::digest(&other, unseen)
+    );
 }

@@ -1,6 +1,7 @@
 //! Rifting on demand: fragments part and stay apart.
 //!
-//! Plates are the faces of a cube and at rest, so that all motion is that of the rift. Coverage is found by brute force.
+//! Plates are the faces of a cube and at rest, so that all motion is that of the rift. Coverage is
+//! found by brute force.
 
 use bevy::math::DVec3;
 use bevy::prelude::*;
@@ -18,16 +19,27 @@ fn planet(warp: f64) -> (App, Entity) {
     let mut recipe = cube(20_000);
     recipe.params.processes.resample = false;
     let state = shaped(&recipe, |plate, lat, lon| {
-        if plate == 0 && lat.abs() < 30.0 && lon.abs() < 30.0 { Floor::Land(0.5) } else { Floor::Ocean(80.0) }
+        if plate == 0 && lat.abs() < 30.0 && lon.abs() < 30.0 {
+            Floor::Land(0.5)
+        } else {
+            Floor::Ocean(80.0)
+        }
     });
     let (mut app, planet) = spawn(state);
-    app.world_mut().get_mut::<TectonicParams>(planet).unwrap().border_warp = warp;
+    app.world_mut()
+        .get_mut::<TectonicParams>(planet)
+        .unwrap()
+        .border_warp = warp;
     (app, planet)
 }
 
 fn rift(app: &mut App, planet: Entity, line: &[(f64, f64)], fragments: u32) -> Vec<PlateId> {
     listen::<PlateRifted>(app);
-    let command = TectonicCommand::RiftPlate { plate: PlateId(0), line: line.to_vec(), fragments };
+    let command = TectonicCommand::RiftPlate {
+        plate: PlateId(0),
+        line: line.to_vec(),
+        fragments,
+    };
     assert!(obey(app, planet, command));
     heard::<PlateRifted>(app).remove(0).fragments
 }
@@ -40,7 +52,11 @@ fn covers(app: &App, planet: Entity, fragments: &[PlateId]) -> Vec<(f64, f64, Ve
         for x in -70..=70 {
             let (lat, lon) = (f64::from(y) * 0.5, f64::from(x) * 0.5);
             let found = coverage.at(direction(lat, lon));
-            let own = found.into_iter().map(|hit| hit.0).filter(|id| fragments.contains(id)).collect();
+            let own = found
+                .into_iter()
+                .map(|hit| hit.0)
+                .filter(|id| fragments.contains(id))
+                .collect();
             out.push((lat, lon, own));
         }
     }
@@ -50,8 +66,16 @@ fn covers(app: &App, planet: Entity, fragments: &[PlateId]) -> Vec<(f64, f64, Ve
 fn assert_apart(app: &mut App, planet: Entity, fragments: &[PlateId]) {
     for step in 1..=10 {
         steps(app, planet, 1);
-        let overlaps = covers(app, planet, fragments).iter().filter(|(_, _, own)| own.len() > 1).count();
-        assert_eq!(overlaps, 0, "points under two fragments {} My after the rift", 2 * step);
+        let overlaps = covers(app, planet, fragments)
+            .iter()
+            .filter(|(_, _, own)| own.len() > 1)
+            .count();
+        assert_eq!(
+            overlaps,
+            0,
+            "points under two fragments {} My after the rift",
+            2 * step
+        );
     }
 }
 
@@ -64,7 +88,11 @@ fn fragments_of_a_users_line_do_not_overlap_for_20_my() {
     ] {
         let (mut app, planet) = planet(warp);
         let fragments = rift(&mut app, planet, &line, 2);
-        assert_eq!(fragments[0], PlateId(0), "the first fragment keeps the number");
+        assert_eq!(
+            fragments[0],
+            PlateId(0),
+            "the first fragment keeps the number"
+        );
         assert_apart(&mut app, planet, &fragments);
         // The line is where the gap is.
         let coverage = Coverage::of(&app, planet);
@@ -85,7 +113,10 @@ fn the_gap_grows_with_the_distance_from_its_pole() {
     let table = plates(&app, planet);
     let relative = table.angular_velocity(fragments[0]) - table.angular_velocity(fragments[1]);
     let pole = relative.normalize();
-    assert!(pole.dot(DVec3::Y).abs() < 1e-9, "the pole lies on the line's extension");
+    assert!(
+        pole.dot(DVec3::Y).abs() < 1e-9,
+        "the pole lies on the line's extension"
+    );
     assert!(
         angle_between(pole, direction(0.0, 0.0)).min(angle_between(-pole, direction(0.0, 0.0)))
             > 45f64.to_radians()
@@ -94,8 +125,9 @@ fn the_gap_grows_with_the_distance_from_its_pole() {
     steps(&mut app, planet, 10);
     let coverage = Coverage::of(&app, planet);
     let width = |lat: f64| {
-        let open =
-            (-300..=300).filter(|&k| coverage.at(direction(lat, f64::from(k) * 0.05)).is_empty()).count();
+        let open = (-300..=300)
+            .filter(|&k| coverage.at(direction(lat, f64::from(k) * 0.05)).is_empty())
+            .count();
         open as f64 * 0.05_f64.to_radians() * lat.to_radians().cos() * RADIUS
     };
     let mut last = f64::INFINITY;
@@ -110,8 +142,10 @@ fn the_gap_grows_with_the_distance_from_its_pole() {
         );
         last = last.min(expected);
     }
-    let (near, far) =
-        (width(if pole.z > 0.0 { 30.0 } else { -30.0 }), width(if pole.z > 0.0 { -30.0 } else { 30.0 }));
+    let (near, far) = (
+        width(if pole.z > 0.0 { 30.0 } else { -30.0 }),
+        width(if pole.z > 0.0 { -30.0 } else { 30.0 }),
+    );
     assert!(
         (far > near + spacing) || angle_between(pole, DVec3::X) > 2.0 && near > far + spacing,
         "{near} {far}"
@@ -127,15 +161,21 @@ fn three_and_four_fragments_move_away_from_their_junction() {
         assert_eq!(fragments.len(), count as usize);
         let table = plates(&app, planet);
         assert_eq!(table.rows().len(), 5 + count as usize);
-        let areas: Vec<f64> = fragments.iter().map(|&id| table.get(id).unwrap().stats.area).collect();
-        assert!((areas.iter().sum::<f64>() / area - 1.0).abs() < 1e-9, "fragments are the plate");
+        let areas: Vec<f64> = fragments
+            .iter()
+            .map(|&id| table.get(id).unwrap().stats.area)
+            .collect();
+        assert!(
+            (areas.iter().sum::<f64>() / area - 1.0).abs() < 1e-9,
+            "fragments are the plate"
+        );
         assert!(areas.iter().all(|a| *a > 0.14 * area), "{areas:?}");
         assert_apart(&mut app, planet, &fragments);
         let gap = covers(&app, planet, &fragments);
         let coverage = Coverage::of(&app, planet);
-        let open = gap
-            .iter()
-            .filter(|(lat, lon, own)| own.is_empty() && coverage.at(direction(*lat, *lon)).is_empty());
+        let open = gap.iter().filter(|(lat, lon, own)| {
+            own.is_empty() && coverage.at(direction(*lat, *lon)).is_empty()
+        });
         assert!(open.count() > 200, "nothing has opened");
     }
 }
@@ -159,16 +199,22 @@ fn a_rift_thins_the_continent_beside_it_and_books_it() {
             assert_eq!(share, 1.0, "{km:.0} km from the rift");
         }
         if before.is_continental(i) {
-            volume += f64::from(after.thickness[i] - before.thickness[i]) * mesh.areas()[i] * RADIUS * RADIUS;
+            volume += f64::from(after.thickness[i] - before.thickness[i])
+                * mesh.areas()[i]
+                * RADIUS
+                * RADIUS;
         }
     }
-    let booked = get::<Ledger>(&app, planet).of(bevy_pangaea::crust::Cause::Rifting).volume;
+    let booked = get::<Ledger>(&app, planet)
+        .of(bevy_pangaea::crust::Cause::Rifting)
+        .volume;
     assert!(volume < 0.0 && (booked / volume - 1.0).abs() < 1e-9);
 }
 
 #[test]
 fn planets_rift_by_themselves_about_as_often_as_they_should() {
-    // The probability is 1 - exp(-lambda): over many steps the number of rifts is the sum of the probabilities.
+    // The probability is 1 - exp(-lambda): over many steps the number of rifts is the sum of the
+    // probabilities.
     let mut recipe = pangaea_tests::shape::small(11, 4000);
     recipe.params.rift_rate = 0.02;
     let (mut app, planet) = pangaea_tests::world::planet_app(&recipe);
@@ -176,13 +222,20 @@ fn planets_rift_by_themselves_about_as_often_as_they_should() {
     let mut expected = 0.0;
     for _ in 0..150 {
         let params = get::<TectonicParams>(&app, planet);
-        for row in plates(&app, planet).rows().iter().filter(|row| row.stats.samples >= 200) {
+        for row in plates(&app, planet)
+            .rows()
+            .iter()
+            .filter(|row| row.stats.samples >= 200)
+        {
             expected += bevy_pangaea::process::rifting::probability(params, &row.stats, RADIUS);
         }
         steps(&mut app, planet, 1);
     }
     let rifts = heard::<PlateRifted>(&app).len() as f64;
-    assert!(rifts > 0.0 && rifts <= expected + 3.0 * expected.sqrt(), "{rifts} rifts, expected {expected}");
+    assert!(
+        rifts > 0.0 && rifts <= expected + 3.0 * expected.sqrt(),
+        "{rifts} rifts, expected {expected}"
+    );
     assert!(
         rifts >= 0.3 * expected - 2.0,
         "{rifts} rifts, expected {expected}: too many plates find no shape"

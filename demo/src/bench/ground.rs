@@ -58,16 +58,29 @@ pub(super) fn measure(headless: &Headless) -> Result<Option<GroundRow>, CliError
     let base = &frame.base;
     let rules = BakeRules::default();
     let start = Instant::now();
-    let bake =
-        Bake::new(&frame, planet.radius, &BakeSource::Surface(surface), &rules).map_err(CliError::input)?;
+    let bake = Bake::new(&frame, planet.radius, &BakeSource::Surface(surface), &rules)
+        .map_err(CliError::input)?;
     let bake_ms = milliseconds(start);
     let start = Instant::now();
-    let climate = Climate::new(&base.mesh, &base.winds, &bake.terrain.elevation_km(), &rules.climate);
+    let climate = Climate::new(
+        &base.mesh,
+        &base.winds,
+        &bake.terrain.elevation_km(),
+        &rules.climate,
+    );
     let climate_ms = milliseconds(start);
     let start = Instant::now();
-    Drainage::new(base, planet.radius, &bake.terrain, &climate, RiverNetwork::default());
+    Drainage::new(
+        base,
+        planet.radius,
+        &bake.terrain,
+        &climate,
+        RiverNetwork::default(),
+    );
     let drainage_ms = milliseconds(start);
-    let Ok(ground) = PlanetGround::of_bake(&bake, Rules::default()) else { return Ok(None) };
+    let Ok(ground) = PlanetGround::of_bake(&bake, Rules::default()) else {
+        return Ok(None);
+    };
     let vertices = bake.control.vertices.len();
     let fresh_us = fresh(&ground)?;
     let near_us = near(&ground)?;

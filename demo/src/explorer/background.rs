@@ -1,7 +1,8 @@
 //! Long work on a thread of its own.
 //!
 //! Not on Bevy's task pools: with two cores the pool for computations has one thread, and the
-//! renderer waits there for its pipelines. A planet that grows in front of them would stop the window.
+//! renderer waits there for its pipelines. A planet that grows in front of them would stop the
+//! window.
 
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -14,10 +15,12 @@ impl<T: Send + 'static> Background<T> {
     pub fn start(work: impl FnOnce() -> Result<T, String> + Send + 'static) -> Self {
         let (sender, receiver) = channel();
         let failed = sender.clone();
-        let thread = std::thread::Builder::new().name("background".into()).spawn(move || {
-            // Nobody may be left to hear of it: the program is ending.
-            let _ = sender.send(work());
-        });
+        let thread = std::thread::Builder::new()
+            .name("background".into())
+            .spawn(move || {
+                // Nobody may be left to hear of it: the program is ending.
+                let _ = sender.send(work());
+            });
         if let Err(error) = thread {
             let _ = failed.send(Err(format!("no thread can be started: {error}")));
         }
@@ -26,7 +29,10 @@ impl<T: Send + 'static> Background<T> {
 
     /// The result, once, as soon as it is there; an error if the work broke down.
     pub fn take(&mut self) -> Option<Result<T, String>> {
-        let receiver = self.0.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let receiver = self
+            .0
+            .get_mut()
+            .unwrap_or_else(|poisoned| poisoned.into_inner());
         match receiver.try_recv() {
             Ok(result) => Some(result),
             Err(TryRecvError::Empty) => None,
@@ -51,7 +57,10 @@ mod tests {
     #[test]
     fn results_errors_and_panics_arrive() {
         assert_eq!(wait(Background::start(|| Ok(3))), Ok(3));
-        assert_eq!(wait(Background::<()>::start(|| Err("no".into()))), Err("no".into()));
+        assert_eq!(
+            wait(Background::<()>::start(|| Err("no".into()))),
+            Err("no".into())
+        );
         assert!(wait(Background::<()>::start(|| panic!("for the test"))).is_err());
     }
 }

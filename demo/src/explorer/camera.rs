@@ -49,7 +49,14 @@ pub struct OrbitCamera {
 
 impl Default for OrbitCamera {
     fn default() -> Self {
-        Self { yaw: 0.6, pitch: 0.35, distance: 5.5, target: 4.2, spin: Vec2::ZERO, dragging: false }
+        Self {
+            yaw: 0.6,
+            pitch: 0.35,
+            distance: 5.5,
+            target: 4.2,
+            spin: Vec2::ZERO,
+            dragging: false,
+        }
     }
 }
 
@@ -57,7 +64,11 @@ impl OrbitCamera {
     /// Where the camera stands.
     pub fn transform(&self) -> Transform {
         let turn = Quat::from_euler(EulerRot::YXZ, self.yaw, -self.pitch, 0.0);
-        Transform { translation: turn * (Vec3::Z * self.distance), rotation: turn, ..default() }
+        Transform {
+            translation: turn * (Vec3::Z * self.distance),
+            rotation: turn,
+            ..default()
+        }
     }
 
     /// Turns by a drag of `pixels` in a view of `height` pixels that took `dt` seconds.
@@ -90,10 +101,16 @@ impl OrbitCamera {
         self.distance += (self.target - self.distance) * share;
     }
 
-    /// Moves the target by notches of the wheel; a notch changes the height above ground by a sixth.
+    /// Moves the target by notches of the wheel; a notch changes the height above ground by a
+    /// sixth.
     fn zoom(&mut self, notches: f32) {
         let factor = 1.0 + notches.abs() / 6.0;
-        let height = (self.target - 1.0) * if notches > 0.0 { factor.recip() } else { factor };
+        let height = (self.target - 1.0)
+            * if notches > 0.0 {
+                factor.recip()
+            } else {
+                factor
+            };
         self.target = (1.0 + height).clamp(DISTANCE_LIMITS.0, DISTANCE_LIMITS.1);
     }
 }
@@ -112,7 +129,12 @@ pub fn spawn_cameras(
         Camera3d::default(),
         Tonemapping::None,
         if software { Msaa::Off } else { Msaa::Sample4 },
-        Projection::from(PerspectiveProjection { fov: FIELD_OF_VIEW, near: 0.01, far: 100.0, ..default() }),
+        Projection::from(PerspectiveProjection {
+            fov: FIELD_OF_VIEW,
+            near: 0.01,
+            far: 100.0,
+            ..default()
+        }),
         orbit.transform(),
         orbit,
     ));
@@ -146,7 +168,9 @@ pub fn steer(
     egui: Res<EguiWantsInput>,
 ) {
     const DRAG: [MouseButton; 3] = [MouseButton::Left, MouseButton::Right, MouseButton::Middle];
-    let Ok((mut camera, mut transform)) = cameras.single_mut() else { return };
+    let Ok((mut camera, mut transform)) = cameras.single_mut() else {
+        return;
+    };
     let dt = time.delta_secs().clamp(1e-3, 0.1);
     if pointer.on_globe && buttons.any_just_pressed(DRAG) {
         camera.dragging = true;
@@ -160,7 +184,11 @@ pub fn steer(
         camera.drag(motion.delta, height, dt);
     }
     if pointer.on_globe && scroll.delta.y != 0.0 {
-        let unit = if scroll.unit == MouseScrollUnit::Line { 1.0 } else { 0.02 };
+        let unit = if scroll.unit == MouseScrollUnit::Line {
+            1.0
+        } else {
+            0.02
+        };
         camera.zoom(scroll.delta.y * unit);
     }
     if !egui.wants_keyboard_input() {
@@ -185,11 +213,15 @@ pub fn fit_viewport(
     window: Query<&Window, With<PrimaryWindow>>,
     mut cameras: Query<&mut Camera, With<OrbitCamera>>,
 ) {
-    let (Ok(mut camera), Ok(window)) = (cameras.single_mut(), window.single()) else { return };
+    let (Ok(mut camera), Ok(window)) = (cameras.single_mut(), window.single()) else {
+        return;
+    };
     let scale = window.scale_factor();
     let viewport = area.0.and_then(|rect| {
         let min = (Vec2::new(rect.min.x, rect.min.y) * scale).as_uvec2();
-        let max = (Vec2::new(rect.max.x, rect.max.y) * scale).as_uvec2().min(window.physical_size());
+        let max = (Vec2::new(rect.max.x, rect.max.y) * scale)
+            .as_uvec2()
+            .min(window.physical_size());
         let size = max.saturating_sub(min);
         (size.min_element() >= 16).then(|| Viewport {
             physical_position: min,

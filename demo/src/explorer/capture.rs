@@ -1,4 +1,5 @@
-//! Pictures of the window, written in the background; and the run of a fixed number of frames that tests use.
+//! Pictures of the window, written in the background; and the run of a fixed number of frames that
+//! tests use.
 
 use super::messages::Messages;
 use super::session::Session;
@@ -31,7 +32,11 @@ pub struct FixedRun {
 impl FixedRun {
     /// A run of `frames` frames.
     pub fn new(frames: u32, capture: Option<PathBuf>) -> Self {
-        Self { frames, capture, asked: false }
+        Self {
+            frames,
+            capture,
+            asked: false,
+        }
     }
 }
 
@@ -42,7 +47,9 @@ pub fn take_pictures(
     mut pictures: ResMut<Pictures>,
 ) {
     for action in actions.read() {
-        let Action::Screenshot(path) = action else { continue };
+        let Action::Screenshot(path) = action else {
+            continue;
+        };
         let path = path.clone().unwrap_or_else(free_name);
         pictures.pending += 1;
         commands.spawn(Screenshot::primary_window()).observe(
@@ -97,7 +104,11 @@ pub fn count_frames(
         run.asked = true;
         actions.write(Action::Screenshot(run.capture.clone()));
     } else if run.capture.is_none() || idle_after(&run, &pictures) {
-        exit.write(if pictures.failed { AppExit::error() } else { AppExit::Success });
+        exit.write(if pictures.failed {
+            AppExit::error()
+        } else {
+            AppExit::Success
+        });
     }
 }
 
@@ -114,7 +125,10 @@ fn free_name() -> PathBuf {
 }
 
 fn write_png(image: Image, path: &Path) -> Result<(), String> {
-    let rgb = image.try_into_dynamic().map_err(|error| error.to_string())?.to_rgb8();
+    let rgb = image
+        .try_into_dynamic()
+        .map_err(|error| error.to_string())?
+        .to_rgb8();
     let (width, height) = rgb.dimensions();
     io::write_atomically(path, |out| {
         let mut encoder = png::Encoder::new(out, width, height);

@@ -24,7 +24,11 @@ pub struct Mark {
 impl Mark {
     /// How far a planet is now.
     pub fn of((planet, clock, recording): (Entity, &GeologicClock, &Recording)) -> Self {
-        Self { planet, steps: clock.step, commands: recording.0.len() }
+        Self {
+            planet,
+            steps: clock.step,
+            commands: recording.0.len(),
+        }
     }
 }
 
@@ -44,7 +48,10 @@ impl Discard {
     /// Whether the planet may go for `action`: it has not changed, or this is the second press.
     pub fn allows(&mut self, action: &Action, now: Mark) -> bool {
         let what = discriminant(action);
-        let again = self.asked.take().is_some_and(|(asked, at)| asked == what && at.elapsed() < SOON);
+        let again = self
+            .asked
+            .take()
+            .is_some_and(|(asked, at)| asked == what && at.elapsed() < SOON);
         let allowed = again || self.kept == Some(now);
         if !allowed {
             self.asked = Some((what, Instant::now()));

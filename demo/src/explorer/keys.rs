@@ -22,9 +22,15 @@ pub fn read(
     }
     for key in keys.read().filter(|key| key.state.is_pressed()) {
         match &key.logical_key {
-            Key::Character(text) => {
-                letter(text, key.repeat, &mut look, &mut tool, &mut help, &form, &mut actions)
-            }
+            Key::Character(text) => letter(
+                text,
+                key.repeat,
+                &mut look,
+                &mut tool,
+                &mut help,
+                &form,
+                &mut actions,
+            ),
             _ if key.repeat => {}
             Key::Space => {
                 actions.write(Action::TogglePlay);
@@ -72,7 +78,13 @@ fn letter(
         "w" => look.sea = !look.sea,
         "m" => look.wireframe = !look.wireframe,
         "p" => look.boundaries = !look.boundaries,
-        "b" => *tool = if *tool == Tool::Paint { Tool::Select } else { Tool::Paint },
+        "b" => {
+            *tool = if *tool == Tool::Paint {
+                Tool::Select
+            } else {
+                Tool::Paint
+            }
+        }
         "," => look.overlay = neighbour(look.overlay, Overlay::ALL.len() - 1),
         "." => look.overlay = neighbour(look.overlay, 1),
         digit => {
@@ -90,12 +102,18 @@ fn exaggerate(look: &mut Look, factor: f32) {
 
 /// The overlay that keys 1 to 9 and then 0 choose.
 fn numbered(digit: usize) -> Option<Overlay> {
-    Overlay::ALL.get((digit + 9) % 10).copied().filter(|_| digit < 10)
+    Overlay::ALL
+        .get((digit + 9) % 10)
+        .copied()
+        .filter(|_| digit < 10)
 }
 
 /// The overlay `by` places further down the list, which is a ring.
 fn neighbour(overlay: Overlay, by: usize) -> Overlay {
-    let here = Overlay::ALL.iter().position(|&other| other == overlay).unwrap_or(0);
+    let here = Overlay::ALL
+        .iter()
+        .position(|&other| other == overlay)
+        .unwrap_or(0);
     Overlay::ALL[(here + by) % Overlay::ALL.len()]
 }
 
@@ -118,6 +136,9 @@ mod tests {
             overlay = neighbour(overlay, 1);
         }
         assert_eq!(overlay, Overlay::Elevation);
-        assert_eq!(neighbour(neighbour(overlay, 1), Overlay::ALL.len() - 1), overlay);
+        assert_eq!(
+            neighbour(neighbour(overlay, 1), Overlay::ALL.len() - 1),
+            overlay
+        );
     }
 }

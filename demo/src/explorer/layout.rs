@@ -15,7 +15,8 @@ use super::style::{self, section};
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use bevy_egui::egui::{
-    Context, Frame, LayerId, Margin, Order, Panel, Rect, RichText, ScrollArea, Spinner, Ui, UiBuilder,
+    Context, Frame, LayerId, Margin, Order, Panel, Rect, RichText, ScrollArea, Spinner, Ui,
+    UiBuilder,
 };
 use bevy_egui::{EguiContexts, egui};
 
@@ -62,18 +63,33 @@ pub fn draw(
     }
     let view = reader.view();
     let mut out = Outbox::default();
-    let root = UiBuilder::new().layer_id(LayerId::background()).max_rect(ctx.viewport_rect());
+    let root = UiBuilder::new()
+        .layer_id(LayerId::background())
+        .max_rect(ctx.viewport_rect());
     let mut root = Ui::new(ctx.clone(), "root".into(), root);
     let frame_ms = readings.frames.mean();
-    let bar = Frame::new().fill(style::RAISED).inner_margin(Margin::symmetric(12, 3));
-    Panel::bottom("bar").exact_size(BAR).resizable(false).frame(bar).show(&mut root, |ui| {
-        panels::status::show(ui, view.as_ref(), &readings.session, &forms.tool, frame_ms);
-    });
+    let bar = Frame::new()
+        .fill(style::RAISED)
+        .inner_margin(Margin::symmetric(12, 3));
+    Panel::bottom("bar")
+        .exact_size(BAR)
+        .resizable(false)
+        .frame(bar)
+        .show(&mut root, |ui| {
+            panels::status::show(ui, view.as_ref(), &readings.session, &forms.tool, frame_ms);
+        });
     side(Panel::left("left").exact_size(LEFT), &mut root, |ui| {
         left(ui, view.as_ref(), &readings, &mut forms, &mut out);
     });
     side(Panel::right("right").exact_size(RIGHT), &mut root, |ui| {
-        right(ui, view.as_ref(), &readings, pointer.ground, &mut forms, &mut out);
+        right(
+            ui,
+            view.as_ref(),
+            &readings,
+            pointer.ground,
+            &mut forms,
+            &mut out,
+        );
     });
     let free = root.available_rect_before_wrap();
     float(&ctx, free, view.as_ref(), &readings, &mut forms);
@@ -84,25 +100,47 @@ pub fn draw(
 }
 
 fn side(panel: Panel, root: &mut Ui, body: impl FnOnce(&mut Ui)) {
-    panel.resizable(false).frame(style::panel_frame()).show(root, |ui| {
-        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            // Keeps the scroll bar clear of the widgets.
-            Frame::new().inner_margin(Margin { right: 8, ..Margin::ZERO }).show(ui, body);
+    panel
+        .resizable(false)
+        .frame(style::panel_frame())
+        .show(root, |ui| {
+            ScrollArea::vertical()
+                .auto_shrink([false, false])
+                .show(ui, |ui| {
+                    // Keeps the scroll bar clear of the widgets.
+                    Frame::new()
+                        .inner_margin(Margin {
+                            right: 8,
+                            ..Margin::ZERO
+                        })
+                        .show(ui, body);
+                });
         });
-    });
 }
 
-fn left(ui: &mut Ui, view: Option<&View>, readings: &Readings, forms: &mut Forms, out: &mut Outbox) {
+fn left(
+    ui: &mut Ui,
+    view: Option<&View>,
+    readings: &Readings,
+    forms: &mut Forms,
+    out: &mut Outbox,
+) {
     if let Some(view) = view {
         section(ui, "Time", true, |ui| panels::time::show(ui, view, out));
     }
-    section(ui, "View", true, |ui| panels::overlays::show(ui, &mut forms.look));
+    section(ui, "View", true, |ui| {
+        panels::overlays::show(ui, &mut forms.look)
+    });
     section(ui, "Planet", false, |ui| {
         panels::planet::show(ui, view, &readings.session, &mut forms.planet, out);
     });
     if let Some(view) = view {
-        section(ui, "Parameters", false, |ui| panels::params::show(ui, view, out));
-        section(ui, "Timings", false, |ui| panels::timings::show(ui, view, &readings.frames, out));
+        section(ui, "Parameters", false, |ui| {
+            panels::params::show(ui, view, out)
+        });
+        section(ui, "Timings", false, |ui| {
+            panels::timings::show(ui, view, &readings.frames, out)
+        });
     }
 }
 
@@ -119,11 +157,21 @@ fn right(
         let form = (&*readings.selection, &mut *forms.tool, &mut *forms.plate);
         panels::plate::show(ui, view, form, out);
     });
-    section(ui, "Under the cursor", true, |ui| panels::cursor::show(ui, view, ground));
-    section(ui, "Brush", false, |ui| {
-        panels::paint::show(ui, view.planet.radius, &mut forms.tool, &mut forms.paint, out);
+    section(ui, "Under the cursor", true, |ui| {
+        panels::cursor::show(ui, view, ground)
     });
-    section(ui, "Log", true, |ui| panels::messages::show(ui, &mut forms.messages));
+    section(ui, "Brush", false, |ui| {
+        panels::paint::show(
+            ui,
+            view.planet.radius,
+            &mut forms.tool,
+            &mut forms.paint,
+            out,
+        );
+    });
+    section(ui, "Log", true, |ui| {
+        panels::messages::show(ui, &mut forms.messages)
+    });
 }
 
 /// What floats over the globe.
@@ -159,9 +207,13 @@ fn waiting(ctx: &Context, free: Rect, session: &Session) {
 
 /// Whether the pointer is over the free area and nothing of egui is in the way.
 fn is_on_globe(ctx: &Context, free: Rect) -> bool {
-    let Some(at) = ctx.input(|input| input.pointer.latest_pos()) else { return false };
+    let Some(at) = ctx.input(|input| input.pointer.latest_pos()) else {
+        return false;
+    };
     free.contains(at)
-        && ctx.layer_id_at(at).is_none_or(|layer| layer.order == Order::Background)
+        && ctx
+            .layer_id_at(at)
+            .is_none_or(|layer| layer.order == Order::Background)
         && !ctx.egui_is_using_pointer()
         && !ctx.any_popup_open()
 }

@@ -1,4 +1,5 @@
-//! Marks on the globe: the poles of the selected plate, the rift line being drawn, the ring of the brush.
+//! Marks on the globe: the poles of the selected plate, the rift line being drawn, the ring of the
+//! brush.
 //!
 //! Marks are drawn over the relief; what lies behind the horizon is left out here.
 
@@ -32,8 +33,15 @@ pub fn draw(
     (look, pointer, selection): (Res<Look>, Res<Pointer>, Res<Selection>),
     (tool, brush): (Res<Tool>, Res<PaintForm>),
 ) {
-    let (Some(view), Ok(camera)) = (reader.view(), cameras.single()) else { return };
-    let mut pen = Pen { gizmos: &mut gizmos, view: &view, look: &look, eye: camera.transform().translation };
+    let (Some(view), Ok(camera)) = (reader.view(), cameras.single()) else {
+        return;
+    };
+    let mut pen = Pen {
+        gizmos: &mut gizmos,
+        view: &view,
+        look: &look,
+        eye: camera.transform().translation,
+    };
     if let Some(plate) = selection.0.and_then(|id| view.plates.get(id)) {
         pen.pole(plate.motion.axis);
         pen.pole(-plate.motion.axis);
@@ -41,8 +49,12 @@ pub fn draw(
     match &*tool {
         Tool::Select => {}
         Tool::RiftLine { points, .. } => {
-            points.windows(2).for_each(|pair| pen.arc(pair[0], pair[1], MARK));
-            points.iter().for_each(|&point| pen.ring(point, 0.008, MARK));
+            points
+                .windows(2)
+                .for_each(|pair| pen.arc(pair[0], pair[1], MARK));
+            points
+                .iter()
+                .for_each(|&point| pen.ring(point, 0.008, MARK));
             if let (Some(&last), Some(ground)) = (points.last(), pointer.ground) {
                 pen.arc(last, ground, LIVE.with_alpha(0.6));
             }
@@ -66,7 +78,11 @@ impl Pen<'_, '_, '_> {
     /// The point of the drawn ground at a direction, if it is on this side of the horizon.
     fn ground(&self, direction: DVec3) -> Option<Vec3> {
         let elevation = self.view.surface.at(self.view.mesh, direction).elevation;
-        let drawn = if self.look.sea { elevation.max(0.0) } else { elevation };
+        let drawn = if self.look.sea {
+            elevation.max(0.0)
+        } else {
+            elevation
+        };
         let relief = drawn * self.look.exaggeration / self.view.planet.radius as f32;
         let up = to_bevy(direction);
         (up.dot(self.eye) > 1.0 - 2.0 * relief.max(0.0)).then(|| up * (1.0 + relief))

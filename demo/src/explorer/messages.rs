@@ -1,4 +1,5 @@
-//! What happened: events of the planet, refused commands and errors, as a log and as a strip over the globe.
+//! What happened: events of the planet, refused commands and errors, as a log and as a strip over
+//! the globe.
 
 use super::session::Session;
 use super::text;
@@ -49,7 +50,10 @@ impl Messages {
 
     /// What stands over the globe now, newest first; events only go into the log.
     pub fn strip(&self) -> impl Iterator<Item = &Entry> {
-        self.0.iter().filter(|e| e.tone != Tone::Event && e.at.elapsed() < SHOWN).take(3)
+        self.0
+            .iter()
+            .filter(|e| e.tone != Tone::Event && e.at.elapsed() < SHOWN)
+            .take(3)
     }
 
     /// Says that something was done.
@@ -79,7 +83,13 @@ impl Messages {
             last.at = Instant::now();
             return;
         }
-        self.0.push_front(Entry { time, tone, text, times: 1, at: Instant::now() });
+        self.0.push_front(Entry {
+            time,
+            tone,
+            text,
+            times: 1,
+            at: Instant::now(),
+        });
         self.0.truncate(CAPACITY);
     }
 }
@@ -122,13 +132,28 @@ fn on_collision(
         event.to.0,
         text::place(event.at),
     );
-    log((&mut messages, &session, &clocks), event.planet, Tone::Event, what);
+    log(
+        (&mut messages, &session, &clocks),
+        event.planet,
+        Tone::Event,
+        what,
+    );
 }
 
-fn on_rift(event: On<PlateRifted>, mut messages: ResMut<Messages>, session: Res<Session>, clocks: Clocks) {
+fn on_rift(
+    event: On<PlateRifted>,
+    mut messages: ResMut<Messages>,
+    session: Res<Session>,
+    clocks: Clocks,
+) {
     let names: Vec<_> = event.fragments.iter().map(|id| id.0.to_string()).collect();
     let what = format!("plate {} broke into {}", event.parent.0, names.join(", "));
-    log((&mut messages, &session, &clocks), event.planet, Tone::Event, what);
+    log(
+        (&mut messages, &session, &clocks),
+        event.planet,
+        Tone::Event,
+        what,
+    );
 }
 
 fn on_consumed(
@@ -138,7 +163,12 @@ fn on_consumed(
     clocks: Clocks,
 ) {
     let what = format!("plate {} was consumed", event.plate.0);
-    log((&mut messages, &session, &clocks), event.planet, Tone::Event, what);
+    log(
+        (&mut messages, &session, &clocks),
+        event.planet,
+        Tone::Event,
+        what,
+    );
 }
 
 fn on_resample(
@@ -148,7 +178,12 @@ fn on_resample(
     clocks: Clocks,
 ) {
     let what = format!("{} of new ocean floor", text::area(event.new_ocean));
-    log((&mut messages, &session, &clocks), event.planet, Tone::Event, what);
+    log(
+        (&mut messages, &session, &clocks),
+        event.planet,
+        Tone::Event,
+        what,
+    );
 }
 
 fn on_applied(
@@ -158,7 +193,12 @@ fn on_applied(
     clocks: Clocks,
 ) {
     let what = describe(&event.command);
-    log((&mut messages, &session, &clocks), event.planet, Tone::Event, what);
+    log(
+        (&mut messages, &session, &clocks),
+        event.planet,
+        Tone::Event,
+        what,
+    );
 }
 
 fn on_rejected(
@@ -168,23 +208,36 @@ fn on_rejected(
     clocks: Clocks,
 ) {
     let what = event.error.to_string();
-    log((&mut messages, &session, &clocks), event.planet, Tone::Error, what);
+    log(
+        (&mut messages, &session, &clocks),
+        event.planet,
+        Tone::Error,
+        what,
+    );
 }
 
 /// A command in words.
 fn describe(command: &TectonicCommand) -> String {
     match command {
         TectonicCommand::SetPlateMotion { plate, speed, .. } => {
-            format!("plate {} now moves at {} km/My", plate.0, text::number(*speed))
+            format!(
+                "plate {} now moves at {} km/My",
+                plate.0,
+                text::number(*speed)
+            )
         }
         TectonicCommand::RiftPlate { plate, .. } => format!("plate {} is torn apart", plate.0),
         TectonicCommand::SetPlateCrust { plate, kind } => {
             format!("plate {} is now {kind:?}", plate.0).to_lowercase()
         }
-        TectonicCommand::PaintCrust { target: PaintTarget::Everywhere, .. } => {
-            "the whole crust was painted".into()
-        }
-        TectonicCommand::PaintCrust { target: PaintTarget::Disc { radius, .. }, .. } => {
+        TectonicCommand::PaintCrust {
+            target: PaintTarget::Everywhere,
+            ..
+        } => "the whole crust was painted".into(),
+        TectonicCommand::PaintCrust {
+            target: PaintTarget::Disc { radius, .. },
+            ..
+        } => {
             format!("crust was painted within {} km", text::number(*radius))
         }
         TectonicCommand::SetParam { name, value } => {
@@ -193,8 +246,12 @@ fn describe(command: &TectonicCommand) -> String {
         TectonicCommand::SetProcess { name, on } => {
             format!("{} {}", text::words(name), if *on { "on" } else { "off" })
         }
-        TectonicCommand::SetOceanFloor { law: OceanFloor::Relaxing } => "ocean floor relaxes".into(),
-        TectonicCommand::SetOceanFloor { law: OceanFloor::Paper } => "ocean floor sinks as printed".into(),
+        TectonicCommand::SetOceanFloor {
+            law: OceanFloor::Relaxing,
+        } => "ocean floor relaxes".into(),
+        TectonicCommand::SetOceanFloor {
+            law: OceanFloor::Paper,
+        } => "ocean floor sinks as printed".into(),
         TectonicCommand::Resample => "a resample was asked for".into(),
     }
 }

@@ -94,24 +94,34 @@ pub fn run(options: Options) -> Result<(), String> {
     }
 }
 
-/// An app with a window. Winit panics where the display cannot be reached; that becomes an error here.
+/// An app with a window. Winit panics where the display cannot be reached; that becomes an error
+/// here.
 fn open_window(adapter: RenderCreation) -> Result<App, String> {
     let hook = take_hook();
     set_hook(Box::new(|_| {}));
     let opened = catch_unwind(AssertUnwindSafe(|| {
         let mut app = App::new();
-        app.add_plugins((default_plugins(adapter), EguiPlugin::default(), PangaeaPlugins));
+        app.add_plugins((
+            default_plugins(adapter),
+            EguiPlugin::default(),
+            PangaeaPlugins,
+        ));
         app
     }));
     set_hook(hook);
     opened.map_err(|panic| {
         let text = panic.downcast_ref::<String>().map(String::as_str);
-        let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no reason given");
+        let text = text
+            .or_else(|| panic.downcast_ref::<&str>().copied())
+            .unwrap_or("no reason given");
         if text.contains("event loop") {
             let display = std::env::var("DISPLAY").unwrap_or_default();
             return format!("no window can be opened: the display {display} does not answer");
         }
-        format!("no window can be opened: {}", text.lines().next().unwrap_or(text))
+        format!(
+            "no window can be opened: {}",
+            text.lines().next().unwrap_or(text)
+        )
     })
 }
 
@@ -121,13 +131,26 @@ fn default_plugins(adapter: RenderCreation) -> impl PluginGroup {
         name: Some("pangaea".into()),
         resolution: WindowResolution::new(1280, 720),
         present_mode: PresentMode::AutoVsync,
-        resize_constraints: WindowResizeConstraints { min_width: 800.0, min_height: 480.0, ..default() },
+        resize_constraints: WindowResizeConstraints {
+            min_width: 800.0,
+            min_height: 480.0,
+            ..default()
+        },
         ..default()
     };
     DefaultPlugins
-        .set(WindowPlugin { primary_window: Some(window), ..default() })
-        .set(RenderPlugin { render_creation: adapter, ..default() })
-        .set(AssetPlugin { watch_for_changes_override: Some(false), ..default() })
+        .set(WindowPlugin {
+            primary_window: Some(window),
+            ..default()
+        })
+        .set(RenderPlugin {
+            render_creation: adapter,
+            ..default()
+        })
+        .set(AssetPlugin {
+            watch_for_changes_override: Some(false),
+            ..default()
+        })
         // It would print the panics that `open_window` turns into errors.
         .disable::<PanicHandlerPlugin>()
 }
@@ -196,14 +219,19 @@ fn add_update_systems(app: &mut App) {
         )
             .chain(),
     )
-    .add_systems(PostUpdate, camera::fit_viewport.before(bevy::camera::CameraUpdateSystems));
+    .add_systems(
+        PostUpdate,
+        camera::fit_viewport.before(bevy::camera::CameraUpdateSystems),
+    );
 }
 
 /// A window needs a display server; winit panics where there is none.
 fn has_display() -> Result<(), String> {
     let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     if cfg!(target_os = "linux") && !set("DISPLAY") {
-        return Err("no display: DISPLAY is not set; the commands of pangaea --help need none".into());
+        return Err(
+            "no display: DISPLAY is not set; the commands of pangaea --help need none".into(),
+        );
     }
     Ok(())
 }

@@ -47,7 +47,9 @@ pub fn click(
     if !buttons.just_released(MouseButton::Left) {
         return;
     }
-    let (Some(from), Some(to)) = (pressed_at.take(), at) else { return };
+    let (Some(from), Some(to)) = (pressed_at.take(), at) else {
+        return;
+    };
     if from.distance(to) > CLICK_SLOP || !pointer.on_globe {
         return;
     }
@@ -57,8 +59,13 @@ pub fn click(
         }
         (Tool::Select, Some(ground)) => {
             let Some(planet) = session.planet else { return };
-            let Ok((lattice, surface)) = planets.get(planet) else { return };
-            let plate = surface.plate.get(lattice.0.nearest(ground) as usize).copied();
+            let Ok((lattice, surface)) = planets.get(planet) else {
+                return;
+            };
+            let plate = surface
+                .plate
+                .get(lattice.0.nearest(ground) as usize)
+                .copied();
             actions.write(Action::Select(plate));
         }
         (Tool::RiftLine { points, .. }, Some(ground)) => points.push(ground),

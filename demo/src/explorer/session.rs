@@ -1,8 +1,8 @@
 //! The planet on show: growing, loading and saving in the background.
 //!
-//! A new planet replaces the old one only once it is there, and one that is not saved only when that is
-//! asked for twice; whatever fails is said in a message and the old planet lives on. A save takes the
-//! state at a step boundary and writes it on another thread.
+//! A new planet replaces the old one only once it is there, and one that is not saved only when
+//! that is asked for twice; whatever fails is said in a message and the old planet lives on. A save
+//! takes the state at a step boundary and writes it on another thread.
 
 use super::background::Background;
 use super::discard::{Discard, Mark, QUESTION};
@@ -49,7 +49,10 @@ impl Session {
     /// What is under way, in words.
     pub fn busy(&self) -> Option<&str> {
         let saving = self.save_to.is_some() || self.saving.is_some();
-        self.job.as_ref().map(|job| job.what.as_str()).or(saving.then_some("Saving"))
+        self.job
+            .as_ref()
+            .map(|job| job.what.as_str())
+            .or(saving.then_some("Saving"))
     }
 
     /// Whether a new planet is on its way.
@@ -57,8 +60,15 @@ impl Session {
         self.job.is_some()
     }
 
-    fn start(&mut self, what: String, work: impl FnOnce() -> Result<Outcome, String> + Send + 'static) {
-        self.job = Some(Job { what, work: Background::start(work) });
+    fn start(
+        &mut self,
+        what: String,
+        work: impl FnOnce() -> Result<Outcome, String> + Send + 'static,
+    ) {
+        self.job = Some(Job {
+            what,
+            work: Background::start(work),
+        });
     }
 }
 
@@ -69,9 +79,15 @@ pub fn start_jobs(
     mut messages: ResMut<Messages>,
     planets: Query<(Entity, &GeologicClock, &Recording)>,
 ) {
-    let now = session.planet.and_then(|planet| planets.get(planet).ok()).map(Mark::of);
+    let now = session
+        .planet
+        .and_then(|planet| planets.get(planet).ok())
+        .map(Mark::of);
     for action in actions.read() {
-        let wants_job = matches!(action, Action::Grow(_) | Action::Load(_) | Action::ReadPreset(_));
+        let wants_job = matches!(
+            action,
+            Action::Grow(_) | Action::Load(_) | Action::ReadPreset(_)
+        );
         if wants_job && session.job.is_some() {
             messages.error("a planet is on its way already: wait for it");
             continue;
@@ -85,7 +101,10 @@ pub fn start_jobs(
         }
         match action.clone() {
             Action::Grow(recipe) => session.start("Growing a planet".into(), move || {
-                PlanetState::new(&recipe).map(Box::new).map(Outcome::Grown).map_err(text)
+                PlanetState::new(&recipe)
+                    .map(Box::new)
+                    .map(Outcome::Grown)
+                    .map_err(text)
             }),
             Action::Load(path) => session.start("Loading".into(), move || {
                 let state = io::load(&path).map_err(text)?;
@@ -110,19 +129,29 @@ pub fn start_jobs(
 /// Puts a planet that is ready on show.
 pub fn finish_jobs(world: &mut World) {
     let mut session = world.resource_mut::<Session>();
-    let Some(job) = session.job.as_mut() else { return };
-    let Some(outcome) = job.work.take() else { return };
+    let Some(job) = session.job.as_mut() else {
+        return;
+    };
+    let Some(outcome) = job.work.take() else {
+        return;
+    };
     session.job = None;
     match outcome {
         Ok(Outcome::Grown(state)) => {
             let seed = state.planet.seed;
             replace(world, *state);
-            world.resource_mut::<Messages>().note(format!("a new planet from seed {seed}"));
+            world
+                .resource_mut::<Messages>()
+                .note(format!("a new planet from seed {seed}"));
         }
         Ok(Outcome::Loaded(state, path)) => show_loaded(world, *state, &path),
         Ok(Outcome::Preset(recipe, path)) => {
-            world.resource_mut::<PlanetForm>().take_preset(*recipe, &path);
-            world.resource_mut::<Messages>().note(format!("read {}", path.display()));
+            world
+                .resource_mut::<PlanetForm>()
+                .take_preset(*recipe, &path);
+            world
+                .resource_mut::<Messages>()
+                .note(format!("read {}", path.display()));
         }
         Err(error) => world.resource_mut::<Messages>().error(error),
     }
@@ -140,7 +169,9 @@ pub fn begin_with(app: &mut App, planet: Box<PlanetState>, path: PathBuf) {
 
 fn show_loaded(world: &mut World, state: PlanetState, path: &Path) {
     replace(world, state);
-    world.resource_mut::<Messages>().note(format!("loaded {}", path.display()));
+    world
+        .resource_mut::<Messages>()
+        .note(format!("loaded {}", path.display()));
 }
 
 /// Spawns the planet in place of the present one; whether time runs, and how fast, stays.
@@ -170,8 +201,12 @@ fn mark(world: &World, planet: Entity) -> Option<Mark> {
 /// Takes the state for a save when the planet stands between two steps, and hands it to a thread.
 pub fn save_at_boundary(world: &mut World) {
     let session = world.resource::<Session>();
-    let (Some(planet), Some(path)) = (session.planet, session.save_to.clone()) else { return };
-    let between = world.get::<StepCursor>(planet).is_some_and(StepCursor::at_boundary);
+    let (Some(planet), Some(path)) = (session.planet, session.save_to.clone()) else {
+        return;
+    };
+    let between = world
+        .get::<StepCursor>(planet)
+        .is_some_and(StepCursor::at_boundary);
     if !between || session.saving.is_some() {
         return;
     }
@@ -185,14 +220,20 @@ pub fn save_at_boundary(world: &mut World) {
             });
             world.resource_mut::<Session>().saving = Some(Saving { mark, work });
         }
-        None => world.resource_mut::<Messages>().error("the planet cannot be saved now"),
+        None => world
+            .resource_mut::<Messages>()
+            .error("the planet cannot be saved now"),
     }
 }
 
 /// Says how a save went.
 pub fn finish_save(mut session: ResMut<Session>, mut messages: ResMut<Messages>) {
-    let Some(saving) = session.saving.as_mut() else { return };
-    let Some(outcome) = saving.work.take() else { return };
+    let Some(saving) = session.saving.as_mut() else {
+        return;
+    };
+    let Some(outcome) = saving.work.take() else {
+        return;
+    };
     let mark = saving.mark;
     session.saving = None;
     match outcome {

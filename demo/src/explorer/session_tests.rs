@@ -11,7 +11,10 @@ fn app() -> App {
         .init_resource::<Messages>()
         .init_resource::<Selection>()
         .init_resource::<PlanetForm>()
-        .add_systems(Update, (start_jobs, finish_jobs, save_at_boundary, finish_save).chain());
+        .add_systems(
+            Update,
+            (start_jobs, finish_jobs, save_at_boundary, finish_save).chain(),
+        );
     app
 }
 
@@ -31,7 +34,11 @@ fn ask(app: &mut App, action: Action) -> (Tone, String) {
 }
 
 fn recipe() -> Box<PlanetRecipe> {
-    Box::new(PlanetRecipe { samples: 500, plate_count: 6, ..default() })
+    Box::new(PlanetRecipe {
+        samples: 500,
+        plate_count: 6,
+        ..default()
+    })
 }
 
 fn grown() -> (App, Entity) {
@@ -44,17 +51,33 @@ fn grown() -> (App, Entity) {
 #[test]
 fn a_new_planet_replaces_the_old_one_only_when_it_is_there() {
     let (mut app, first) = grown();
-    let bad = Box::new(PlanetRecipe { land: f64::NAN, ..*recipe() });
+    let bad = Box::new(PlanetRecipe {
+        land: f64::NAN,
+        ..*recipe()
+    });
     assert_eq!(ask(&mut app, Action::Grow(bad)).0, Tone::Error);
     assert_eq!(app.world().resource::<Session>().planet, Some(first));
     assert!(app.world().get::<Crust>(first).is_some());
-    app.world_mut().get_mut::<GeologicClock>(first).unwrap().paused = true;
+    app.world_mut()
+        .get_mut::<GeologicClock>(first)
+        .unwrap()
+        .paused = true;
     assert_eq!(ask(&mut app, Action::Grow(recipe())).0, Tone::Note);
     let second = app.world().resource::<Session>().planet.unwrap();
     assert_ne!(first, second);
-    assert!(app.world().get_entity(first).is_err(), "the old planet is gone");
-    assert!(app.world().get::<GeologicClock>(second).unwrap().paused, "a pause stays");
-    let plates = app.world_mut().query::<&PlateId>().iter(app.world()).count();
+    assert!(
+        app.world().get_entity(first).is_err(),
+        "the old planet is gone"
+    );
+    assert!(
+        app.world().get::<GeologicClock>(second).unwrap().paused,
+        "a pause stays"
+    );
+    let plates = app
+        .world_mut()
+        .query::<&PlateId>()
+        .iter(app.world())
+        .count();
     assert_eq!(plates, 6, "the plates of the old planet are gone");
 }
 
@@ -92,12 +115,23 @@ fn a_planet_that_is_not_saved_goes_when_that_is_asked_for_twice() {
     let (mut app, first) = grown();
     let step = |app: &mut App| {
         let planet = app.world().resource::<Session>().planet.unwrap();
-        app.world_mut().get_mut::<GeologicClock>(planet).unwrap().step += 1;
+        app.world_mut()
+            .get_mut::<GeologicClock>(planet)
+            .unwrap()
+            .step += 1;
     };
     // What is saved may go.
     step(&mut app);
-    assert!(ask(&mut app, Action::Save(path.clone())).1.starts_with("saved"));
-    assert!(ask(&mut app, Action::Grow(recipe())).1.starts_with("a new planet"));
+    assert!(
+        ask(&mut app, Action::Save(path.clone()))
+            .1
+            .starts_with("saved")
+    );
+    assert!(
+        ask(&mut app, Action::Grow(recipe()))
+            .1
+            .starts_with("a new planet")
+    );
     let second = app.world().resource::<Session>().planet.unwrap();
     assert_ne!(first, second);
     // What is not is asked about, for each wish anew.
@@ -106,11 +140,22 @@ fn a_planet_that_is_not_saved_goes_when_that_is_asked_for_twice() {
     assert_eq!(ask(&mut app, Action::Load(path.clone())).1, QUESTION);
     assert_eq!(app.world().resource::<Session>().planet, Some(second));
     step(&mut app);
-    assert!(ask(&mut app, Action::Load(path.clone())).1.starts_with("loaded"));
+    assert!(
+        ask(&mut app, Action::Load(path.clone()))
+            .1
+            .starts_with("loaded")
+    );
     // A command is a change, too.
     let third = app.world().resource::<Session>().planet.unwrap();
-    let command = TimedCommand { step: 1, command: TectonicCommand::Resample };
-    app.world_mut().get_mut::<Recording>(third).unwrap().0.push(command);
+    let command = TimedCommand {
+        step: 1,
+        command: TectonicCommand::Resample,
+    };
+    app.world_mut()
+        .get_mut::<Recording>(third)
+        .unwrap()
+        .0
+        .push(command);
     assert_eq!(ask(&mut app, Action::Load(path)).1, QUESTION);
 }
 
@@ -122,7 +167,15 @@ fn a_planet_that_was_loaded_before_is_the_first_on_show() {
     app.update();
     let planet = app.world().resource::<Session>().planet.unwrap();
     assert!(app.world().get::<Crust>(planet).is_some());
-    assert_eq!(app.world().resource::<Messages>().entries().next().unwrap().text, "loaded a.pangaea");
+    assert_eq!(
+        app.world()
+            .resource::<Messages>()
+            .entries()
+            .next()
+            .unwrap()
+            .text,
+        "loaded a.pangaea"
+    );
     app.update();
     assert_eq!(app.world().resource::<Session>().planet, Some(planet));
 }

@@ -1,4 +1,5 @@
-//! What the parts of the explorer share: wishes of the user, what is selected, what is under the cursor.
+//! What the parts of the explorer share: wishes of the user, what is selected, what is under the
+//! cursor.
 //!
 //! Panels and keys only say what is wanted, as an [`Action`]; [`session`](super::session) and
 //! [`apply_actions`] do it. So a key, a button and a test take the same way.
@@ -104,7 +105,8 @@ impl Default for Look {
 /// Where the pointer is.
 #[derive(Resource, Clone, Copy, Debug, Default)]
 pub struct Pointer {
-    /// Whether it is over the free area between the panels, and not over anything that floats there.
+    /// Whether it is over the free area between the panels, and not over anything that floats
+    /// there.
     pub on_globe: bool,
     /// Unit direction of the ground under it, in the planet's coordinates.
     pub ground: Option<DVec3>,
@@ -181,7 +183,8 @@ impl PlanetReader<'_, '_> {
     /// The planet on show; none before the first one has grown.
     pub fn view(&self) -> Option<View<'_>> {
         let entity = self.session.planet?;
-        let (planet, lattice, surface, clock, params, timings, bake) = self.planets.get(entity).ok()?;
+        let (planet, lattice, surface, clock, params, timings, bake) =
+            self.planets.get(entity).ok()?;
         if surface.is_empty() {
             return None;
         }
@@ -194,7 +197,17 @@ impl PlanetReader<'_, '_> {
             born: plate.born,
         }));
         let bake = bake.map(|bake| &*bake.0);
-        Some(View { entity, planet, mesh: &lattice.0, surface, clock, params, timings, plates, bake })
+        Some(View {
+            entity,
+            planet,
+            mesh: &lattice.0,
+            surface,
+            clock,
+            params,
+            timings,
+            plates,
+            bake,
+        })
     }
 }
 
@@ -211,8 +224,12 @@ pub fn apply_actions(
             selection.0 = *plate;
             continue;
         }
-        let Some(planet) = session.planet else { continue };
-        let Ok(mut clock) = clocks.get_mut(planet) else { continue };
+        let Some(planet) = session.planet else {
+            continue;
+        };
+        let Ok(mut clock) = clocks.get_mut(planet) else {
+            continue;
+        };
         match action {
             Action::TogglePlay => {
                 clock.paused = !clock.paused;
@@ -231,25 +248,34 @@ pub fn apply_actions(
     }
 }
 
-/// Gives the simulation its share of a frame: a few ms, or a quarter where drawing takes long anyway.
+/// Gives the simulation its share of a frame: a few ms, or a quarter where drawing takes long
+/// anyway.
 pub fn share_frames(
     frames: Res<super::panels::timings::FrameTimes>,
     session: Res<Session>,
     mut clocks: Query<&mut GeologicClock>,
 ) {
-    let Some(mut clock) = session.planet.and_then(|planet| clocks.get_mut(planet).ok()) else { return };
+    let Some(mut clock) = session
+        .planet
+        .and_then(|planet| clocks.get_mut(planet).ok())
+    else {
+        return;
+    };
     let ms = (0.25 * frames.mean()).clamp(8.0, 60.0);
     clock.frame_budget = Duration::from_secs_f64(ms * 1e-3);
 }
 
-/// Lets climate and rivers follow the planet while the globe shows them: they cost a core a quarter of a second.
+/// Lets climate and rivers follow the planet while the globe shows them: they cost a core a quarter
+/// of a second.
 pub fn ask_for_bakes(
     look: Res<Look>,
     session: Res<Session>,
     planets: Query<Has<BakeSettings>>,
     mut commands: Commands,
 ) {
-    let Some((planet, asked)) = session.planet.and_then(|planet| Some((planet, planets.get(planet).ok()?)))
+    let Some((planet, asked)) = session
+        .planet
+        .and_then(|planet| Some((planet, planets.get(planet).ok()?)))
     else {
         return;
     };
@@ -268,7 +294,10 @@ pub fn dress_globe(
     camera: Query<&GlobalTransform, With<super::camera::OrbitCamera>>,
     mut globes: Query<&mut Globe>,
 ) {
-    let Some(mut globe) = session.planet.and_then(|planet| globes.get_mut(planet).ok()) else {
+    let Some(mut globe) = session
+        .planet
+        .and_then(|planet| globes.get_mut(planet).ok())
+    else {
         return;
     };
     let mut wanted = globe.clone();
@@ -287,8 +316,16 @@ pub fn dress_globe(
 }
 
 /// Drops the selection and the rift line of a plate that is gone.
-pub fn forget_lost_plates(reader: PlanetReader, mut selection: ResMut<Selection>, mut tool: ResMut<Tool>) {
-    let exists = |id: PlateId| reader.view().is_some_and(|view| view.plates.get(id).is_some());
+pub fn forget_lost_plates(
+    reader: PlanetReader,
+    mut selection: ResMut<Selection>,
+    mut tool: ResMut<Tool>,
+) {
+    let exists = |id: PlateId| {
+        reader
+            .view()
+            .is_some_and(|view| view.plates.get(id).is_some())
+    };
     if selection.0.is_some_and(|id| !exists(id)) {
         selection.0 = None;
     }

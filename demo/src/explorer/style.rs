@@ -3,8 +3,8 @@
 use bevy_egui::egui::collapsing_header::CollapsingState;
 use bevy_egui::egui::style::HandleShape;
 use bevy_egui::egui::{
-    Align, Button, Color32, Context, CornerRadius, FontFamily, FontId, Frame, Label, Layout, Margin,
-    Response, RichText, Sense, Shape, Stroke, TextStyle, Theme, Ui, Visuals, vec2,
+    Align, Button, Color32, Context, CornerRadius, FontFamily, FontId, Frame, Label, Layout,
+    Margin, Response, RichText, Sense, Shape, Stroke, TextStyle, Theme, Ui, Visuals, vec2,
 };
 
 /// What can be acted upon, and what is active: molten rock.
@@ -78,9 +78,24 @@ fn visuals() -> Visuals {
     look.indent_has_left_vline = false;
     let states = [
         (&mut look.widgets.noninteractive, PANEL, LINE, TEXT),
-        (&mut look.widgets.inactive, FIELD, Color32::TRANSPARENT, TEXT),
-        (&mut look.widgets.hovered, Color32::from_rgb(54, 64, 83), Color32::from_rgb(92, 105, 130), BRIGHT),
-        (&mut look.widgets.active, Color32::from_rgb(66, 78, 101), ACCENT, BRIGHT),
+        (
+            &mut look.widgets.inactive,
+            FIELD,
+            Color32::TRANSPARENT,
+            TEXT,
+        ),
+        (
+            &mut look.widgets.hovered,
+            Color32::from_rgb(54, 64, 83),
+            Color32::from_rgb(92, 105, 130),
+            BRIGHT,
+        ),
+        (
+            &mut look.widgets.active,
+            Color32::from_rgb(66, 78, 101),
+            ACCENT,
+            BRIGHT,
+        ),
         (&mut look.widgets.open, RAISED, LINE, BRIGHT),
     ];
     for (widget, fill, line, text) in states {
@@ -96,7 +111,12 @@ fn visuals() -> Visuals {
 
 /// The frame of a side panel.
 pub fn panel_frame() -> Frame {
-    Frame::new().fill(PANEL).inner_margin(Margin { left: 10, right: 4, top: 8, bottom: 8 })
+    Frame::new().fill(PANEL).inner_margin(Margin {
+        left: 10,
+        right: 4,
+        top: 8,
+        bottom: 8,
+    })
 }
 
 /// The frame of things that float over the globe.
@@ -130,18 +150,31 @@ fn fold(ui: &mut Ui, title: &str, open: bool, main: bool, body: impl FnOnce(&mut
     }
     let hovered = response.hovered();
     if main || hovered {
-        ui.painter().rect_filled(rect, ROUND, if hovered { FIELD } else { RAISED });
+        ui.painter()
+            .rect_filled(rect, ROUND, if hovered { FIELD } else { RAISED });
     }
     let openness = state.openness(ui.ctx());
     let center = rect.left_center() + vec2(12.0, 0.0);
     let color = if main { ACCENT } else { FAINT };
     ui.painter().add(triangle(center, openness, color));
-    let font = if main { FontId::proportional(13.0) } else { FontId::proportional(12.0) };
+    let font = if main {
+        FontId::proportional(13.0)
+    } else {
+        FontId::proportional(12.0)
+    };
     let text = if main || hovered { BRIGHT } else { TEXT };
     let at = rect.left_center() + vec2(24.0, 0.0);
-    ui.painter().text(at, bevy_egui::egui::Align2::LEFT_CENTER, title, font, text);
+    ui.painter()
+        .text(at, bevy_egui::egui::Align2::LEFT_CENTER, title, font, text);
     state.show_body_unindented(ui, |ui| {
-        Frame::new().inner_margin(Margin { left: 4, right: 2, top: 3, bottom: 4 }).show(ui, body);
+        Frame::new()
+            .inner_margin(Margin {
+                left: 4,
+                right: 2,
+                top: 3,
+                bottom: 4,
+            })
+            .show(ui, body);
     });
 }
 
@@ -162,7 +195,8 @@ pub fn row(ui: &mut Ui, label: &str, value: impl Into<String>) -> Response {
 pub fn field<R>(ui: &mut Ui, label: &str, widget: impl FnOnce(&mut Ui) -> R) -> R {
     ui.horizontal(|ui| {
         ui.label(RichText::new(label).color(FAINT));
-        ui.with_layout(Layout::right_to_left(Align::Center), widget).inner
+        ui.with_layout(Layout::right_to_left(Align::Center), widget)
+            .inner
     })
     .inner
 }
@@ -175,7 +209,11 @@ pub fn primary_button(ui: &mut Ui, enabled: bool, text: &str) -> Response {
 
 /// A button that is on or off.
 pub fn toggle_button(ui: &mut Ui, on: bool, text: &str) -> Response {
-    let (fill, color) = if on { (ACCENT, ON_ACCENT) } else { (FIELD, TEXT) };
+    let (fill, color) = if on {
+        (ACCENT, ON_ACCENT)
+    } else {
+        (FIELD, TEXT)
+    };
     ui.add(Button::new(RichText::new(text).color(color)).fill(fill))
 }
 

@@ -7,8 +7,9 @@ use crate::params::{ProcessSwitches, TectonicParams};
 use bevy::math::DVec3;
 
 impl TectonicCommand {
-    /// Checks names and numbers, as far as they do not depend on a planet. Commands are checked by this before they take
-    /// effect, and scenarios and recordings when they are read: what one accepts the others accept.
+    /// Checks names and numbers, as far as they do not depend on a planet. Commands are checked by
+    /// this before they take effect, and scenarios and recordings when they are read: what one
+    /// accepts the others accept.
     ///
     /// # Errors
     /// [`CommandError`] for the first name or number that is refused.
@@ -18,11 +19,14 @@ impl TectonicCommand {
                 direction_of(*pole)?;
                 within("speed", *speed, -300.0, 300.0)
             }
-            Self::RiftPlate { line, fragments, .. } => {
+            Self::RiftPlate {
+                line, fragments, ..
+            } => {
                 if !line.is_empty() {
                     within("points", line.len() as f64, 2.0, 1000.0)?;
                 }
-                line.iter().try_for_each(|&point| direction_of(point).map(|_| ()))?;
+                line.iter()
+                    .try_for_each(|&point| direction_of(point).map(|_| ()))?;
                 within("fragments", f64::from(*fragments), 2.0, 4.0)
             }
             Self::PaintCrust { target, brush } => {
@@ -37,18 +41,30 @@ impl TectonicCommand {
                 }
             }
             Self::SetParam { name, value } => Ok(TectonicParams::default().set(name, *value)?),
-            Self::SetProcess { name, .. } => Ok(ProcessSwitches::default().get_mut(name).map(|_| ())?),
+            Self::SetProcess { name, .. } => {
+                Ok(ProcessSwitches::default().get_mut(name).map(|_| ())?)
+            }
             Self::SetPlateCrust { .. } | Self::SetOceanFloor { .. } | Self::Resample => Ok(()),
         }
     }
 }
 
 /// Checks that `value` lies within limits.
-pub(super) fn within(field: &'static str, value: f64, min: f64, max: f64) -> Result<(), CommandError> {
+pub(super) fn within(
+    field: &'static str,
+    value: f64,
+    min: f64,
+    max: f64,
+) -> Result<(), CommandError> {
     if value >= min && value <= max {
         Ok(())
     } else {
-        Err(CommandError::OutOfRange { field, value, min, max })
+        Err(CommandError::OutOfRange {
+            field,
+            value,
+            min,
+            max,
+        })
     }
 }
 

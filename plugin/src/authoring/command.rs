@@ -22,7 +22,8 @@ pub enum TectonicCommand {
     RiftPlate {
         /// The plate.
         plate: PlateId,
-        /// Latitudes and longitudes in degrees of points along the fracture, at least two; empty for a random fracture.
+        /// Latitudes and longitudes in degrees of points along the fracture, at least two; empty
+        /// for a random fracture.
         #[serde(default)]
         line: Vec<(f64, f64)>,
         /// Number of fragments of a random fracture, 2..=4.

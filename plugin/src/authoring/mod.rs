@@ -31,7 +31,9 @@ pub trait TectonicCommandsExt {
 
 impl TectonicCommandsExt for EntityCommands<'_> {
     fn tectonic(&mut self, command: TectonicCommand) -> &mut Self {
-        self.entry::<Inbox>().or_default().and_modify(move |mut inbox| inbox.0.push(command));
+        self.entry::<Inbox>()
+            .or_default()
+            .and_modify(move |mut inbox| inbox.0.push(command));
         self
     }
 }

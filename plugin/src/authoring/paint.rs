@@ -44,7 +44,8 @@ pub fn kind_of_plate(scene: &mut Scene, plate: PlateId, kind: CrustKind) {
     }
 }
 
-/// How strongly the brush touches sample `i`, 0..1: full in the inner half of a disc, fading to its edge.
+/// How strongly the brush touches sample `i`, 0..1: full in the inner half of a disc, fading to its
+/// edge.
 fn strength(scene: &Scene, target: &PaintTarget, i: usize) -> f64 {
     match target {
         PaintTarget::Everywhere => 1.0,
@@ -52,14 +53,20 @@ fn strength(scene: &Scene, target: &PaintTarget, i: usize) -> f64 {
             let frame = &scene.frames[usize::from(scene.crust.frame[i])];
             let p = frame.to_world(scene.mesh.points()[i]);
             let d = angle_between(p, direction(center.0, center.1)) * scene.radius;
-            if d <= *radius { smoothstep(2.0 * (1.0 - d / radius.max(1e-9))) } else { 0.0 }
+            if d <= *radius {
+                smoothstep(2.0 * (1.0 - d / radius.max(1e-9)))
+            } else {
+                0.0
+            }
         }
     }
 }
 
 fn stroke(scene: &mut Scene, i: usize, brush: &Brush, strength: f64) {
     match *brush {
-        Brush::Raise(dz) => set_elevation(scene, i, scene.crust.elevation[i] + (dz * strength) as f32),
+        Brush::Raise(dz) => {
+            set_elevation(scene, i, scene.crust.elevation[i] + (dz * strength) as f32)
+        }
         Brush::Elevation(z) => set_elevation(scene, i, z as f32),
         Brush::Kind(kind) => set_kind(scene, i, kind),
     }
@@ -67,7 +74,10 @@ fn stroke(scene: &mut Scene, i: usize, brush: &Brush, strength: f64) {
 
 /// Moves a sample to `z` km, within the elevations of the planet; its thickness follows.
 fn set_elevation(scene: &mut Scene, i: usize, z: f32) {
-    let (low, high) = (scene.params.trench_elevation as f32, scene.params.summit_elevation as f32);
+    let (low, high) = (
+        scene.params.trench_elevation as f32,
+        scene.params.summit_elevation as f32,
+    );
     let (z, old) = (z.clamp(low, high), scene.crust.elevation[i]);
     let law = Isostasy::new(scene.params);
     let thickness = scene.crust.thickness[i] + law.thickening(old, z - old);

@@ -19,14 +19,18 @@ pub struct TimedCommand {
 pub struct Recording(pub Vec<TimedCommand>);
 
 /// Commands to come, the content of a `*.scenario.ron` file. Insert it on a planet to play it.
-#[derive(Component, Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
+#[derive(
+    Component, Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize,
+)]
 #[reflect(Component)]
 pub struct Scenario(pub Vec<TimedCommand>);
 
 impl Scenario {
-    /// Takes the commands that are due once `step` steps have been taken, in order of time, then of the list.
+    /// Takes the commands that are due once `step` steps have been taken, in order of time, then of
+    /// the list.
     pub fn take_due(&mut self, step: u64) -> Vec<TectonicCommand> {
-        let (mut due, rest): (Vec<_>, Vec<_>) = self.0.drain(..).partition(|timed| timed.step <= step);
+        let (mut due, rest): (Vec<_>, Vec<_>) =
+            self.0.drain(..).partition(|timed| timed.step <= step);
         self.0 = rest;
         due.sort_by_key(|timed| timed.step);
         due.into_iter().map(|timed| timed.command).collect()

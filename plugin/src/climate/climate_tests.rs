@@ -33,7 +33,10 @@ fn rain_is_symmetric_without_relief() {
             let low = 5.0 * f64::from(k);
             let north = mean(&mesh, &climate.rain, (low, low + 5.0), ALL);
             let south = mean(&mesh, &climate.rain, (-low - 5.0, -low), ALL);
-            assert!((north - south).abs() < 0.03 * north + 3.0, "at {low}: {north} {south}");
+            assert!(
+                (north - south).abs() < 0.03 * north + 3.0,
+                "at {low}: {north} {south}"
+            );
         }
     }
 }
@@ -42,15 +45,31 @@ fn rain_is_symmetric_without_relief() {
 fn dry_belts_lie_between_15_and_30_degrees() {
     // All sea, and continents in every belt.
     for land in [false, true] {
-        let (mesh, climate) = planet(|_, lon| if land && lon.rem_euclid(120.0) < 50.0 { 0.3 } else { -4.0 });
+        let (mesh, climate) = planet(|_, lon| {
+            if land && lon.rem_euclid(120.0) < 50.0 {
+                0.3
+            } else {
+                -4.0
+            }
+        });
         for sign in [1.0, -1.0] {
             let belt = |k: i32| {
                 let low = f64::from(k) * 2.5;
-                let range = if sign > 0.0 { (low, low + 2.5) } else { (-low - 2.5, -low) };
+                let range = if sign > 0.0 {
+                    (low, low + 2.5)
+                } else {
+                    (-low - 2.5, -low)
+                };
                 mean(&mesh, &climate.rain, range, ALL)
             };
-            let driest = (0..22).min_by(|&a, &b| belt(a).total_cmp(&belt(b))).unwrap();
-            assert!((6..12).contains(&driest), "driest at {} degrees", 2.5 * f64::from(driest));
+            let driest = (0..22)
+                .min_by(|&a, &b| belt(a).total_cmp(&belt(b)))
+                .unwrap();
+            assert!(
+                (6..12).contains(&driest),
+                "driest at {} degrees",
+                2.5 * f64::from(driest)
+            );
             assert!(belt(0) > 2.5 * belt(driest) && belt(18) > 1.3 * belt(driest));
         }
     }
@@ -74,11 +93,28 @@ fn a_ridge_athwart_the_westerlies_has_a_wet_and_a_dry_side() {
 
 #[test]
 fn rain_falls_off_with_the_distance_to_the_sea_along_the_wind() {
-    let (mesh, climate) = planet(|_, lon| if (-60.0..60.0).contains(&lon) { 0.2 } else { -4.0 });
+    let (mesh, climate) = planet(|_, lon| {
+        if (-60.0..60.0).contains(&lon) {
+            0.2
+        } else {
+            -4.0
+        }
+    });
     let at = |lon: f64| mean(&mesh, &climate.rain, (42.0, 52.0), (lon, lon + 10.0));
-    assert!(at(-55.0) > 1.3 * at(0.0) && at(-25.0) > at(25.0), "{} {} {}", at(-55.0), at(0.0), at(45.0));
+    assert!(
+        at(-55.0) > 1.3 * at(0.0) && at(-25.0) > at(25.0),
+        "{} {} {}",
+        at(-55.0),
+        at(0.0),
+        at(45.0)
+    );
     let trades = |lon: f64| mean(&mesh, &climate.rain, (16.0, 26.0), (lon, lon + 10.0));
-    assert!(trades(48.0) > 1.3 * trades(-40.0), "{} {}", trades(48.0), trades(-40.0));
+    assert!(
+        trades(48.0) > 1.3 * trades(-40.0),
+        "{} {}",
+        trades(48.0),
+        trades(-40.0)
+    );
 }
 
 #[test]
@@ -87,7 +123,11 @@ fn everything_is_finite_smooth_and_the_same_again() {
     let (mesh, climate) = planet(rough);
     assert_eq!(climate, planet(rough).1);
     for i in 0..mesh.len() {
-        assert!((0.0..15_000.0).contains(&climate.rain[i]), "{}", climate.rain[i]);
+        assert!(
+            (0.0..15_000.0).contains(&climate.rain[i]),
+            "{}",
+            climate.rain[i]
+        );
         assert!((-80.0..40.0).contains(&climate.temperature[i]));
         assert!((0.0..=1.0).contains(&climate.wetness[i]));
         assert!(climate.runoff[i] >= 0.0 && climate.runoff[i] <= climate.rain[i]);
@@ -96,17 +136,38 @@ fn everything_is_finite_smooth_and_the_same_again() {
 
 #[test]
 fn maps_of_no_climate_are_refused() {
-    let map = |value: f32| EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).ok();
+    let map =
+        |value: f32| EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).ok();
     let [temperature, rain, wetness] = [288.0, -1.0, 1.5].map(map);
     for maps in [
-        ClimateMaps { temperature, ..ClimateMaps::default() },
-        ClimateMaps { rain, ..ClimateMaps::default() },
-        ClimateMaps { wetness, ..ClimateMaps::default() },
+        ClimateMaps {
+            temperature,
+            ..ClimateMaps::default()
+        },
+        ClimateMaps {
+            rain,
+            ..ClimateMaps::default()
+        },
+        ClimateMaps {
+            wetness,
+            ..ClimateMaps::default()
+        },
     ] {
-        assert!(matches!(maps.check(), Err(MapError::Range { pixel: 0, .. })));
+        assert!(matches!(
+            maps.check(),
+            Err(MapError::Range { pixel: 0, .. })
+        ));
     }
     let [temperature, rain, wetness] = [-150.0, 1e6, 1.0].map(map);
-    assert_eq!(ClimateMaps { temperature, rain, wetness }.check(), Ok(()));
+    assert_eq!(
+        ClimateMaps {
+            temperature,
+            rain,
+            wetness
+        }
+        .check(),
+        Ok(())
+    );
     assert_eq!(ClimateMaps::default().check(), Ok(()));
 }
 
@@ -115,11 +176,23 @@ fn maps_replace_fields_and_the_others_follow() {
     let mesh = SphereMesh::fibonacci(2000).unwrap();
     let winds = Winds::new(&mesh);
     let map = |value: f32| EquirectMap::from_fn(8, |_, _| value).ok();
-    let maps = ClimateMaps { rain: map(700.0), temperature: map(12.0), wetness: None };
+    let maps = ClimateMaps {
+        rain: map(700.0),
+        temperature: map(12.0),
+        wetness: None,
+    };
     let climate = Climate::new(&mesh, &winds, &vec![0.1; 2000], &maps);
     assert!(climate.rain.iter().all(|r| (r - 700.0).abs() < 1e-3));
     let expected = wetness::wetness(700.0, wetness::evaporation(12.0));
     assert!(climate.wetness.iter().all(|w| (w - expected).abs() < 1e-5));
-    let wet = ClimateMaps { wetness: map(0.25), ..ClimateMaps::default() };
-    assert!(Climate::new(&mesh, &winds, &[], &wet).wetness.iter().all(|&w| w == 0.25));
+    let wet = ClimateMaps {
+        wetness: map(0.25),
+        ..ClimateMaps::default()
+    };
+    assert!(
+        Climate::new(&mesh, &winds, &[], &wet)
+            .wetness
+            .iter()
+            .all(|&w| w == 0.25)
+    );
 }

@@ -1,7 +1,7 @@
 //! A user's map: equirectangular, north up, longitude -180 at the left edge.
 //!
-//! A pixel stands for the point at its centre; between pixels values are bilinear, around the date line they
-//! join, and beyond the first and last row they stay as they are.
+//! A pixel stands for the point at its centre; between pixels values are bilinear, around the date
+//! line they join, and beyond the first and last row they stay as they are.
 
 use crate::math;
 use bevy::math::DVec3;
@@ -65,17 +65,24 @@ impl EquirectMap {
     /// A map of `width` x `height` pixels, rows from the top.
     ///
     /// # Errors
-    /// [`MapError`] for a size that is out of range or not 2 to 1, a wrong number of values, and values that are
-    /// not finite.
+    /// [`MapError`] for a size that is out of range or not 2 to 1, a wrong number of values, and
+    /// values that are not finite.
     pub fn new(width: u32, height: u32, values: Vec<f32>) -> Result<Self, MapError> {
         Self::check_size(width, height)?;
         let wanted = width as usize * height as usize;
         if values.len() != wanted {
-            return Err(MapError::Count { given: values.len(), wanted });
+            return Err(MapError::Count {
+                given: values.len(),
+                wanted,
+            });
         }
         match values.iter().position(|v| !v.is_finite()) {
             Some(pixel) => Err(MapError::NotFinite(pixel)),
-            None => Ok(Self { width, height, values: Arc::new(values) }),
+            None => Ok(Self {
+                width,
+                height,
+                values: Arc::new(values),
+            }),
         }
     }
 
@@ -88,10 +95,15 @@ impl EquirectMap {
         if !side.contains(&width) || !side.contains(&height) {
             return Err(MapError::Size(width, height));
         }
-        if width == 2 * height { Ok(()) } else { Err(MapError::Shape(width, height)) }
+        if width == 2 * height {
+            Ok(())
+        } else {
+            Err(MapError::Shape(width, height))
+        }
     }
 
-    /// A map of `value(latitude, longitude)` in degrees at the centres of `2 height` x `height` pixels.
+    /// A map of `value(latitude, longitude)` in degrees at the centres of `2 height` x `height`
+    /// pixels.
     ///
     /// # Errors
     /// As [`EquirectMap::new`].
@@ -103,8 +115,9 @@ impl EquirectMap {
         let row = |y: u32| 90.0 - (f64::from(y) + 0.5) * step;
         let column = |x: u32| (f64::from(x) + 0.5) * step - 180.0;
         let value = &value;
-        let values =
-            (0..height).flat_map(|y| (0..2 * height).map(move |x| value(row(y), column(x)))).collect();
+        let values = (0..height)
+            .flat_map(|y| (0..2 * height).map(move |x| value(row(y), column(x))))
+            .collect();
         Self::new(2 * height, height, values)
     }
 
@@ -113,7 +126,8 @@ impl EquirectMap {
         [self.width, self.height]
     }
 
-    /// Refuses a given map of `what` with a value outside of `range`, which `allowed` puts into words.
+    /// Refuses a given map of `what` with a value outside of `range`, which `allowed` puts into
+    /// words.
     pub(crate) fn check(
         given: Option<&Self>,
         what: &'static str,
@@ -122,7 +136,12 @@ impl EquirectMap {
     ) -> Result<(), MapError> {
         let values = given.into_iter().flat_map(|map| map.values.iter());
         match (0..).zip(values).find(|(_, value)| !range.contains(value)) {
-            Some((pixel, &value)) => Err(MapError::Range { what, value, pixel, allowed }),
+            Some((pixel, &value)) => Err(MapError::Range {
+                what,
+                value,
+                pixel,
+                allowed,
+            }),
             None => Ok(()),
         }
     }
@@ -130,7 +149,8 @@ impl EquirectMap {
     /// The value at the unit direction `p`.
     pub fn at(&self, p: DVec3) -> f32 {
         let (lat, lon) = math::lat_lon(p);
-        let y = ((90.0 - lat) / 180.0 * f64::from(self.height) - 0.5).clamp(0.0, f64::from(self.height - 1));
+        let y = ((90.0 - lat) / 180.0 * f64::from(self.height) - 0.5)
+            .clamp(0.0, f64::from(self.height - 1));
         let x = (lon + 180.0) / 360.0 * f64::from(self.width) - 0.5;
         let (row, column) = (y.floor(), x.floor());
         let (v, u) = ((y - row) as f32, (x - column) as f32);
@@ -160,9 +180,21 @@ mod tests {
     #[test]
     fn broken_maps_are_refused() {
         assert_eq!(EquirectMap::new(0, 0, vec![]), Err(MapError::Size(0, 0)));
-        assert_eq!(EquirectMap::new(3, 2, vec![0.0; 6]), Err(MapError::Shape(3, 2)));
-        assert_eq!(EquirectMap::new(2, 1, vec![0.0]), Err(MapError::Count { given: 1, wanted: 2 }));
-        assert_eq!(EquirectMap::new(2, 1, vec![0.0, f32::NAN]), Err(MapError::NotFinite(1)));
+        assert_eq!(
+            EquirectMap::new(3, 2, vec![0.0; 6]),
+            Err(MapError::Shape(3, 2))
+        );
+        assert_eq!(
+            EquirectMap::new(2, 1, vec![0.0]),
+            Err(MapError::Count {
+                given: 1,
+                wanted: 2
+            })
+        );
+        assert_eq!(
+            EquirectMap::new(2, 1, vec![0.0, f32::NAN]),
+            Err(MapError::NotFinite(1))
+        );
         assert!(
             EquirectMap::from_fn(0, |_, _| 0.0).is_err()
                 && EquirectMap::from_fn(1 << 20, |_, _| 0.0).is_err()

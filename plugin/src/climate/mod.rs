@@ -1,7 +1,7 @@
 //! Climate: annual means of temperature, rain and wetness on a mesh with elevations.
 //!
-//! In: a [`SphereMesh`] and the elevation of its vertices. Out: [`Climate`]. Cheap, smooth and deterministic;
-//! two seasons, no currents, no weather.
+//! In: a [`SphereMesh`] and the elevation of its vertices. Out: [`Climate`]. Cheap, smooth and
+//! deterministic; two seasons, no currents, no weather.
 //!
 //! ```text
 //! map           equirectangular maps of a user, which replace any field
@@ -11,11 +11,12 @@
 //! wetness       rain against what could evaporate; runoff
 //! ```
 //!
-//! Lengths along the ground are those of an Earth-sized planet ([`EARTH_RADIUS`]): a small planet has the same
-//! belts, deserts and shadows as a large one. Heights are true kilometres.
+//! Lengths along the ground are those of an Earth-sized planet ([`EARTH_RADIUS`]): a small planet
+//! has the same belts, deserts and shadows as a large one. Heights are true kilometres.
 //!
-//! Policies. *Sea* is what lies below 0, lakes included: they moisten the air as little as they matter. *A field
-//! that a map gives* is used as it is, and the others follow from it: rain that is given still makes wetness.
+//! Policies. *Sea* is what lies below 0, lakes included: they moisten the air as little as they
+//! matter. *A field that a map gives* is used as it is, and the others follow from it: rain that is
+//! given still makes wetness.
 
 pub mod map;
 
@@ -47,7 +48,8 @@ pub struct Climate {
     pub wetness: Vec<f32>,
     /// What runs off of the rain, in mm per year.
     pub runoff: Vec<f32>,
-    /// What a water surface loses to the air beyond the rain that it gets, in mm per year; negative where it gains.
+    /// What a water surface loses to the air beyond the rain that it gets, in mm per year; negative
+    /// where it gains.
     pub open_water_loss: Vec<f32>,
 }
 
@@ -68,10 +70,24 @@ impl ClimateMaps {
     /// # Errors
     /// [`MapError::Range`].
     pub fn check(&self) -> Result<(), MapError> {
-        let Self { temperature, rain, wetness } = self;
+        let Self {
+            temperature,
+            rain,
+            wetness,
+        } = self;
         let hot = -HOTTEST..=HOTTEST;
-        EquirectMap::check(temperature.as_ref(), "the temperature", hot, "from -150 to 150 °C")?;
-        EquirectMap::check(rain.as_ref(), "the rain", 0.0..=f32::INFINITY, "at least 0 mm per year")?;
+        EquirectMap::check(
+            temperature.as_ref(),
+            "the temperature",
+            hot,
+            "from -150 to 150 °C",
+        )?;
+        EquirectMap::check(
+            rain.as_ref(),
+            "the rain",
+            0.0..=f32::INFINITY,
+            "at least 0 mm per year",
+        )?;
         EquirectMap::check(wetness.as_ref(), "the wetness", 0.0..=1.0, "from 0 to 1")
     }
 }
@@ -79,27 +95,39 @@ impl ClimateMaps {
 /// Highest temperature of a map in °C, and its lowest below 0.
 const HOTTEST: f32 = 150.0;
 
-/// Most rain in mm per year that has an effect: more would not fit into the numbers of the greatest rivers.
+/// Most rain in mm per year that has an effect: more would not fit into the numbers of the greatest
+/// rivers.
 const WETTEST: f32 = 30_000.0;
 
 impl Climate {
-    /// The climate of a planet with elevations in km at the vertices of `mesh`, whose `winds` are known.
-    /// Elevations beyond the mesh's vertices are ignored, missing ones are sea.
+    /// The climate of a planet with elevations in km at the vertices of `mesh`, whose `winds` are
+    /// known. Elevations beyond the mesh's vertices are ignored, missing ones are sea.
     pub fn new(mesh: &SphereMesh, winds: &Winds, elevation: &[f32], maps: &ClimateMaps) -> Self {
         let height = |i: u32| elevation.get(i as usize).copied().unwrap_or(-1.0);
         let given = |map: &Option<EquirectMap>, low: f32, high: f32| {
-            map.as_ref().map(|map| per_sample(mesh, |i| map.at(mesh.point(i)).clamp(low, high)))
+            map.as_ref()
+                .map(|map| per_sample(mesh, |i| map.at(mesh.point(i)).clamp(low, high)))
         };
-        let temperature = given(&maps.temperature, -HOTTEST, HOTTEST)
-            .unwrap_or_else(|| per_sample(mesh, |i| temperature::temperature(mesh.point(i).z, height(i))));
-        let rain =
-            given(&maps.rain, 0.0, WETTEST).unwrap_or_else(|| rain::rain(mesh, winds, &temperature, &height));
+        let temperature = given(&maps.temperature, -HOTTEST, HOTTEST).unwrap_or_else(|| {
+            per_sample(mesh, |i| {
+                temperature::temperature(mesh.point(i).z, height(i))
+            })
+        });
+        let rain = given(&maps.rain, 0.0, WETTEST)
+            .unwrap_or_else(|| rain::rain(mesh, winds, &temperature, &height));
         let demand = |i: u32| wetness::evaporation(temperature[i as usize]);
         let wetness = given(&maps.wetness, 0.0, 1.0)
             .unwrap_or_else(|| per_sample(mesh, |i| wetness::wetness(rain[i as usize], demand(i))));
         let runoff = per_sample(mesh, |i| wetness::runoff(rain[i as usize], demand(i)));
-        let open_water_loss = per_sample(mesh, |i| wetness::OPEN_WATER * demand(i) - rain[i as usize]);
-        Self { temperature, rain, wetness, runoff, open_water_loss }
+        let open_water_loss =
+            per_sample(mesh, |i| wetness::OPEN_WATER * demand(i) - rain[i as usize]);
+        Self {
+            temperature,
+            rain,
+            wetness,
+            runoff,
+            open_water_loss,
+        }
     }
 
     /// Number of vertices.

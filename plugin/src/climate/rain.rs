@@ -1,17 +1,21 @@
 //! Rain: moisture carried along the prevailing wind.
 //!
-//! A column of air follows the wind from vertex to vertex. With m the water that it carries, c what it can carry
-//! and r = m / c the relative humidity:
+//! A column of air follows the wind from vertex to vertex. With m the water that it carries, c what
+//! it can carry and r = m / c the relative humidity:
 //! - over the sea it is moistened towards r = 0.8 (less where it sinks) within some 700 km;
-//! - it rains e(φ) r m / L per km: e says how air rises in its belt, much at the equator (the convergence of the
-//!   trades) and on the storm tracks, little where it sinks (15 to 35°); where it sinks over land it is also dried;
+//! - it rains e(φ) r m / L per km: e says how air rises in its belt, much at the equator (the
+//!   convergence of the
+//!   trades) and on the storm tracks, little where it sinks (15 to 35°); where it sinks over land
+//! it is also dried;
 //! - of rain on land half evaporates again and goes on, in the tropics most of it;
-//! - where the ground rises the air cools, c falls, and what is too much rains out (orographic rain; cf. Smith and
-//!   Barstad 2004, whose efficiencies are a third to a half); behind the crest m is spent and c is large again: a shadow.
+//! - where the ground rises the air cools, c falls, and what is too much rains out (orographic
+//!   rain; cf. Smith and
+//!   Barstad 2004, whose efficiencies are a third to a half); behind the crest m is spent and c is
+//! large again: a shadow.
 //!
-//! c follows the Magnus form of the vapour pressure at the ground's temperature. L = 5000 km and the scale to mm are
-//! fitted to Earth: 2 m at the equator, 0.6 m on tropical seas, 1 m on the storm tracks, 0.2 m at the poles. Eddies
-//! mix neighbouring columns within 300 km.
+//! c follows the Magnus form of the vapour pressure at the ground's temperature. L = 5000 km and
+//! the scale to mm are fitted to Earth: 2 m at the equator, 0.6 m on tropical seas, 1 m on the
+//! storm tracks, 0.2 m at the poles. Eddies mix neighbouring columns within 300 km.
 
 use super::wind::Belts;
 use super::{EARTH_RADIUS, Winds};
@@ -37,10 +41,12 @@ const MIXING: f32 = 300.0;
 const SCALE: f32 = 7.4e6;
 /// What no rain over a whole vertex exceeds, mm per year: steep walls turn part of the air aside.
 const HEAVIEST: f32 = 6000.0;
-/// Sweeps: the first two carry moisture around the planet, the third settles what was mixed against the wind.
+/// Sweeps: the first two carry moisture around the planet, the third settles what was mixed against
+/// the wind.
 const SWEEPS: usize = 3;
 
-/// Rain in mm per year at every vertex, from temperatures in °C and heights in km: the mean of two seasons.
+/// Rain in mm per year at every vertex, from temperatures in °C and heights in km: the mean of two
+/// seasons.
 pub(super) fn rain(
     mesh: &SphereMesh,
     winds: &Winds,
@@ -77,7 +83,12 @@ fn season(
     let columns: Vec<Column> = per_sample(mesh, |i| {
         let k = i as usize;
         let season = mesh.point(i).z as f32 * belts.shift.signum() as f32;
-        Column::new(zone(&zones, belts.latitude[k]), season, temperature[k], height(i) < 0.0)
+        Column::new(
+            zone(&zones, belts.latitude[k]),
+            season,
+            temperature[k],
+            height(i) < 0.0,
+        )
     });
     let mut water: Vec<f32> = columns.iter().map(|c| 0.7 * c.capacity).collect();
     let mut rain = vec![0.0; mesh.len()];
@@ -100,14 +111,19 @@ fn season(
 /// Steps of the table of zones per degree.
 const ZONES: f32 = 4.0;
 
-/// How readily it rains and how strongly air sinks, by the distance from the belts' middle in quarters of a degree.
+/// How readily it rains and how strongly air sinks, by the distance from the belts' middle in
+/// quarters of a degree.
 fn zones() -> Vec<[f32; 2]> {
     let zone = |step: u32| {
         let beyond = f64::from(step) / f64::from(ZONES);
-        let bell =
-            |centre: f64, width: f64| math::exp(-((beyond - centre) / width) * ((beyond - centre) / width));
+        let bell = |centre: f64, width: f64| {
+            math::exp(-((beyond - centre) / width) * ((beyond - centre) / width))
+        };
         let storms = math::smoothstep((beyond - 27.0) / 30.0);
-        [(0.2 + 1.5 * bell(0.0, 9.0) + 2.6 * storms) as f32, bell(24.0, 7.0) as f32]
+        [
+            (0.2 + 1.5 * bell(0.0, 9.0) + 2.6 * storms) as f32,
+            bell(24.0, 7.0) as f32,
+        ]
     };
     (0..=110 * ZONES as u32).map(zone).collect()
 }
@@ -148,10 +164,12 @@ impl Column {
         }
     }
 
-    /// Passes air with `water` along `way` km: the water that it carries on, and the rain in mm per year.
+    /// Passes air with `water` along `way` km: the water that it carries on, and the rain in mm per
+    /// year.
     #[inline]
     fn pass(&self, water: f32, way: f32) -> (f32, f32) {
-        // x / (1 + x) stands for 1 - exp(-x): the same for short ways, and never more than there is.
+        // x / (1 + x) stands for 1 - exp(-x): the same for short ways, and never more than there
+        // is.
         let share = |x: f32| x / (1.0 + x);
         let humidity = (water / self.capacity).min(1.0);
         let falls = water * share(self.rising * humidity * way / RAIN_LENGTH);
@@ -168,7 +186,8 @@ impl Column {
     }
 }
 
-/// What air at a temperature in °C can carry, 1 at 15 °C (Magnus form of the saturation vapour pressure, WMO 2008).
+/// What air at a temperature in °C can carry, 1 at 15 °C (Magnus form of the saturation vapour
+/// pressure, WMO 2008).
 fn capacity(temperature: f32) -> f32 {
     let t = f64::from(temperature).clamp(-90.0, 60.0);
     (math::exp(17.62 * t / (243.12 + t)) / 2.79) as f32
@@ -187,15 +206,27 @@ mod tests {
 
     #[test]
     fn water_is_spent_on_land_and_regained_at_sea() {
-        let land = Column { capacity: 1.0, rising: 1.0, sinking: 0.0, recycling: 0.5, is_sea: false };
+        let land = Column {
+            capacity: 1.0,
+            rising: 1.0,
+            sinking: 0.0,
+            recycling: 0.5,
+            is_sea: false,
+        };
         let (left, rain) = land.pass(0.6, 50.0);
         assert!(left < 0.6 && rain > 0.0);
         let half_recycled = (0.6 - left) * SCALE / 50.0;
         assert!((half_recycled / (0.5 * rain) - 1.0).abs() < 1e-3);
-        let sea = Column { is_sea: true, ..land };
+        let sea = Column {
+            is_sea: true,
+            ..land
+        };
         assert!(sea.pass(0.1, 50.0).0 > 0.1);
         // Lifted air rains more, and the air behind the crest less.
-        let crest = Column { capacity: 0.3, ..land };
+        let crest = Column {
+            capacity: 0.3,
+            ..land
+        };
         let (behind, much) = crest.pass(0.6, 50.0);
         assert!(much > 3.0 * rain && land.pass(behind, 50.0).1 < 0.75 * rain);
     }

@@ -1,8 +1,9 @@
 //! Temperature from latitude and altitude.
 //!
-//! At sea level T = T_0 + T_2 P_2(sin φ), the two-term Legendre form of energy balance models (North 1975),
-//! fitted to Earth's annual zonal means: 28 °C at the equator, 20 at 30°, 5 at 50°, -15 at the poles. The air cools
-//! by 6.5 K per km (ICAO standard atmosphere). Under water the temperature is that of the surface.
+//! At sea level T = T_0 + T_2 P_2(sin φ), the two-term Legendre form of energy balance models
+//! (North 1975), fitted to Earth's annual zonal means: 28 °C at the equator, 20 at 30°, 5 at 50°,
+//! -15 at the poles. The air cools by 6.5 K per km (ICAO standard atmosphere). Under water the
+//! temperature is that of the surface.
 
 /// Global mean at sea level in °C.
 const MEAN: f64 = 13.7;
@@ -24,9 +25,12 @@ mod tests {
 
     #[test]
     fn zonal_means_are_those_of_the_earth() {
-        for (latitude, low, high) in
-            [(0.0_f64, 26.0, 29.0), (30.0, 17.0, 22.0), (50.0, 2.0, 8.0), (90.0, -25.0, -12.0)]
-        {
+        for (latitude, low, high) in [
+            (0.0_f64, 26.0, 29.0),
+            (30.0, 17.0, 22.0),
+            (50.0, 2.0, 8.0),
+            (90.0, -25.0, -12.0),
+        ] {
             let t = temperature(math::sin(latitude.to_radians()), -3.0);
             assert!((low..=high).contains(&t), "{latitude}: {t}");
         }

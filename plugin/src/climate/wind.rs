@@ -1,10 +1,11 @@
-//! The prevailing winds: easterly trades up to 30°, westerlies up to 65°, polar easterlies (the three cells of
-//! a textbook's general circulation, Hartmann 1994, ch. 6).
+//! The prevailing winds: easterly trades up to 30°, westerlies up to 65°, polar easterlies (the
+//! three cells of a textbook's general circulation, Hartmann 1994, ch. 6).
 //!
-//! Trades blow towards the equator, the others towards the pole; all belts follow the sun. Directions depend on latitude and season
-//! alone, so what lies upwind of each vertex is found once per mesh, and so is an order in which nearly every vertex comes
-//! after its upwind neighbours: by longitude, eastwards in the westerlies, westwards elsewhere. One sweep in
-//! that order carries moisture around the planet.
+//! Trades blow towards the equator, the others towards the pole; all belts follow the sun.
+//! Directions depend on latitude and season alone, so what lies upwind of each vertex is found once
+//! per mesh, and so is an order in which nearly every vertex comes after its upwind neighbours: by
+//! longitude, eastwards in the westerlies, westwards elsewhere. One sweep in that order carries
+//! moisture around the planet.
 
 use crate::math;
 use crate::overlay::relief::{axes, per_sample};
@@ -15,8 +16,8 @@ use rayon::prelude::*;
 /// Where trades give way to westerlies, and westerlies to polar winds, in degrees.
 const BELTS: [f64; 2] = [30.0, 65.0];
 
-/// Where the poleward wind beyond the trades would end, in degrees: beyond the pole, so that some of it crosses the polar
-/// front and reaches the pole.
+/// Where the poleward wind beyond the trades would end, in degrees: beyond the pole, so that some
+/// of it crosses the polar front and reaches the pole.
 const POLEWARD_END: f64 = 100.0;
 
 /// Poleward (or equatorward) part of the wind, relative to the part along the parallel.
@@ -53,20 +54,29 @@ pub struct Winds {
     pub seasons: [Belts; 2],
 }
 
-/// How far the belts follow the sun, in degrees: the convergence of the trades wanders between about 8° S and 8° N and beyond.
+/// How far the belts follow the sun, in degrees: the convergence of the trades wanders between
+/// about 8° S and 8° N and beyond.
 pub const SEASON: f64 = 8.0;
 
-/// Eastward and northward part of the wind at a latitude in degrees from the belts' middle; its strength is 1 in the middle of the trades and westerlies.
+/// Eastward and northward part of the wind at a latitude in degrees from the belts' middle; its
+/// strength is 1 in the middle of the trades and westerlies.
 pub fn wind(latitude: f64) -> (f64, f64) {
     let a = latitude.abs();
     let bump = |from: f64, to: f64| math::sin(math::PI * (a - from) / (to - from));
     let (east, poleward) = if a < BELTS[0] {
         // The trades are strongest half way, but at the equator there still is an easterly.
-        (-math::cos(0.5 * math::PI * a / BELTS[0]), -SLANT * bump(0.0, BELTS[0]))
+        (
+            -math::cos(0.5 * math::PI * a / BELTS[0]),
+            -SLANT * bump(0.0, BELTS[0]),
+        )
     } else {
         // Eddies carry moisture poleward across the polar front.
         let poleward = SLANT * bump(BELTS[0], POLEWARD_END);
-        let east = if a < BELTS[1] { bump(BELTS[0], BELTS[1]) } else { -0.6 * bump(BELTS[1], 90.0) };
+        let east = if a < BELTS[1] {
+            bump(BELTS[0], BELTS[1])
+        } else {
+            -0.6 * bump(BELTS[1], 90.0)
+        };
         (east, poleward)
     };
     (east, if latitude < 0.0 { -poleward } else { poleward })
@@ -75,7 +85,9 @@ pub fn wind(latitude: f64) -> (f64, f64) {
 impl Winds {
     /// The winds on `mesh`.
     pub fn new(mesh: &SphereMesh) -> Self {
-        Self { seasons: [SEASON, -SEASON].map(|shift| Belts::new(mesh, shift)) }
+        Self {
+            seasons: [SEASON, -SEASON].map(|shift| Belts::new(mesh, shift)),
+        }
     }
 }
 
@@ -84,12 +96,23 @@ impl Belts {
         let upwind = per_sample(mesh, |i| upwind(mesh, i, shift));
         let mut keys: Vec<u64> = per_sample(mesh, |i| {
             let (lat, lon) = math::lat_lon(mesh.point(i));
-            let along = if wind(lat - shift).0 >= 0.0 { lon } else { -lon };
+            let along = if wind(lat - shift).0 >= 0.0 {
+                lon
+            } else {
+                -lon
+            };
             ((((along + 180.0) / 360.0) * f64::from(u32::MAX)) as u64) << 32 | u64::from(i)
         });
         keys.par_sort_unstable();
-        let latitude = per_sample(mesh, |i| (math::lat_lon(mesh.point(i)).0 - shift).abs() as f32);
-        Self { shift, latitude, upwind, order: keys.into_iter().map(|key| key as u32).collect() }
+        let latitude = per_sample(mesh, |i| {
+            (math::lat_lon(mesh.point(i)).0 - shift).abs() as f32
+        });
+        Self {
+            shift,
+            latitude,
+            upwind,
+            order: keys.into_iter().map(|key| key as u32).collect(),
+        }
     }
 }
 
@@ -98,7 +121,11 @@ fn upwind(mesh: &SphereMesh, i: u32, shift: f64) -> Upwind {
     let p = mesh.point(i);
     let (east, north) = axes(p);
     let (u, v) = wind(math::lat_lon(p).0 - shift);
-    let to = if u * u + v * v > 1e-12 { east * u + north * v } else { east };
+    let to = if u * u + v * v > 1e-12 {
+        east * u + north * v
+    } else {
+        east
+    };
     let against = -to.normalize();
     let across = p.cross(against);
     // Neighbours as coordinates along the ray and to its left.
@@ -115,14 +142,27 @@ fn upwind(mesh: &SphereMesh, i: u32, shift: f64) -> Upwind {
             let weight = ya / (ya - yb);
             let distance = xa + (xb - xa) * weight;
             if distance > 0.0 {
-                return Upwind { from: [previous, j], weight: weight as f32, distance: distance as f32 };
+                return Upwind {
+                    from: [previous, j],
+                    weight: weight as f32,
+                    distance: distance as f32,
+                };
             }
         }
         previous = j;
     }
-    let nearest = |&a: &u32, &b: &u32| angle(mesh, p, a, against).total_cmp(&angle(mesh, p, b, against));
-    let j = ring.iter().copied().max_by(|a, b| nearest(a, b)).unwrap_or(i);
-    Upwind { from: [j, j], weight: 0.0, distance: (mesh.point(j) - p).length() as f32 }
+    let nearest =
+        |&a: &u32, &b: &u32| angle(mesh, p, a, against).total_cmp(&angle(mesh, p, b, against));
+    let j = ring
+        .iter()
+        .copied()
+        .max_by(|a, b| nearest(a, b))
+        .unwrap_or(i);
+    Upwind {
+        from: [j, j],
+        weight: 0.0,
+        distance: (mesh.point(j) - p).length() as f32,
+    }
 }
 
 /// Cosine between the way to `j` and a direction.
@@ -156,12 +196,20 @@ mod tests {
             if lat.abs() > 85.0 {
                 continue;
             }
-            let Upwind { from: [a, b], weight, distance } = winds.upwind[i as usize];
+            let Upwind {
+                from: [a, b],
+                weight,
+                distance,
+            } = winds.upwind[i as usize];
             let at = mesh.point(a).lerp(mesh.point(b), f64::from(weight)) - p;
             let (east, north) = axes(p);
             let (u, v) = wind(lat);
             let to = (east * u + north * v).normalize();
-            assert!(at.normalize().dot(to) < -0.99, "{i} at {lat}: {}", at.normalize().dot(to));
+            assert!(
+                at.normalize().dot(to) < -0.99,
+                "{i} at {lat}: {}",
+                at.normalize().dot(to)
+            );
             assert!((f64::from(distance) / at.dot(-to) - 1.0).abs() < 1e-3);
         }
         let mut seen = winds.order.clone();
@@ -174,7 +222,11 @@ mod tests {
         let mesh = SphereMesh::fibonacci(4000).unwrap();
         let winds = Belts::new(&mesh, 0.0);
         let mut rank = vec![0; mesh.len()];
-        winds.order.iter().enumerate().for_each(|(k, &i)| rank[i as usize] = k);
+        winds
+            .order
+            .iter()
+            .enumerate()
+            .for_each(|(k, &i)| rank[i as usize] = k);
         let late = |i: usize| {
             let up = winds.upwind[i];
             up.from.iter().any(|&j| rank[j as usize] > rank[i])

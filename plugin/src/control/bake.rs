@@ -9,7 +9,8 @@ use crate::sphere::{SphereError, SphereMesh};
 use pangaea_shaders::amplify::control::ControlMesh;
 use std::sync::Arc;
 
-/// What all bakes of a planet have in common: it depends on the seed, the spacing and the lattice alone.
+/// What all bakes of a planet have in common: it depends on the seed, the spacing and the lattice
+/// alone.
 #[derive(Clone, Debug)]
 pub struct BakeFrame {
     /// The base mesh.
@@ -28,14 +29,23 @@ impl BakeFrame {
     /// # Errors
     /// [`SphereError`] if the spacing leaves too few vertices.
     pub fn new(seed: u64, spacing: f64, lattice: Option<&SphereMesh>) -> Result<Self, SphereError> {
-        Ok(Self::with_base(BaseMesh::new(seed, spacing)?, spacing, lattice))
+        Ok(Self::with_base(
+            BaseMesh::new(seed, spacing)?,
+            spacing,
+            lattice,
+        ))
     }
 
     /// The frame on a base mesh that was made with this spacing.
     pub fn with_base(base: BaseMesh, spacing: f64, lattice: Option<&SphereMesh>) -> Self {
         let topology = Topology::new(&base.mesh, base.seed);
         let transfer = lattice.map(|lattice| Transfer::new(lattice, &base.mesh));
-        Self { base, topology, transfer, spacing }
+        Self {
+            base,
+            topology,
+            transfer,
+            spacing,
+        }
     }
 }
 
@@ -121,12 +131,19 @@ impl Bake {
             BakeSource::Maps(_) => (0, 0.0),
         };
         let terrain = match (source, &frame.transfer) {
-            (BakeSource::Surface(surface), Some(transfer)) => Terrain::from_surface(base, transfer, surface),
+            (BakeSource::Surface(surface), Some(transfer)) => {
+                Terrain::from_surface(base, transfer, surface)
+            }
             (BakeSource::Maps(maps), _) => Terrain::from_maps(base, maps),
             // Without a lattice there is no crust to read: an ocean.
             (BakeSource::Surface(_), None) => Terrain::ocean(base.mesh.len()),
         };
-        let climate = Climate::new(&base.mesh, &base.winds, &terrain.elevation_km(), &rules.climate);
+        let climate = Climate::new(
+            &base.mesh,
+            &base.winds,
+            &terrain.elevation_km(),
+            &rules.climate,
+        );
         let drainage = Drainage::new(base, radius, &terrain, &climate, rules.network);
         let input = ControlInput {
             mesh: &base.mesh,
@@ -137,7 +154,15 @@ impl Bake {
             rule: rules.rivers,
         };
         let control = control_mesh(&input);
-        Ok(Self { version, time, frame: frame.clone(), terrain, climate, drainage, control })
+        Ok(Self {
+            version,
+            time,
+            frame: frame.clone(),
+            terrain,
+            climate,
+            drainage,
+            control,
+        })
     }
 
     /// The base mesh.

@@ -9,11 +9,11 @@
 //! | mouth: a river on the coast | 0 | less the depth | 0 |
 //! | sea | sea floor | = height | 0 |
 //!
-//! Rivers are those vertices on land that have enough water and are of an order that leaves room for tributaries
-//! ([`RiverRule`]). A river edge runs from a river to the next river, into a lake, or to its mouth, and from there
-//! to the deepest neighbour in the sea, which is lowered where needed: an estuary. There are none within
-//! lakes; the river that leaves one begins at the lake's level. Along river edges water never rises, and beds fall
-//! strictly.
+//! Rivers are those vertices on land that have enough water and are of an order that leaves room
+//! for tributaries ([`RiverRule`]). A river edge runs from a river to the next river, into a lake,
+//! or to its mouth, and from there to the deepest neighbour in the sea, which is lowered where
+//! needed: an estuary. There are none within lakes; the river that leaves one begins at the lake's
+//! level. Along river edges water never rises, and beds fall strictly.
 
 use super::topology::Topology;
 use crate::climate::Climate;
@@ -22,7 +22,9 @@ use crate::hydrology::{Drainage, NONE, Site, Terrain};
 use crate::overlay::relief::per_sample;
 use crate::sphere::SphereMesh;
 use bevy::math::Vec3;
-use pangaea_shaders::amplify::control::{ControlEdge, ControlMesh, ControlVertex, ValleyShape, VertexKind};
+use pangaea_shaders::amplify::control::{
+    ControlEdge, ControlMesh, ControlVertex, ValleyShape, VertexKind,
+};
 
 /// Discharge in m³/s at which the flow φ is 1: that of the Amazon.
 const FULL_FLOW: f64 = 200_000.0;
@@ -38,7 +40,10 @@ pub struct RiverRule {
 
 impl Default for RiverRule {
     fn default() -> Self {
-        Self { discharge: 60.0, order: 2 }
+        Self {
+            discharge: 60.0,
+            order: 2,
+        }
     }
 }
 
@@ -97,7 +102,12 @@ struct Rivers {
 
 impl Rivers {
     fn new(input: &ControlInput) -> Self {
-        let ControlInput { mesh, drainage, rule, .. } = *input;
+        let ControlInput {
+            mesh,
+            drainage,
+            rule,
+            ..
+        } = *input;
         let n = mesh.len();
         let mut is_river = per_sample(mesh, |i| {
             let k = i as usize;
@@ -118,8 +128,12 @@ impl Rivers {
                 mouths.push(to);
             }
         }
-        let mut rivers =
-            Self { is_river: Vec::new(), next, mouth_bed: vec![i32::MAX; n], mouth_flow: vec![0.0; n] };
+        let mut rivers = Self {
+            is_river: Vec::new(),
+            next,
+            mouth_bed: vec![i32::MAX; n],
+            mouth_flow: vec![0.0; n],
+        };
         for i in mouths {
             is_river[i as usize] = true;
             rivers.reach_sea(input, i);
@@ -131,7 +145,12 @@ impl Rivers {
     /// Leads the mouth `i` on to its deepest neighbour in the sea, if it has one.
     fn reach_sea(&mut self, input: &ControlInput, i: u32) {
         let drainage = input.drainage;
-        let seaward = input.mesh.ring(i).iter().copied().filter(|&j| drainage.sites[j as usize] == Site::Sea);
+        let seaward = input
+            .mesh
+            .ring(i)
+            .iter()
+            .copied()
+            .filter(|&j| drainage.sites[j as usize] == Site::Sea);
         if let Some(sea) = seaward.min_by_key(|&j| (drainage.ground[j as usize], j)) {
             self.next[i as usize] = sea;
             let s = sea as usize;
@@ -142,9 +161,19 @@ impl Rivers {
 }
 
 fn vertex(input: &ControlInput, rivers: &Rivers, i: usize) -> ControlVertex {
-    let ControlInput { topology, terrain, climate, drainage, .. } = *input;
+    let ControlInput {
+        topology,
+        terrain,
+        climate,
+        drainage,
+        ..
+    } = *input;
     let profile = &drainage.profile;
-    let mut flow = if rivers.is_river[i] { drainage.earth_like_discharge(i) } else { 0.0 };
+    let mut flow = if rivers.is_river[i] {
+        drainage.earth_like_discharge(i)
+    } else {
+        0.0
+    };
     let (kind, height, bed, water) = match drainage.sites[i] {
         Site::Sea => {
             flow = rivers.mouth_flow[i];
@@ -155,14 +184,31 @@ fn vertex(input: &ControlInput, rivers: &Rivers, i: usize) -> ControlVertex {
         Site::Coast => (VertexKind::Coast, 0, 0, 0),
         Site::Land if drainage.is_lake(i) => {
             flow = drainage.earth_like_discharge(i);
-            (VertexKind::Lake, profile.bed[i], profile.bed[i], profile.level[i])
+            (
+                VertexKind::Lake,
+                profile.bed[i],
+                profile.bed[i],
+                profile.level[i],
+            )
         }
-        Site::Land if rivers.is_river[i] => {
-            (VertexKind::River, profile.level[i], profile.bed[i], profile.level[i])
-        }
-        Site::Land => (VertexKind::Terrain, profile.level[i], profile.level[i], profile.level[i]),
+        Site::Land if rivers.is_river[i] => (
+            VertexKind::River,
+            profile.level[i],
+            profile.bed[i],
+            profile.level[i],
+        ),
+        Site::Land => (
+            VertexKind::Terrain,
+            profile.level[i],
+            profile.level[i],
+            profile.level[i],
+        ),
     };
-    let crust = if kind == VertexKind::Sea { height } else { terrain.crust[i].max(height) };
+    let crust = if kind == VertexKind::Sea {
+        height
+    } else {
+        terrain.crust[i].max(height)
+    };
     ControlVertex {
         direction: topology.directions[i],
         seed: topology.seeds[i],
@@ -185,8 +231,9 @@ fn vertex(input: &ControlInput, rivers: &Rivers, i: usize) -> ControlVertex {
     }
 }
 
-/// What shapes the valleys of vertex `i`. Where it freezes and snows enough there is ice, whatever the crust; then come
-/// canyons of plateaus, gorges of mountains younger than 60 My, and the wide floors of all other land.
+/// What shapes the valleys of vertex `i`. Where it freezes and snows enough there is ice, whatever
+/// the crust; then come canyons of plateaus, gorges of mountains younger than 60 My, and the wide
+/// floors of all other land.
 fn valley_shape(terrain: &Terrain, climate: &Climate, i: usize) -> ValleyShape {
     if climate.temperature[i] < 0.0 && climate.rain[i] > 300.0 {
         ValleyShape::IceTrough
@@ -206,11 +253,16 @@ fn q16(share: f32) -> u16 {
 
 /// An age in 64ths of a My; `u16::MAX` is kept for "never".
 fn age(my: f32) -> u16 {
-    if my.is_finite() { (my.max(0.0) * 64.0).round().min(65_534.0) as u16 } else { u16::MAX }
+    if my.is_finite() {
+        (my.max(0.0) * 64.0).round().min(65_534.0) as u16
+    } else {
+        u16::MAX
+    }
 }
 
 fn unit(v: Vec3) -> [i16; 3] {
-    v.to_array().map(|x| (x.clamp(-1.0, 1.0) * 32_767.0).round() as i16)
+    v.to_array()
+        .map(|x| (x.clamp(-1.0, 1.0) * 32_767.0).round() as i16)
 }
 
 /// Discharge in m³/s that a flow φ in Q16 stands for, on an Earth-sized planet.

@@ -1,9 +1,10 @@
 //! A bake that follows a running planet in the background.
 //!
-//! A planet with [`BakeSettings`] is baked whenever its [`PlanetSurface`] has changed and no bake of it is under way. Bakes
-//! run on a thread pool of their own: they share the processors with the simulation, but a frame never waits for
-//! them. The finished bake is the component [`PlanetBake`], and [`BakeFinished`] is triggered on the planet. The
-//! planet's state and its digest are not touched.
+//! A planet with [`BakeSettings`] is baked whenever its [`PlanetSurface`] has changed and no bake
+//! of it is under way. Bakes run on a thread pool of their own: they share the processors with the
+//! simulation, but a frame never waits for them. The finished bake is the component [`PlanetBake`],
+//! and [`BakeFinished`] is triggered on the planet. The planet's state and its digest are not
+//! touched.
 
 use super::bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
 use crate::crust::{PlanetSurface, Surface};
@@ -39,14 +40,23 @@ impl BakeSettings {
     /// [`BakeError::Spacing`].
     pub fn check(&self) -> Result<(), BakeError> {
         let spacing = self.spacing;
-        if spacing > 0.0 && spacing.is_finite() { Ok(()) } else { Err(BakeError::Spacing(spacing)) }
+        if spacing > 0.0 && spacing.is_finite() {
+            Ok(())
+        } else {
+            Err(BakeError::Spacing(spacing))
+        }
     }
 
-    /// Whether both ask for the same bake. Numbers are compared by their bits: one that is none would never equal
-    /// itself, and the planet would be baked for ever.
+    /// Whether both ask for the same bake. Numbers are compared by their bits: one that is none
+    /// would never equal itself, and the planet would be baked for ever.
     fn asks_for_the_same(&self, other: &Self) -> bool {
-        let bits = |settings: &Self| [settings.spacing, settings.rules.rivers.discharge].map(f64::to_bits);
-        let BakeRules { climate, network, rivers } = &self.rules;
+        let bits =
+            |settings: &Self| [settings.spacing, settings.rules.rivers.discharge].map(f64::to_bits);
+        let BakeRules {
+            climate,
+            network,
+            rivers,
+        } = &self.rules;
         bits(self) == bits(other)
             && rivers.order == other.rules.rivers.order
             && *network == other.rules.network
@@ -56,7 +66,10 @@ impl BakeSettings {
 
 impl Default for BakeSettings {
     fn default() -> Self {
-        Self { spacing: SPACING, rules: BakeRules::default() }
+        Self {
+            spacing: SPACING,
+            rules: BakeRules::default(),
+        }
     }
 }
 
@@ -64,16 +77,21 @@ impl Default for BakeSettings {
 #[derive(Component, Clone, Deref)]
 pub struct PlanetBake(pub Arc<Bake>);
 
-/// Bakes a planet as its [`Surface`] is now, and waits for it: for tools and tests. Uses its [`BakeSettings`], or the
-/// default ones.
+/// Bakes a planet as its [`Surface`] is now, and waits for it: for tools and tests. Uses its
+/// [`BakeSettings`], or the default ones.
 ///
 /// # Errors
 /// [`BakeError`] for settings of which there is no bake; the planet keeps its last one.
 pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
-    let settings = world.get::<BakeSettings>(planet).cloned().unwrap_or_default();
-    let (Some(own), Some(lattice), Some(surface)) =
-        (world.get::<Planet>(planet), world.get::<Lattice>(planet), world.get::<PlanetSurface>(planet))
-    else {
+    let settings = world
+        .get::<BakeSettings>(planet)
+        .cloned()
+        .unwrap_or_default();
+    let (Some(own), Some(lattice), Some(surface)) = (
+        world.get::<Planet>(planet),
+        world.get::<Lattice>(planet),
+        world.get::<PlanetSurface>(planet),
+    ) else {
         return Ok(());
     };
     settings.check()?;
@@ -93,9 +111,18 @@ fn bake(
 ) -> Result<Bake, BakeError> {
     let frame = match frame {
         Some(frame) => frame,
-        None => Arc::new(BakeFrame::new(planet.seed, settings.spacing, Some(lattice))?),
+        None => Arc::new(BakeFrame::new(
+            planet.seed,
+            settings.spacing,
+            Some(lattice),
+        )?),
     };
-    Bake::new(&frame, planet.radius, &BakeSource::Surface(surface), &settings.rules)
+    Bake::new(
+        &frame,
+        planet.radius,
+        &BakeSource::Surface(surface),
+        &settings.rules,
+    )
 }
 
 /// The frame of the last bake, if it serves the next one.
@@ -107,7 +134,10 @@ fn reusable(
 ) -> Option<Arc<BakeFrame>> {
     let frame = last?.frame.clone();
     let same = frame.spacing == settings.spacing && frame.base.seed == planet.seed;
-    let fits = frame.transfer.as_ref().is_some_and(|transfer| transfer.samples() == lattice.len());
+    let fits = frame
+        .transfer
+        .as_ref()
+        .is_some_and(|transfer| transfer.samples() == lattice.len());
     (same && fits).then_some(frame)
 }
 
@@ -160,7 +190,15 @@ fn pool() -> Option<&'static rayon::ThreadPool> {
 fn start(
     mut commands: Commands,
     planets: Query<
-        (Entity, &Planet, &Lattice, &PlanetSurface, &BakeSettings, Option<&PlanetBake>, Option<&Baked>),
+        (
+            Entity,
+            &Planet,
+            &Lattice,
+            &PlanetSurface,
+            &BakeSettings,
+            Option<&PlanetBake>,
+            Option<&Baked>,
+        ),
         Without<BakeJob>,
     >,
 ) {
@@ -170,7 +208,10 @@ fn start(
         if surface.is_empty() || same.is_some_and(|baked| baked.version == surface.version) {
             continue;
         }
-        let wanted = Baked { version: surface.version, settings: settings.clone() };
+        let wanted = Baked {
+            version: surface.version,
+            settings: settings.clone(),
+        };
         if let Err(error) = settings.check() {
             if same.is_none() {
                 warn!("the planet is not baked: {error}");
@@ -180,8 +221,12 @@ fn start(
         }
         let Some(pool) = pool() else { return };
         let frame = reusable(last, planet, lattice, settings);
-        let (planet, lattice, surface, settings) =
-            (*planet, lattice.0.clone(), surface.0.clone(), settings.clone());
+        let (planet, lattice, surface, settings) = (
+            *planet,
+            lattice.0.clone(),
+            surface.0.clone(),
+            settings.clone(),
+        );
         let outcome = Arc::new(Mutex::new(None));
         let result = outcome.clone();
         pool.spawn(move || {
@@ -193,7 +238,9 @@ fn start(
             }
         });
         let serial = SERIAL.fetch_add(1, Ordering::Relaxed);
-        commands.entity(entity).insert((BakeJob { serial, outcome }, wanted));
+        commands
+            .entity(entity)
+            .insert((BakeJob { serial, outcome }, wanted));
     }
 }
 
@@ -201,7 +248,9 @@ fn collect(mut commands: Commands, jobs: Query<(Entity, &BakeJob)>) {
     let mut jobs: Vec<_> = jobs.iter().collect();
     jobs.sort_by_key(|(_, job)| job.serial);
     for (planet, job) in jobs {
-        let Some((bake, milliseconds)) = job.outcome.try_lock().ok().and_then(|mut slot| slot.take()) else {
+        let Some((bake, milliseconds)) =
+            job.outcome.try_lock().ok().and_then(|mut slot| slot.take())
+        else {
             continue;
         };
         commands.entity(planet).remove::<BakeJob>();
@@ -214,7 +263,12 @@ fn collect(mut commands: Commands, jobs: Query<(Entity, &BakeJob)>) {
         };
         let (version, time) = (bake.version, bake.time);
         commands.entity(planet).insert(PlanetBake(Arc::new(bake)));
-        commands.trigger(BakeFinished { planet, version, time, milliseconds });
+        commands.trigger(BakeFinished {
+            planet,
+            version,
+            time,
+            milliseconds,
+        });
     }
 }
 

@@ -1,4 +1,5 @@
-//! Edges and faces of the base mesh in the form of the control mesh, and what else of it depends on the seed alone.
+//! Edges and faces of the base mesh in the form of the control mesh, and what else of it depends on
+//! the seed alone.
 
 use crate::overlay::relief::per_sample;
 use crate::random::{Purpose, Stream};
@@ -6,7 +7,8 @@ use crate::sphere::SphereMesh;
 use pangaea_shaders::amplify::control::{ControlEdge, ControlFace};
 use pangaea_shaders::amplify::fixed::ONE;
 
-/// What every control mesh of a base mesh has in common. Edges run from the lower to the higher vertex here.
+/// What every control mesh of a base mesh has in common. Edges run from the lower to the higher
+/// vertex here.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Topology {
     /// Directions of the vertices, each component times [`ONE`].
@@ -35,16 +37,26 @@ impl Topology {
         for i in 0..mesh.len() as u32 {
             topology.first.push(topology.edges.len() as u32);
             let higher = mesh.ring(i).iter().filter(|&&j| j > i);
-            let edge = |&j: &u32| ControlEdge { vertices: [i, j], faces: [u32::MAX; 2], river: 0 };
+            let edge = |&j: &u32| ControlEdge {
+                vertices: [i, j],
+                faces: [u32::MAX; 2],
+                river: 0,
+            };
             topology.edges.extend(higher.map(edge));
         }
         topology.faces = mesh
             .triangles()
             .iter()
             .map(|&vertices| {
-                let edge =
-                    |k: usize| topology.edge(mesh, vertices[k], vertices[(k + 1) % 3]).unwrap_or(u32::MAX);
-                ControlFace { vertices, edges: [edge(0), edge(1), edge(2)] }
+                let edge = |k: usize| {
+                    topology
+                        .edge(mesh, vertices[k], vertices[(k + 1) % 3])
+                        .unwrap_or(u32::MAX)
+                };
+                ControlFace {
+                    vertices,
+                    edges: [edge(0), edge(1), edge(2)],
+                }
             })
             .collect();
         for (f, face) in topology.faces.iter().enumerate() {
@@ -61,7 +73,10 @@ impl Topology {
     pub fn edge(&self, mesh: &SphereMesh, a: u32, b: u32) -> Option<u32> {
         let (low, high) = (a.min(b), a.max(b));
         let higher = mesh.ring(low).iter().filter(|&&j| j > low);
-        higher.into_iter().position(|&j| j == high).map(|k| self.first[low as usize] + k as u32)
+        higher
+            .into_iter()
+            .position(|&j| j == high)
+            .map(|k| self.first[low as usize] + k as u32)
     }
 }
 
@@ -83,7 +98,11 @@ mod tests {
         for (e, edge) in topology.edges.iter().enumerate() {
             for (side, &f) in edge.faces.iter().enumerate() {
                 let face = &topology.faces[f as usize];
-                let k = face.edges.iter().position(|&own| own as usize == e).unwrap();
+                let k = face
+                    .edges
+                    .iter()
+                    .position(|&own| own as usize == e)
+                    .unwrap();
                 let ends = [face.vertices[k], face.vertices[(k + 1) % 3]];
                 assert_eq!(ends, [edge.vertices[side], edge.vertices[1 - side]]);
             }
@@ -96,7 +115,12 @@ mod tests {
         let topology = Topology::new(&mesh, 2);
         for (p, d) in mesh.points().iter().zip(&topology.directions) {
             let back = d.map(|x| f64::from(x) / f64::from(ONE));
-            assert!(p.to_array().iter().zip(back).all(|(a, b)| (a - b).abs() <= 0.5001 / f64::from(ONE)));
+            assert!(
+                p.to_array()
+                    .iter()
+                    .zip(back)
+                    .all(|(a, b)| (a - b).abs() <= 0.5001 / f64::from(ONE))
+            );
         }
         let mut seeds = topology.seeds.clone();
         seeds.sort_unstable();

@@ -11,7 +11,9 @@ pub struct CubeGrid {
 impl CubeGrid {
     /// A grid with `cells` cells along each edge of the cube.
     pub fn new(cells: usize) -> Self {
-        Self { cells: cells.max(1) }
+        Self {
+            cells: cells.max(1),
+        }
     }
 
     /// Number of cells on all faces.
@@ -49,8 +51,9 @@ impl CubeGrid {
             .fold(0.0, f64::max)
     }
 
-    /// Calls `visit` for every cell that may lie within the chord `reach` of the unit direction `p`.
-    /// Cells near the limit may be visited without lying within it; none within it is left out.
+    /// Calls `visit` for every cell that may lie within the chord `reach` of the unit direction
+    /// `p`. Cells near the limit may be visited without lying within it; none within it is left
+    /// out.
     #[inline]
     pub fn visit_near(&self, p: DVec3, reach: f64, mut visit: impl FnMut(usize)) {
         match self.only_cell(p, reach) {

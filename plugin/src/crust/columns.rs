@@ -31,7 +31,9 @@ pub enum CrustKind {
 impl CrustKind {
     /// The kind with this number, as files store it.
     pub fn from_u8(value: u8) -> Option<Self> {
-        [Self::Oceanic, Self::Continental].get(usize::from(value)).copied()
+        [Self::Oceanic, Self::Continental]
+            .get(usize::from(value))
+            .copied()
     }
 }
 
@@ -64,7 +66,9 @@ pub enum Orogeny {
 impl Orogeny {
     /// The type with this number, as files store it.
     pub fn from_u8(value: u8) -> Option<Self> {
-        [Self::None, Self::Andean, Self::Himalayan].get(usize::from(value)).copied()
+        [Self::None, Self::Andean, Self::Himalayan]
+            .get(usize::from(value))
+            .copied()
     }
 }
 

@@ -1,13 +1,14 @@
 //! Which frames cover a point: frames, not moved points.
 //!
-//! A point is rotated into a frame; the frame covers it if the nearest sample of the lattice belongs
-//! to that frame. Candidates come from tables of bins on a cube: which frames have samples in or near a bin
-//! of the lattice (renewed when frames gain or lose samples; fine for look-ups, coarse for what follows), and
-//! which of the coarse ones may lie over a bin of the world (renewed when frames move).
+//! A point is rotated into a frame; the frame covers it if the nearest sample of the lattice
+//! belongs to that frame. Candidates come from tables of bins on a cube: which frames have samples
+//! in or near a bin of the lattice (renewed when frames gain or lose samples; fine for look-ups,
+//! coarse for what follows), and which of the coarse ones may lie over a bin of the world (renewed
+//! when frames move).
 //!
 //! Policies. *Several frames of one plate*: the terrane lies on top, of two terranes the later one.
-//! *Several plates*: continental crust lies on top of oceanic; of equal kinds the polarity of the front
-//! decides; where there is none, the younger ocean floor, then the lower plate number.
+//! *Several plates*: continental crust lies on top of oceanic; of equal kinds the polarity of the
+//! front decides; where there is none, the younger ocean floor, then the lower plate number.
 
 use super::bins::CubeGrid;
 use super::columns::{Crust, CrustKind};
@@ -50,14 +51,18 @@ impl Bins {
     fn new(mesh: &SphereMesh, width: f64, most: f64) -> Self {
         let cells = ((mesh.len() as f64 / 6.0).sqrt() / width).clamp(2.0, most) as usize;
         let grid = CubeGrid::new(cells);
-        let shape = (0..grid.len()).map(|cell| (grid.center(cell), grid.radius(cell))).collect();
-        // No point is farther from its nearest sample than the circumradius of a triangle; Fibonacci
-        // triangles stay below one spacing, and random points are not resampled.
+        let shape = (0..grid.len())
+            .map(|cell| (grid.center(cell), grid.radius(cell)))
+            .collect();
+        // No point is farther from its nearest sample than the circumradius of a triangle;
+        // Fibonacci triangles stay below one spacing, and random points are not resampled.
         let reach = 1.1 * mesh.spacing();
         let near = parallel::map_chunks(mesh.len(), |range| {
             let mut near = Vec::with_capacity(range.len() * 3 / 2);
             for i in range {
-                grid.visit_near(mesh.points()[i], reach, |cell| near.push((cell as u32, i as u32)));
+                grid.visit_near(mesh.points()[i], reach, |cell| {
+                    near.push((cell as u32, i as u32))
+                });
             }
             near
         });
@@ -75,7 +80,13 @@ impl Bins {
             samples[*at as usize] = i;
             *at += 1;
         }
-        Self { grid, shape, start, samples, lattice: mesh.len() }
+        Self {
+            grid,
+            shape,
+            start,
+            samples,
+            lattice: mesh.len(),
+        }
     }
 
     fn samples(&self, cell: usize) -> &[u32] {
@@ -86,14 +97,17 @@ impl Bins {
     fn mark(&self, frame: &[FrameId], words: usize, marks: &mut Vec<u64>) {
         marks.clear();
         marks.resize(self.grid.len() * words, 0);
-        marks.par_chunks_mut(BLOCK * words).enumerate().for_each(|(block, marks)| {
-            for (k, marks) in marks.chunks_mut(words).enumerate() {
-                for &i in self.samples(block * BLOCK + k) {
-                    let id = usize::from(frame[i as usize]);
-                    marks[id / 64] |= 1 << (id % 64);
+        marks
+            .par_chunks_mut(BLOCK * words)
+            .enumerate()
+            .for_each(|(block, marks)| {
+                for (k, marks) in marks.chunks_mut(words).enumerate() {
+                    for &i in self.samples(block * BLOCK + k) {
+                        let id = usize::from(frame[i as usize]);
+                        marks[id / 64] |= 1 << (id % 64);
+                    }
                 }
-            }
-        });
+            });
     }
 }
 
@@ -101,15 +115,21 @@ impl Default for Bins {
     fn default() -> Self {
         let grid = CubeGrid::new(1);
         let start = vec![0; grid.len() + 1];
-        Self { grid, shape: Vec::new(), start, samples: Vec::new(), lattice: 0 }
+        Self {
+            grid,
+            shape: Vec::new(),
+            start,
+            samples: Vec::new(),
+            lattice: 0,
+        }
     }
 }
 
 /// Bins per unit of parallel work.
 const BLOCK: usize = 64;
 
-/// Samples across a fine bin: wide enough to be touched by few samples, narrow enough to be missed by most frames
-/// that do not cover a point.
+/// Samples across a fine bin: wide enough to be touched by few samples, narrow enough to be missed
+/// by most frames that do not cover a point.
 const FINE: f64 = 3.0;
 
 /// The same for coarse bins. More of them cost more at every turn than they save at look-ups.
@@ -131,7 +151,8 @@ pub struct CoverIndex {
     world: Vec<u64>,
     /// Frames with samples in or near each coarse bin of the lattice.
     lattice: Vec<u64>,
-    /// The way from the world to the lattice for every frame: a matrix turns a point at half the cost of a quaternion.
+    /// The way from the world to the lattice for every frame: a matrix turns a point at half the
+    /// cost of a quaternion.
     to_lattice: Vec<DMat3>,
 }
 
@@ -158,19 +179,26 @@ impl CoverIndex {
     /// Renews the table of the world after frames have moved.
     pub fn turn(&mut self, frames: &[Frame]) {
         self.to_lattice.clear();
-        self.to_lattice.extend(frames.iter().map(|frame| DMat3::from_quat(frame.rotation.conjugate())));
+        self.to_lattice.extend(
+            frames
+                .iter()
+                .map(|frame| DMat3::from_quat(frame.rotation.conjugate())),
+        );
         let (bins, words, lattice) = (&self.coarse, self.words, &self.lattice);
-        let blocks = (0..bins.shape.len().div_ceil(BLOCK)).into_par_iter().map(|block| {
-            let mut found: Vec<(u32, u32)> = Vec::with_capacity(16 * BLOCK);
-            for cell in block * BLOCK..((block + 1) * BLOCK).min(bins.shape.len()) {
-                let (center, reach) = bins.shape[cell];
-                for id in ones(&lattice[cell * words..(cell + 1) * words]) {
-                    let p = frames[id].to_world(center);
-                    bins.grid.visit_near(p, reach, |at| found.push((at as u32, id as u32)));
+        let blocks = (0..bins.shape.len().div_ceil(BLOCK))
+            .into_par_iter()
+            .map(|block| {
+                let mut found: Vec<(u32, u32)> = Vec::with_capacity(16 * BLOCK);
+                for cell in block * BLOCK..((block + 1) * BLOCK).min(bins.shape.len()) {
+                    let (center, reach) = bins.shape[cell];
+                    for id in ones(&lattice[cell * words..(cell + 1) * words]) {
+                        let p = frames[id].to_world(center);
+                        bins.grid
+                            .visit_near(p, reach, |at| found.push((at as u32, id as u32)));
+                    }
                 }
-            }
-            found
-        });
+                found
+            });
         let blocks: Vec<_> = blocks.collect();
         self.world.clear();
         self.world.resize(lattice.len(), 0);
@@ -192,11 +220,12 @@ impl CoverIndex {
         self.to_lattice[usize::from(id)] * v
     }
 
-    /// The frame's hit at the unit direction `p`, if it covers the point. Frames made since the last [`turn`](Self::turn)
-    /// cover nothing yet.
+    /// The frame's hit at the unit direction `p`, if it covers the point. Frames made since the
+    /// last [`turn`](Self::turn) cover nothing yet.
     #[inline]
     pub fn hit(&self, mesh: &SphereMesh, crust: &Crust, id: FrameId, p: DVec3) -> Option<Hit> {
-        // A frame at rest keeps the bits of `p`; the others keep its length as well as rounding can.
+        // A frame at rest keeps the bits of `p`; the others keep its length as well as rounding
+        // can.
         let local = *self.to_lattice.get(usize::from(id))? * p;
         let cell = self.fine.grid.cell(local);
         let word = self.near[cell * self.words + usize::from(id) / 64];
@@ -204,7 +233,11 @@ impl CoverIndex {
             return None;
         }
         let sample = mesh.nearest(local);
-        (crust.frame[sample as usize] == id).then_some(Hit { frame: id, sample, local })
+        (crust.frame[sample as usize] == id).then_some(Hit {
+            frame: id,
+            sample,
+            local,
+        })
     }
 
     /// The hit on top at the unit direction `p` among a choice of frames.
@@ -226,7 +259,12 @@ impl CoverIndex {
 
     /// The hits of all frames that cover the unit direction `p`, in order of their numbers.
     #[inline]
-    pub fn covering(&self, mesh: &SphereMesh, crust: &Crust, p: DVec3) -> impl Iterator<Item = Hit> {
+    pub fn covering(
+        &self,
+        mesh: &SphereMesh,
+        crust: &Crust,
+        p: DVec3,
+    ) -> impl Iterator<Item = Hit> {
         ones(self.candidates(p)).filter_map(move |id| self.hit(mesh, crust, id as FrameId, p))
     }
 }
@@ -235,7 +273,11 @@ impl CoverIndex {
 #[inline]
 fn ones(words: &[u64]) -> Ones<'_> {
     let (&rest, later) = words.split_first().unwrap_or((&0, &[]));
-    Ones { rest, base: 0, later }
+    Ones {
+        rest,
+        base: 0,
+        later,
+    }
 }
 
 /// See [`ones`].
@@ -282,7 +324,11 @@ pub fn overrides(
             Some(under) => under == fb.plate,
             None => {
                 let (age_a, age_b) = (crust.ocean_age[i], crust.ocean_age[j]);
-                if age_a == age_b { fa.plate < fb.plate } else { age_a < age_b }
+                if age_a == age_b {
+                    fa.plate < fb.plate
+                } else {
+                    age_a < age_b
+                }
             }
         },
     }
@@ -290,6 +336,17 @@ pub fn overrides(
 
 /// Which of two hits at `p` lies on top.
 #[inline]
-pub fn upper(crust: &Crust, frames: &[Frame], polarity: &PolarityMemory, a: Hit, b: Hit, p: DVec3) -> Hit {
-    if overrides(crust, frames, polarity, b, a, p) { b } else { a }
+pub fn upper(
+    crust: &Crust,
+    frames: &[Frame],
+    polarity: &PolarityMemory,
+    a: Hit,
+    b: Hit,
+    p: DVec3,
+) -> Hit {
+    if overrides(crust, frames, polarity, b, a, p) {
+        b
+    } else {
+        a
+    }
 }

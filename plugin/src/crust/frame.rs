@@ -14,7 +14,8 @@ pub type FrameId = u16;
 pub struct Frame {
     /// The plate that carries the frame.
     pub plate: PlateId,
-    /// Rotation from the lattice's coordinates to where the crust is now; identity after a resample.
+    /// Rotation from the lattice's coordinates to where the crust is now; identity after a
+    /// resample.
     pub rotation: DQuat,
     /// Whether the frame is a terrane that came from another plate since the last resample.
     pub terrane: bool,
@@ -23,7 +24,11 @@ pub struct Frame {
 impl Frame {
     /// The frame of a plate that has not moved since the last resample.
     pub fn at_rest(plate: PlateId) -> Self {
-        Self { plate, rotation: DQuat::IDENTITY, terrane: false }
+        Self {
+            plate,
+            rotation: DQuat::IDENTITY,
+            terrane: false,
+        }
     }
 
     /// Whether the frame stands where its samples are.

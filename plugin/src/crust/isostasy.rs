@@ -1,9 +1,9 @@
 //! Airy isostasy: how high crust of a given thickness floats.
 //!
-//! `z(e) = k (e - e_0)` with the thickness e_0 that floats at sea level. Under water the load of the
-//! sea makes the slope steeper: `k_w = (z_0 - z_a) / (e_0 - e_o)` is fixed by the ocean floor, whose
-//! crust of thickness e_o rests at the abyssal elevation z_a. Above water k is (rho_m - rho_c) / rho_m.
-//! Source: Airy 1855; densities of Turcotte and Schubert, Geodynamics, §2.2.
+//! `z(e) = k (e - e_0)` with the thickness e_0 that floats at sea level. Under water the load of
+//! the sea makes the slope steeper: `k_w = (z_0 - z_a) / (e_0 - e_o)` is fixed by the ocean floor,
+//! whose crust of thickness e_o rests at the abyssal elevation z_a. Above water k is (rho_m -
+//! rho_c) / rho_m. Source: Airy 1855; densities of Turcotte and Schubert, Geodynamics, §2.2.
 
 use crate::params::TectonicParams;
 
@@ -37,10 +37,16 @@ impl Isostasy {
     #[inline]
     pub fn elevation(&self, e: f32) -> f32 {
         let excess = e - self.sea_level_thickness;
-        excess * if excess > 0.0 { self.slope_land } else { self.slope_sea }
+        excess
+            * if excess > 0.0 {
+                self.slope_land
+            } else {
+                self.slope_sea
+            }
     }
 
-    /// Thickness in km of crust that floats at elevation `z` km, the inverse of [`Self::elevation`].
+    /// Thickness in km of crust that floats at elevation `z` km, the inverse of
+    /// [`Self::elevation`].
     #[inline]
     pub fn thickness(&self, z: f32) -> f32 {
         self.sea_level_thickness + self.load(z)
@@ -55,7 +61,11 @@ impl Isostasy {
     /// Thickness above that which floats at sea level.
     #[inline]
     fn load(&self, z: f32) -> f32 {
-        z * if z > 0.0 { self.inverse[0] } else { self.inverse[1] }
+        z * if z > 0.0 {
+            self.inverse[0]
+        } else {
+            self.inverse[1]
+        }
     }
 }
 
@@ -67,7 +77,10 @@ mod tests {
     fn ocean_floor_and_sea_level_float_where_they_should() {
         let params = TectonicParams::default();
         let law = Isostasy::new(&params);
-        assert!((law.elevation(params.ocean_thickness as f32) as f64 - params.abyss_elevation).abs() < 1e-5);
+        assert!(
+            (law.elevation(params.ocean_thickness as f32) as f64 - params.abyss_elevation).abs()
+                < 1e-5
+        );
         assert_eq!(law.elevation(law.sea_level_thickness), 0.0);
         for z in [-6.0_f32, -3.0, -0.1, 0.0, 0.5, 4.0, 9.0] {
             assert!((law.elevation(law.thickness(z)) - z).abs() < 1e-5);

@@ -1,13 +1,16 @@
 //! The account of continental crust: every change of area and volume has a cause.
 //!
-//! Areas are in km², volumes (thickness x area) in km³, both of continental crust. Area and volume are also measured
-//! independently at the end of each step and at each resample; what no cause explains is the largest relative
-//! difference seen, [`Ledger::unexplained_max`]. (Tests measure before and after each stage.)
+//! Areas are in km², volumes (thickness x area) in km³, both of continental crust. Area and volume
+//! are also measured independently at the end of each step and at each resample; what no cause
+//! explains is the largest relative difference seen, [`Ledger::unexplained_max`]. (Tests measure
+//! before and after each stage.)
 
 use bevy::prelude::*;
 
 /// Why continental crust grew or shrank. The list is closed: resampling is no cause.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect, serde::Serialize, serde::Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect, serde::Serialize, serde::Deserialize,
+)]
 #[repr(u8)]
 pub enum Cause {
     /// Ocean crust of an overriding plate rose above the sea and became land.
@@ -85,7 +88,8 @@ pub struct Ledger {
     pub initial: Amount,
     /// Sum of changes by cause, in the order of [`Cause::ALL`].
     pub booked: [Amount; 11],
-    /// Area in km² that the last resample could not place, less than half a sample: carried to the next.
+    /// Area in km² that the last resample could not place, less than half a sample: carried to the
+    /// next.
     pub carried_area: f64,
     /// Largest share of the continental area that was unexplained at a step's end or a resample.
     pub unexplained_max: f64,
@@ -138,6 +142,11 @@ pub fn measure(crust: &super::Crust, mesh: &crate::sphere::SphereMesh, radius: f
         (area, volume)
     });
     let square = radius * radius;
-    let (area, volume) = parts.iter().fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));
-    Amount { area: area * square, volume: volume * square }
+    let (area, volume) = parts
+        .iter()
+        .fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));
+    Amount {
+        area: area * square,
+        volume: volume * square,
+    }
 }

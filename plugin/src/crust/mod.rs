@@ -1,6 +1,7 @@
 //! What a sample of the lattice holds, and how crust floats and is accounted for.
 //!
-//! In: a [`SphereMesh`](crate::sphere::SphereMesh). Out: columns that every process reads and writes.
+//! In: a [`SphereMesh`](crate::sphere::SphereMesh). Out: columns that every process reads and
+//! writes.
 
 pub mod columns;
 

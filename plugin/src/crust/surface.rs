@@ -25,8 +25,8 @@ pub enum Cover {
     Filled = 3,
 }
 
-/// The last projection of a planet. Who reads it on another thread clones the pointer: a projection is never changed,
-/// the next one takes its place.
+/// The last projection of a planet. Who reads it on another thread clones the pointer: a projection
+/// is never changed, the next one takes its place.
 #[derive(Component, Clone, Debug, Default, Deref)]
 pub struct PlanetSurface(pub Arc<Surface>);
 
@@ -37,13 +37,15 @@ pub struct Surface {
     pub time: f64,
     /// Counts projections: a change means that pictures are out of date.
     pub version: u64,
-    /// The crust at every sample. Its `frame` column is the frame on top (the nearest for new crust).
+    /// The crust at every sample. Its `frame` column is the frame on top (the nearest for new
+    /// crust).
     pub crust: Crust,
     /// The plate at every sample.
     pub plate: Vec<PlateId>,
     /// How each sample is covered.
     pub cover: Vec<Cover>,
-    /// Bend of the subducting crust towards the trench in km, not positive. Never part of the state.
+    /// Bend of the subducting crust towards the trench in km, not positive. Never part of the
+    /// state.
     pub trench: Vec<f32>,
 }
 
@@ -83,7 +85,8 @@ impl Surface {
     pub fn at(&self, mesh: &SphereMesh, p: DVec3) -> SurfacePoint {
         let location = mesh.locate(p);
         let value = |column: &dyn Fn(usize) -> f32| -> f32 {
-            let corner = |k: usize| location.weights[k] * f64::from(column(location.vertices[k] as usize));
+            let corner =
+                |k: usize| location.weights[k] * f64::from(column(location.vertices[k] as usize));
             (corner(0) + corner(1) + corner(2)) as f32
         };
         SurfacePoint {

@@ -27,7 +27,8 @@ pub struct TerraneOf(pub Entity);
 #[reflect(Component)]
 pub struct Terranes(Vec<Entity>);
 
-/// Finds the terranes of all plates: connected continental samples of one frame, in the order of their first samples.
+/// Finds the terranes of all plates: connected continental samples of one frame, in the order of
+/// their first samples.
 pub fn census(
     mesh: &crate::sphere::SphereMesh,
     crust: &super::Crust,
@@ -48,7 +49,13 @@ pub fn census(
     let terrane = |(id, area, moment): (FrameId, f64, DVec3)| {
         let frame = frames[usize::from(id)];
         let centroid = frame.to_world(moment).try_normalize().unwrap_or(DVec3::Z);
-        (frame.plate, Terrane { area: area * radius * radius, centroid })
+        (
+            frame.plate,
+            Terrane {
+                area: area * radius * radius,
+                centroid,
+            },
+        )
     };
     sums.into_iter().map(terrane).collect()
 }

@@ -1,7 +1,8 @@
-//! The base mesh: an irregular triangulation with edges of about 52 km on an Earth-sized planet (paper 002 §4).
+//! The base mesh: an irregular triangulation with edges of about 52 km on an Earth-sized planet
+//! (paper 002 §4).
 //!
-//! It depends on the seed alone and is built once. Its spacing is an angle: a planet of any radius has the same
-//! number of vertices, about 230,000.
+//! It depends on the seed alone and is built once. Its spacing is an angle: a planet of any radius
+//! has the same number of vertices, about 230,000.
 
 use crate::climate::Winds;
 use crate::noise::Noise;
@@ -9,10 +10,12 @@ use crate::overlay::relief::per_sample;
 use crate::random::Purpose;
 use crate::sphere::{Location, SphereError, SphereMesh, poisson_disk};
 
-/// Smallest distance of vertices in radians that gives edges of 52 km in the mean on an Earth-sized planet.
+/// Smallest distance of vertices in radians that gives edges of 52 km in the mean on an Earth-sized
+/// planet.
 pub const SPACING: f64 = 0.005_83;
 
-/// Frequency in periods per radian, and octaves, of the relief between samples: 150 and 75 km on Earth.
+/// Frequency in periods per radian, and octaves, of the relief between samples: 150 and 75 km on
+/// Earth.
 const RELIEF: (f64, u32) = (42.0, 2);
 
 /// Vertices, triangles, and what follows from them and the seed.
@@ -24,13 +27,14 @@ pub struct BaseMesh {
     pub mesh: SphereMesh,
     /// What lies upwind of each vertex.
     pub winds: Winds,
-    /// Coherent noise of the relief that the crust's samples are too far apart to show, about -1..1.
+    /// Coherent noise of the relief that the crust's samples are too far apart to show, about
+    /// -1..1.
     pub noise: Vec<f32>,
 }
 
 impl BaseMesh {
-    /// The base mesh of a planet; `spacing` is the smallest distance of vertices in radians, [`SPACING`] for a
-    /// planet as the paper has it.
+    /// The base mesh of a planet; `spacing` is the smallest distance of vertices in radians,
+    /// [`SPACING`] for a planet as the paper has it.
     ///
     /// # Errors
     /// [`SphereError`] if so few points come out that they do not surround the centre.
@@ -38,8 +42,15 @@ impl BaseMesh {
         let mesh = SphereMesh::from_points(poisson_disk(seed, spacing))?;
         let winds = Winds::new(&mesh);
         let noise = Noise::new(seed, Purpose::BaseRelief, 0);
-        let noise = per_sample(&mesh, |i| noise.fractal(mesh.point(i), RELIEF.0, RELIEF.1) as f32);
-        Ok(Self { seed, mesh, winds, noise })
+        let noise = per_sample(&mesh, |i| {
+            noise.fractal(mesh.point(i), RELIEF.0, RELIEF.1) as f32
+        });
+        Ok(Self {
+            seed,
+            mesh,
+            winds,
+            noise,
+        })
     }
 }
 
@@ -55,7 +66,10 @@ impl Transfer {
     pub fn new(lattice: &SphereMesh, base: &SphereMesh) -> Self {
         let short = |at: Location| (at.vertices, at.weights.map(|w| w as f32));
         let corners = per_sample(base, |i| short(lattice.locate(base.point(i))));
-        Self { samples: lattice.len(), corners }
+        Self {
+            samples: lattice.len(),
+            corners,
+        }
     }
 
     /// Number of samples of the other mesh.

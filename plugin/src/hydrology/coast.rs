@@ -1,12 +1,13 @@
 //! Sea, coast and land, such that no edge joins land and sea (paper 002 §4, Fig. 5d).
 //!
-//! A coast vertex stands at sea level between them: there rivers end, and estuaries have room. Of an edge
-//! between land and sea that end becomes coast that lies nearer to sea level, so the land neither grows nor
-//! shrinks in the mean; land without hinterland stays land, or islands would vanish.
+//! A coast vertex stands at sea level between them: there rivers end, and estuaries have room. Of
+//! an edge between land and sea that end becomes coast that lies nearer to sea level, so the land
+//! neither grows nor shrinks in the mean; land without hinterland stays land, or islands would
+//! vanish.
 //!
-//! Policy. *Sea* is a connected body below 0 of at least [`SEA_SHARE`] of the planet, or the largest if none is; a
-//! smaller one is land below sea level, and drainage decides whether it holds a lake. The largest sea on Earth that
-//! is none, the Caspian, has 0.07 % of the area.
+//! Policy. *Sea* is a connected body below 0 of at least [`SEA_SHARE`] of the planet, or the
+//! largest if none is; a smaller one is land below sea level, and drainage decides whether it holds
+//! a lake. The largest sea on Earth that is none, the Caspian, has 0.07 % of the area.
 
 use crate::overlay::relief::per_sample;
 use crate::sphere::SphereMesh;
@@ -33,8 +34,12 @@ pub fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<Site> {
     let inland = per_sample(mesh, |i| !is_sea[i as usize] && !meets(i, true));
     let gives_way = per_sample(mesh, |i| {
         let low = ground[i as usize];
-        let seaward =
-            || mesh.ring(i).iter().filter(|&&j| is_sea[j as usize]).map(|&j| i64::from(ground[j as usize]));
+        let seaward = || {
+            mesh.ring(i)
+                .iter()
+                .filter(|&&j| is_sea[j as usize])
+                .map(|&j| i64::from(ground[j as usize]))
+        };
         let count = seaward().count() as i64;
         !is_sea[i as usize]
             && count > 0
@@ -85,7 +90,9 @@ fn seas(mesh: &SphereMesh, ground: &[i32]) -> Vec<bool> {
     }
     let largest = areas.iter().copied().fold(0.0, f64::max);
     let least = (SEA_SHARE * 4.0 * crate::math::PI).min(largest);
-    body.into_iter().map(|id| id != NONE && areas[id as usize] >= least).collect()
+    body.into_iter()
+        .map(|id| id != NONE && areas[id as usize] >= least)
+        .collect()
 }
 
 #[cfg(test)]
@@ -99,9 +106,13 @@ mod tests {
     fn no_edge_joins_land_and_sea_and_the_land_keeps_its_area() {
         let mesh = SphereMesh::from_points(crate::sphere::poisson_disk(2, 0.02)).unwrap();
         let noise = Noise::new(8, Purpose::Relief, 0);
-        let mut ground = per_sample(&mesh, |i| (4e6 * noise.fractal(mesh.point(i), 2.0, 5)) as i32);
-        let before: f64 =
-            (0..mesh.len() as u32).filter(|&i| ground[i as usize] >= 0).map(|i| mesh.area(i)).sum();
+        let mut ground = per_sample(&mesh, |i| {
+            (4e6 * noise.fractal(mesh.point(i), 2.0, 5)) as i32
+        });
+        let before: f64 = (0..mesh.len() as u32)
+            .filter(|&i| ground[i as usize] >= 0)
+            .map(|i| mesh.area(i))
+            .sum();
         let sites = regularise(&mesh, &mut ground);
         let mut coast = 0.0;
         let mut land = 0.0;
@@ -118,9 +129,12 @@ mod tests {
                 Site::Sea => assert!(ground[i as usize] < 0),
             }
         }
-        // The shore runs through the middle of the coast's vertices. Islands and spits, of which this noise is full,
-        // keep their vertices and gain a shore.
-        assert!((land + 0.5 * coast - before).abs() < 0.08 * before, "{land} {coast} {before}");
+        // The shore runs through the middle of the coast's vertices. Islands and spits, of which
+        // this noise is full, keep their vertices and gain a shore.
+        assert!(
+            (land + 0.5 * coast - before).abs() < 0.08 * before,
+            "{land} {coast} {before}"
+        );
     }
 
     #[test]
@@ -134,7 +148,15 @@ mod tests {
         let sites = regularise(&mesh, &mut ground);
         let dry = SphereMesh::fibonacci(200).unwrap();
         assert!((0..mesh.len()).all(|i| mesh.points()[i].z < 0.1 || sites[i] == Site::Land));
-        assert!(regularise(&dry, &mut vec![5; 200]).iter().all(|s| *s == Site::Land));
-        assert!(regularise(&dry, &mut vec![-5; 200]).iter().all(|s| *s == Site::Sea));
+        assert!(
+            regularise(&dry, &mut vec![5; 200])
+                .iter()
+                .all(|s| *s == Site::Land)
+        );
+        assert!(
+            regularise(&dry, &mut vec![-5; 200])
+                .iter()
+                .all(|s| *s == Site::Sea)
+        );
     }
 }

@@ -1,11 +1,13 @@
 //! Priority-flood: which way water leaves every place on land (Barnes, Lehman and Mulla 2014).
 //!
-//! The flood rises from the coasts. A vertex is reached from the lowest neighbour already under water, so on its
-//! way to the sea water passes the lowest saddles. A vertex below the level at which it is reached lies in a *depression*.
-//! A depression is flooded at once, lowest vertex first: water in it runs along its floor, and its vertices are contiguous in the
-//! order. Elsewhere water takes the steepest way down.
+//! The flood rises from the coasts. A vertex is reached from the lowest neighbour already under
+//! water, so on its way to the sea water passes the lowest saddles. A vertex below the level at
+//! which it is reached lies in a *depression*. A depression is flooded at once, lowest vertex
+//! first: water in it runs along its floor, and its vertices are contiguous in the order. Elsewhere
+//! water takes the steepest way down.
 //!
-//! Policies. Equal levels go by vertex number. A planet without a sea is flooded from its lowest vertex, its only sink.
+//! Policies. Equal levels go by vertex number. A planet without a sea is flooded from its lowest
+//! vertex, its only sink.
 
 use super::coast::Site;
 use crate::overlay::relief::per_sample;
@@ -54,7 +56,10 @@ pub fn flood(mesh: &SphereMesh, sites: &[Site], ground: &[i32]) -> Routes {
         level: vec![i32::MAX; mesh.len()],
         heap: BinaryHeap::new(),
         pit: BinaryHeap::new(),
-        routes: Routes { receiver: vec![NONE; mesh.len()], ..Routes::default() },
+        routes: Routes {
+            receiver: vec![NONE; mesh.len()],
+            ..Routes::default()
+        },
     };
     run.seed(sites);
     while let Some((level, i)) = run.heap.pop().map(parts) {
@@ -74,7 +79,9 @@ pub fn flood(mesh: &SphereMesh, sites: &[Site], ground: &[i32]) -> Routes {
             }
         }
     }
-    let Flood { level, mut routes, .. } = run;
+    let Flood {
+        level, mut routes, ..
+    } = run;
     steepen(mesh, ground, &level, &mut routes);
     routes
 }
@@ -96,7 +103,12 @@ impl Flood<'_> {
                 Site::Sea => self.level[i as usize] = i32::MIN,
                 Site::Coast => {
                     self.level[i as usize] = 0;
-                    if self.mesh.ring(i).iter().any(|&j| sites[j as usize] == Site::Land) {
+                    if self
+                        .mesh
+                        .ring(i)
+                        .iter()
+                        .any(|&j| sites[j as usize] == Site::Land)
+                    {
                         self.heap.push(entry(0, i));
                     }
                 }
@@ -127,11 +139,18 @@ impl Flood<'_> {
                 let z = self.ground[j as usize];
                 self.routes.receiver[j as usize] = i;
                 self.level[j as usize] = z.max(level);
-                let heap = if z <= level { &mut self.pit } else { &mut self.heap };
+                let heap = if z <= level {
+                    &mut self.pit
+                } else {
+                    &mut self.heap
+                };
                 heap.push(entry(z, j));
             }
         }
-        self.routes.depressions.push(Depression { range: start..self.routes.order.len(), level });
+        self.routes.depressions.push(Depression {
+            range: start..self.routes.order.len(),
+            level,
+        });
     }
 }
 
@@ -139,7 +158,9 @@ impl Flood<'_> {
 fn steepen(mesh: &SphereMesh, ground: &[i32], level: &[i32], routes: &mut Routes) {
     let mut sunk = vec![false; mesh.len()];
     for depression in &routes.depressions {
-        routes.order[depression.range.clone()].iter().for_each(|&i| sunk[i as usize] = true);
+        routes.order[depression.range.clone()]
+            .iter()
+            .for_each(|&i| sunk[i as usize] = true);
     }
     let old = core::mem::take(&mut routes.receiver);
     routes.receiver = per_sample(mesh, |i| {

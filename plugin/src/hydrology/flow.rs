@@ -1,4 +1,5 @@
-//! Discharge: the runoff of all that lies upstream, in whole cubic metres per year, so that not a unit is lost.
+//! Discharge: the runoff of all that lies upstream, in whole cubic metres per year, so that not a
+//! unit is lost.
 
 use super::flood::{NONE, Routes};
 use crate::climate::{Climate, EARTH_RADIUS};
@@ -13,8 +14,8 @@ pub fn per_second(discharge: u64) -> f64 {
     discharge as f64 / YEAR
 }
 
-/// What the same rain on an Earth-sized planet would discharge, in m³/s: laws of rivers go by that, so that small
-/// planets have rivers, too.
+/// What the same rain on an Earth-sized planet would discharge, in m³/s: laws of rivers go by that,
+/// so that small planets have rivers, too.
 pub fn earth_like(discharge: u64, radius: f64) -> f64 {
     let scale = EARTH_RADIUS / radius;
     per_second(discharge) * scale * scale
@@ -31,7 +32,12 @@ pub(super) fn volumes(mesh: &SphereMesh, radius: f64, depth: &[f32]) -> Vec<i64>
 }
 
 /// Runoff of every vertex on land, in m³ per year; 0 elsewhere.
-pub(super) fn supply(mesh: &SphereMesh, radius: f64, climate: &Climate, routes: &Routes) -> Vec<u64> {
+pub(super) fn supply(
+    mesh: &SphereMesh,
+    radius: f64,
+    climate: &Climate,
+    routes: &Routes,
+) -> Vec<u64> {
     let all = volumes(mesh, radius, &climate.runoff);
     let mut supply = vec![0; mesh.len()];
     for &i in &routes.order {
@@ -77,6 +83,10 @@ mod tests {
         };
         assert!((of(6370.0) / of(200.0) - 1.0).abs() < 1e-3);
         // Half a metre of runoff on all of the Earth.
-        assert!((of(6370.0) - 0.5 * 5.099e14 / YEAR).abs() < 1e4, "{}", of(6370.0));
+        assert!(
+            (of(6370.0) - 0.5 * 5.099e14 / YEAR).abs() < 1e4,
+            "{}",
+            of(6370.0)
+        );
     }
 }

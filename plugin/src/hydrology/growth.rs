@@ -1,20 +1,24 @@
-//! The paper's own network: rivers that grow from the coasts into the land (paper 002 §4), as a preset.
+//! The paper's own network: rivers that grow from the coasts into the land (paper 002 §4), as a
+//! preset.
 //!
-//! The text gives the idea; constants are those of the authors' program. A mouth is a coast vertex between land
-//! and sea with no other mouth beside it. The network grows by rounds: of its tips and its other vertices an eighth (eight
-//! at least) takes a step each, lowest crust first. A step goes along the edge of least cost
+//! The text gives the idea; constants are those of the authors' program. A mouth is a coast vertex
+//! between land and sea with no other mouth beside it. The network grows by rounds: of its tips and
+//! its other vertices an eighth (eight at least) takes a step each, lowest crust first. A step goes
+//! along the edge of least cost
 //!
 //! ```text
 //! 100 (0.1 + 0.38 ξ + |f · e|) (0.05 + P) (1 - 0.99 smoothstep(-0.2 .. 0.1 km, ΔC))
 //! ```
 //!
-//! which turns away from fold directions and plateaus and wants rising crust, and within about 78° of the way so far. A vertex
-//! that is no tip branches with the probability sqrt(l / L), l its way to the mouth and L = 1.6 R, at less than
-//! 90°. Growth stops at 0.7 km or half of the crust's elevation, whichever is higher, and at l > L.
+//! which turns away from fold directions and plateaus and wants rising crust, and within about 78°
+//! of the way so far. A vertex that is no tip branches with the probability sqrt(l / L), l its way
+//! to the mouth and L = 1.6 R, at less than 90°. Growth stops at 0.7 km or half of the crust's
+//! elevation, whichever is higher, and at l > L.
 //!
-//! Departs from the paper: what no river reaches drains to the nearest river or coast by edges, so that all land has
-//! a way to the sea and the rain decides the flow; beds follow from that by the same profile as those of the
-//! drainage, but cut through whatever is in their way: the grown network does not follow the relief.
+//! Departs from the paper: what no river reaches drains to the nearest river or coast by edges, so
+//! that all land has a way to the sea and the rain decides the flow; beds follow from that by the
+//! same profile as those of the drainage, but cut through whatever is in their way: the grown
+//! network does not follow the relief.
 
 use super::base::BaseMesh;
 use super::coast::Site;
@@ -102,7 +106,8 @@ impl Growth<'_> {
                 && is_mouth
             {
                 taken[i as usize] = true;
-                ring.iter().for_each(|&j| taken[j as usize] |= self.sites[j as usize] == Site::Coast);
+                ring.iter()
+                    .for_each(|&j| taken[j as usize] |= self.sites[j as usize] == Site::Coast);
                 self.join(first, i);
             }
         }
@@ -129,7 +134,12 @@ impl Growth<'_> {
         let mut ranked: Vec<(u64, u32)> = self
             .front
             .iter()
-            .map(|&i| (((1.0 - draw(i, 0) * (1.0 - crust(i) / 10.0).clamp(0.0, 1.0)) * 1e9) as u64, i))
+            .map(|&i| {
+                (
+                    ((1.0 - draw(i, 0) * (1.0 - crust(i) / 10.0).clamp(0.0, 1.0)) * 1e9) as u64,
+                    i,
+                )
+            })
             .collect();
         ranked.sort_unstable();
         ranked.truncate(8.max(ranked.len() / 8));
@@ -145,8 +155,11 @@ impl Growth<'_> {
         let ended = |i: u32| {
             let k = i as usize;
             let high = f64::from(self.terrain.ground[k]) / KM > (0.5 * crust(i)).max(0.7);
-            let walled =
-                !self.mesh.ring(i).iter().any(|&j| self.is_land(j) && self.receiver[j as usize] == NONE);
+            let walled = !self
+                .mesh
+                .ring(i)
+                .iter()
+                .any(|&j| self.is_land(j) && self.receiver[j as usize] == NONE);
             self.length[k] > LONGEST || walled || (high && self.steps[k] > 3)
         };
         // What was looked at and did not branch is looked at again, until its neighbours are taken.
@@ -169,19 +182,31 @@ impl Growth<'_> {
         let cost = |j: u32| {
             let k = j as usize;
             let edge = (self.mesh.point(j) - p).normalize_or_zero();
-            let near_river =
-                self.mesh.ring(j).iter().any(|&n| n != i && self.steps[n as usize] > 0 && n != to);
-            if !self.is_land(j) || self.receiver[k] != NONE || edge.dot(along) < bend || near_river {
+            let near_river = self
+                .mesh
+                .ring(j)
+                .iter()
+                .any(|&n| n != i && self.steps[n as usize] > 0 && n != to);
+            if !self.is_land(j) || self.receiver[k] != NONE || edge.dot(along) < bend || near_river
+            {
                 return None;
             }
-            let chance = self.stream.unit(crate::random::mix(u64::from(i) << 32 | u64::from(j)) ^ round);
+            let chance = self
+                .stream
+                .unit(crate::random::mix(u64::from(i) << 32 | u64::from(j)) ^ round);
             let fold = self.terrain.fold[k].as_dvec3().dot(edge).abs();
             let rise = math::smoothstep((crust(j) - crust(i) + 0.2) / 0.3);
             let plateau = 0.05 + f64::from(self.terrain.plateau[k]);
             Some((0.1 + 0.38 * chance + fold) * plateau * (1.0 - 0.99 * rise))
         };
-        let costs = self.mesh.ring(i).iter().filter_map(|&j| Some((cost(j)?, j)));
-        costs.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, j)| j)
+        let costs = self
+            .mesh
+            .ring(i)
+            .iter()
+            .filter_map(|&j| Some((cost(j)?, j)));
+        costs
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+            .map(|(_, j)| j)
     }
 
     /// Lets all other land drain to the nearest river or coast, and puts the land in order.
@@ -189,7 +214,9 @@ impl Growth<'_> {
         let n = self.mesh.len();
         let mut order: Vec<u32> = Vec::new();
         // Rivers first, mouths before springs.
-        let mut rivers: Vec<u32> = (0..n as u32).filter(|&i| self.steps[i as usize] > 0).collect();
+        let mut rivers: Vec<u32> = (0..n as u32)
+            .filter(|&i| self.steps[i as usize] > 0)
+            .collect();
         rivers.sort_by_key(|&i| (self.steps[i as usize], i));
         let mut queue: std::collections::VecDeque<u32> = rivers.iter().copied().collect();
         order.extend(rivers);
@@ -198,7 +225,9 @@ impl Growth<'_> {
             queue.extend((0..n as u32).find(|&i| self.is_land(i)));
             order.extend(queue.iter());
         }
-        let mut known: Vec<bool> = (0..n).map(|i| self.steps[i] > 0 || self.sites[i] != Site::Land).collect();
+        let mut known: Vec<bool> = (0..n)
+            .map(|i| self.steps[i] > 0 || self.sites[i] != Site::Land)
+            .collect();
         order.iter().for_each(|&i| known[i as usize] = true);
         while let Some(i) = queue.pop_front() {
             for &j in self.mesh.ring(i) {
@@ -210,7 +239,11 @@ impl Growth<'_> {
                 }
             }
         }
-        Routes { order, receiver: self.receiver, depressions: Vec::new() }
+        Routes {
+            order,
+            receiver: self.receiver,
+            depressions: Vec::new(),
+        }
     }
 }
 
@@ -223,13 +256,29 @@ mod tests {
     #[test]
     fn grown_rivers_cover_the_land_and_reach_the_sea() {
         let base = BaseMesh::new(3, 0.015).unwrap();
-        let crust = EquirectMap::from_fn(64, |lat, _| (1.0 - lat.abs() / 30.0) as f32 * 2.0).unwrap();
-        let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
+        let crust =
+            EquirectMap::from_fn(64, |lat, _| (1.0 - lat.abs() / 30.0) as f32 * 2.0).unwrap();
+        let maps = TerrainMaps {
+            crust,
+            age: None,
+            plateau: None,
+            hills: None,
+        };
         let terrain = Terrain::from_maps(&base, &maps);
-        let climate = Climate::new(&base.mesh, &base.winds, &terrain.elevation_km(), &ClimateMaps::default());
+        let climate = Climate::new(
+            &base.mesh,
+            &base.winds,
+            &terrain.elevation_km(),
+            &ClimateMaps::default(),
+        );
         let drainage = Drainage::new(&base, 6370.0, &terrain, &climate, RiverNetwork::Grown);
         let mut rank = vec![usize::MAX; base.mesh.len()];
-        drainage.routes.order.iter().enumerate().for_each(|(k, &i)| rank[i as usize] = k);
+        drainage
+            .routes
+            .order
+            .iter()
+            .enumerate()
+            .for_each(|(k, &i)| rank[i as usize] = k);
         for i in 0..base.mesh.len() {
             if drainage.sites[i] != Site::Land {
                 continue;
@@ -240,6 +289,9 @@ mod tests {
             assert!(!drainage.is_endorheic(i));
         }
         assert!(drainage.strahler.iter().max() >= Some(&3));
-        assert_eq!(drainage, Drainage::new(&base, 6370.0, &terrain, &climate, RiverNetwork::Grown));
+        assert_eq!(
+            drainage,
+            Drainage::new(&base, 6370.0, &terrain, &climate, RiverNetwork::Grown)
+        );
     }
 }

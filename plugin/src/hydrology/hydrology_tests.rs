@@ -7,7 +7,8 @@ use crate::random::Purpose;
 fn rough(seed: u64, radius: f64, dry: bool) -> (BaseMesh, Drainage) {
     let base = BaseMesh::new(seed, 0.025).unwrap();
     let noise = Noise::new(seed, Purpose::Relief, 0);
-    let height = |lat: f64, lon: f64| (5.0 * noise.fractal(crate::math::direction(lat, lon), 1.7, 6)) as f32;
+    let height =
+        |lat: f64, lon: f64| (5.0 * noise.fractal(crate::math::direction(lat, lon), 1.7, 6)) as f32;
     let maps = TerrainMaps {
         crust: EquirectMap::from_fn(128, height).unwrap(),
         age: None,
@@ -16,7 +17,10 @@ fn rough(seed: u64, radius: f64, dry: bool) -> (BaseMesh, Drainage) {
     };
     let terrain = Terrain::from_maps(&base, &maps);
     let rain = dry.then(|| EquirectMap::from_fn(4, |_, _| 150.0).unwrap());
-    let maps = ClimateMaps { rain, ..ClimateMaps::default() };
+    let maps = ClimateMaps {
+        rain,
+        ..ClimateMaps::default()
+    };
     let climate = Climate::new(&base.mesh, &base.winds, &terrain.elevation_km(), &maps);
     let drainage = Drainage::new(&base, radius, &terrain, &climate, RiverNetwork::Drainage);
     (base, drainage)
@@ -32,15 +36,29 @@ fn assert_kinds(drainage: &Drainage) {
         };
         assert_eq!(drainage.is_endorheic(i), kind != LakeKind::Draining);
         let lake = drainage.profile.lake[i] as usize;
-        assert_eq!(drainage.profile.lakes[lake].outlet == NONE, kind == LakeKind::Closed);
-        assert_eq!(*kinds[lake].get_or_insert(kind), kind, "lake {lake} has two kinds");
+        assert_eq!(
+            drainage.profile.lakes[lake].outlet == NONE,
+            kind == LakeKind::Closed
+        );
+        assert_eq!(
+            *kinds[lake].get_or_insert(kind),
+            kind,
+            "lake {lake} has two kinds"
+        );
     }
 }
 
 /// The laws that every drainage keeps.
 fn assert_lawful(drainage: &Drainage) {
     assert_kinds(drainage);
-    let Drainage { sites, routes, discharge, supply, profile, .. } = drainage;
+    let Drainage {
+        sites,
+        routes,
+        discharge,
+        supply,
+        profile,
+        ..
+    } = drainage;
     let n = drainage.len();
     // Not a unit of water is lost.
     let given: u64 = supply.iter().sum();
@@ -63,7 +81,10 @@ fn assert_lawful(drainage: &Drainage) {
         assert_eq!(drainage.basin[i], at as u32);
         // It ends at a coast or in a lake without an outlet.
         let lake = profile.lake[at];
-        assert!(sites[at] == Site::Coast || profile.lakes[lake as usize].outlet == NONE, "{i}");
+        assert!(
+            sites[at] == Site::Coast || profile.lakes[lake as usize].outlet == NONE,
+            "{i}"
+        );
         if to == NONE {
             continue;
         }
@@ -74,7 +95,10 @@ fn assert_lawful(drainage: &Drainage) {
         let (own, next) = (profile.lake[i], profile.lake[r]);
         if own == NONE {
             assert!(profile.level[i] > profile.level[r]);
-            assert!(next != NONE || profile.bed[i] > profile.bed[r], "bed at {i}");
+            assert!(
+                next != NONE || profile.bed[i] > profile.bed[r],
+                "bed at {i}"
+            );
         } else if next == NONE {
             let lake = &profile.lakes[own as usize];
             assert_eq!((lake.outlet, lake.level), (to, profile.level[r]));
@@ -85,8 +109,16 @@ fn assert_lawful(drainage: &Drainage) {
     for (id, lake) in profile.lakes.iter().enumerate() {
         let vertices: Vec<usize> = (0..n).filter(|&i| profile.lake[i] == id as u32).collect();
         assert_eq!(vertices.len(), lake.vertices as usize);
-        assert!(vertices.iter().all(|&i| profile.level[i] == lake.level && profile.bed[i] < lake.level));
-        assert!(vertices.iter().all(|&i| lake.level - profile.bed[i] <= profile::DEEPEST_LAKE));
+        assert!(
+            vertices
+                .iter()
+                .all(|&i| profile.level[i] == lake.level && profile.bed[i] < lake.level)
+        );
+        assert!(
+            vertices
+                .iter()
+                .all(|&i| lake.level - profile.bed[i] <= profile::DEEPEST_LAKE)
+        );
     }
 }
 
@@ -95,12 +127,21 @@ fn small_and_dry_planets_keep_the_laws_too() {
     let (_, small) = rough(11, 50.0, false);
     assert_lawful(&small);
     let (_, large) = rough(11, 6370.0, false);
-    let strongest = |d: &Drainage| (0..d.len()).map(|i| d.earth_like_discharge(i)).fold(0.0, f64::max);
+    let strongest = |d: &Drainage| {
+        (0..d.len())
+            .map(|i| d.earth_like_discharge(i))
+            .fold(0.0, f64::max)
+    };
     let ratio = strongest(&small) / strongest(&large);
     assert!((0.98..1.02).contains(&ratio), "{ratio}");
     let (_, dry) = rough(12, 6370.0, true);
     assert_lawful(&dry);
-    let closed = dry.profile.lakes.iter().filter(|lake| lake.outlet == NONE).count();
+    let closed = dry
+        .profile
+        .lakes
+        .iter()
+        .filter(|lake| lake.outlet == NONE)
+        .count();
     assert!(closed > 3, "{closed} closed lakes on a dry planet");
     assert!((0..dry.len()).any(|i| dry.is_endorheic(i)));
 }
@@ -110,9 +151,21 @@ fn a_planet_without_land_or_without_sea_drains() {
     let base = BaseMesh::new(1, 0.08).unwrap();
     for level in [-3.0, 2.0] {
         let crust = EquirectMap::from_fn(8, |_, _| level).unwrap();
-        let terrain =
-            Terrain::from_maps(&base, &TerrainMaps { crust, age: None, plateau: None, hills: None });
-        let climate = Climate::new(&base.mesh, &base.winds, &terrain.elevation_km(), &ClimateMaps::default());
+        let terrain = Terrain::from_maps(
+            &base,
+            &TerrainMaps {
+                crust,
+                age: None,
+                plateau: None,
+                hills: None,
+            },
+        );
+        let climate = Climate::new(
+            &base.mesh,
+            &base.winds,
+            &terrain.elevation_km(),
+            &ClimateMaps::default(),
+        );
         for network in [RiverNetwork::Drainage, RiverNetwork::Grown] {
             let drainage = Drainage::new(&base, 6370.0, &terrain, &climate, network);
             let land = drainage.sites.iter().filter(|s| **s == Site::Land).count();

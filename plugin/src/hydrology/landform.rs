@@ -1,20 +1,24 @@
 //! What the crust at a vertex says about the relief around it.
 //!
-//! Crust is sampled every 50 to 200 km; what lies between is *relief*. It stands about the mean elevation z of the crust:
-//! valleys a third of it below, summits two thirds above. So C, the level that summits reach, is z + 0.65 R, and the
-//! base ground, on which rivers run, is z - 0.35 R. R spans from the valley floors to the highest summits: in real belts
-//! that is the largest range within 10 km, half again the median one: Karakoram 3.8 km, Everest 4.4; Patagonia 2.7,
-//! Aconcagua 3.4; Appalachians and Scottish Highlands 1.1. Noise and low crust leave less of it, so it is 4.9 km in young
-//! Himalayan belts, 3.2 km in young Andean ones, 0.85 km once they are 200 My old, and some tens of metres where nothing
-//! was folded. A low belt has no more of it than one and three quarters of its mean elevation, however old (Scottish Highlands
+//! Crust is sampled every 50 to 200 km; what lies between is *relief*. It stands about the mean
+//! elevation z of the crust: valleys a third of it below, summits two thirds above. So C, the level
+//! that summits reach, is z + 0.65 R, and the base ground, on which rivers run, is z - 0.35 R. R
+//! spans from the valley floors to the highest summits: in real belts that is the largest range
+//! within 10 km, half again the median one: Karakoram 3.8 km, Everest 4.4; Patagonia 2.7, Aconcagua
+//! 3.4; Appalachians and Scottish Highlands 1.1. Noise and low crust leave less of it, so it is 4.9
+//! km in young Himalayan belts, 3.2 km in young Andean ones, 0.85 km once they are 200 My old, and
+//! some tens of metres where nothing was folded. A low belt has no more of it than one and three
+//! quarters of its mean elevation, however old (Scottish Highlands
 //! 1.2, Patagonia 1.75).
 //!
-//! - P, plateau: high, level crust of young belts: what lies behind the Andean and Himalayan fronts, less where ranges
-//!   cross it. Its relief is two fifths of its belt's (Altiplano: 1.3 km, beside 2.1 km at Aconcagua).
+//! - P, plateau: high, level crust of young belts: what lies behind the Andean and Himalayan
+//!   fronts, less where ranges
+//!   cross it. Its relief is two fifths of its belt's (Altiplano: 1.3 km, beside 2.1 km at
+//! Aconcagua).
 //! - B, hills: old belts, and the forelands of moderate height.
 //!
-//! Policies. Values are interpolated; ages and directions come from those corners that have them. Directions have no sign:
-//! they are turned to the side of the heaviest corner first.
+//! Policies. Values are interpolated; ages and directions come from those corners that have them.
+//! Directions have no sign: they are turned to the side of the heaviest corner first.
 
 use crate::crust::{Orogeny, Surface};
 use crate::math;
@@ -51,23 +55,31 @@ pub(super) struct Crustal {
     pub(super) ocean_age: f32,
     pub(super) fold: Vec3,
     pub(super) ridge: Vec3,
-    /// Share of the noise between samples that is added: none to maps, which bring relief of their own.
+    /// Share of the noise between samples that is added: none to maps, which bring relief of their
+    /// own.
     pub(super) noise: f32,
 }
 
 impl Crustal {
     pub(super) fn between(surface: &Surface, (corners, weights): ([usize; 3], [f32; 3])) -> Self {
         let crust = &surface.crust;
-        let total =
-            |value: &dyn Fn(usize) -> f32| (0..3).map(|k| weights[k] * value(corners[k])).sum::<f32>();
+        let total = |value: &dyn Fn(usize) -> f32| {
+            (0..3).map(|k| weights[k] * value(corners[k])).sum::<f32>()
+        };
         let mean_of = |weight: &dyn Fn(usize) -> f32, value: &dyn Fn(usize) -> f32| {
             let sum = total(weight);
-            if sum > 0.0 { total(&|i| weight(i) * value(i)) / sum } else { 0.0 }
+            if sum > 0.0 {
+                total(&|i| weight(i) * value(i)) / sum
+            } else {
+                0.0
+            }
         };
         let folded = |i: usize| f32::from(u8::from(crust.orogeny[i] != Orogeny::None));
         let oceanic = |i: usize| if crust.is_continental(i) { 0.0 } else { 1.0 };
         let axis = |vectors: &[Vec3]| {
-            let heaviest = (0..3).max_by(|&a, &b| weights[a].total_cmp(&weights[b])).unwrap_or(0);
+            let heaviest = (0..3)
+                .max_by(|&a, &b| weights[a].total_cmp(&weights[b]))
+                .unwrap_or(0);
             let lead = vectors[corners[heaviest]];
             let sum: Vec3 = (0..3)
                 .map(|k| {
@@ -81,7 +93,9 @@ impl Crustal {
             elevation: total(&|i| surface.elevation(i)),
             folded: total(&folded),
             age: mean_of(&folded, &|i| crust.orogeny_age[i]),
-            collision: mean_of(&folded, &|i| f32::from(u8::from(crust.orogeny[i] == Orogeny::Himalayan))),
+            collision: mean_of(&folded, &|i| {
+                f32::from(u8::from(crust.orogeny[i] == Orogeny::Himalayan))
+            }),
             oceanic: total(&oceanic),
             ocean_age: mean_of(&oceanic, &|i| crust.ocean_age[i]),
             fold: axis(&crust.fold),
@@ -105,18 +119,22 @@ impl Crustal {
         relief * (1.0 - LEVELLED * plateau) * smooth((z + 0.3) / 0.4)
     }
 
-    /// Base ground in km: valleys lie below the mean, and the noise of the base mesh makes them wind. On slopes it
-    /// must be stronger, or rivers would run down side by side and never meet.
+    /// Base ground in km: valleys lie below the mean, and the noise of the base mesh makes them
+    /// wind. On slopes it must be stronger, or rivers would run down side by side and never meet.
     pub(super) fn ground(&self, relief: f32, steepness: f32, noise: f32) -> f32 {
         let z = self.elevation;
-        let low = if z > 0.0 { (z - BELOW * relief).max(0.4 * z) } else { z };
+        let low = if z > 0.0 {
+            (z - BELOW * relief).max(0.4 * z)
+        } else {
+            z
+        };
         // Deep floor is the amplifier's alone.
         let rough = 0.06 + 0.2 * relief + SLOPE_ROUGHNESS * steepness.min(0.02);
         low + self.noise * noise * rough * smooth((z + 1.5) / 1.3)
     }
 
-    /// P. Tibet and the Altiplano rise by less than 200 m in 100 km, the flanks of their belts by 1 to 4 km. Where the
-    /// noise between samples is high a range crosses the plateau.
+    /// P. Tibet and the Altiplano rise by less than 200 m in 100 km, the flanks of their belts by 1
+    /// to 4 km. Where the noise between samples is high a range crosses the plateau.
     pub(super) fn plateau(&self, steepness: f32, noise: f32) -> f32 {
         let high = smooth((self.elevation - 1.8) / 1.6);
         let level = 1.0 - smooth((steepness - 0.002) / 0.008);
@@ -141,7 +159,13 @@ mod tests {
     use super::*;
 
     fn belt(elevation: f32, age: f32, collision: f32) -> Crustal {
-        Crustal { elevation, folded: 1.0, age, collision, ..Crustal::default() }
+        Crustal {
+            elevation,
+            folded: 1.0,
+            age,
+            collision,
+            ..Crustal::default()
+        }
     }
 
     #[test]
@@ -149,10 +173,17 @@ mod tests {
         let himalaya = belt(4.5, 10.0, 1.0).relief(0.0);
         let andes = belt(3.5, 10.0, 0.0).relief(0.0);
         let old = belt(1.0, 300.0, 1.0).relief(0.0);
-        let plain = Crustal { elevation: 0.2, ..Crustal::default() }.relief(0.0);
-        // Largest relief within 10 km of measured tiles: Karakoram to Annapurna, Patagonia to the Andes of Chile, and no
-        // more than the Appalachians.
-        assert!((3.8..5.6).contains(&himalaya) && (2.6..4.0).contains(&andes), "{himalaya} {andes}");
+        let plain = Crustal {
+            elevation: 0.2,
+            ..Crustal::default()
+        }
+        .relief(0.0);
+        // Largest relief within 10 km of measured tiles: Karakoram to Annapurna, Patagonia to the
+        // Andes of Chile, and no more than the Appalachians.
+        assert!(
+            (3.8..5.6).contains(&himalaya) && (2.6..4.0).contains(&andes),
+            "{himalaya} {andes}"
+        );
         assert!((0.7..1.06).contains(&old) && plain < 0.1, "{old} {plain}");
         assert!(belt(4.5, 10.0, 1.0).relief(1.0) < 0.5 * himalaya);
         assert_eq!(belt(-4.0, 10.0, 1.0).relief(0.0), 0.0);
@@ -176,7 +207,10 @@ mod tests {
 
     #[test]
     fn plateaus_are_high_and_level_and_hills_are_old() {
-        let high = Crustal { noise: 1.0, ..belt(4.5, 10.0, 1.0) };
+        let high = Crustal {
+            noise: 1.0,
+            ..belt(4.5, 10.0, 1.0)
+        };
         assert!(high.plateau(0.002, -0.1) > 0.9);
         assert_eq!(high.plateau(0.03, -0.1), 0.0);
         assert_eq!(high.plateau(0.002, 0.5), 0.0, "a range");

@@ -16,8 +16,8 @@
 //! stats     figures: Horton's ratios, Hack's exponent
 //! ```
 //!
-//! Heights are whole grains of 1/1024 m ([`pangaea_shaders::amplify::fixed`]), water is whole cubic metres per
-//! year: what is conserved is conserved to the last unit.
+//! Heights are whole grains of 1/1024 m ([`pangaea_shaders::amplify::fixed`]), water is whole cubic
+//! metres per year: what is conserved is conserved to the last unit.
 
 pub mod base;
 
@@ -88,7 +88,8 @@ pub struct Drainage {
 }
 
 impl Drainage {
-    /// The drainage of `terrain` under `climate` on a planet of `radius` km. Terrain and climate are those of the vertices of `base`.
+    /// The drainage of `terrain` under `climate` on a planet of `radius` km. Terrain and climate
+    /// are those of the vertices of `base`.
     pub fn new(
         base: &BaseMesh,
         radius: f64,
@@ -110,7 +111,17 @@ impl Drainage {
         let profile = profile::profile(mesh, &routes, &ground, earth_like, &closed, network);
         let strahler = order::strahler(&routes);
         let basin = order::basins(&routes);
-        Self { sites, ground, routes, supply, discharge, strahler, basin, profile, radius }
+        Self {
+            sites,
+            ground,
+            routes,
+            supply,
+            discharge,
+            strahler,
+            basin,
+            profile,
+            radius,
+        }
     }
 
     fn drain(
@@ -124,7 +135,13 @@ impl Drainage {
         let mut routes = flood::flood(mesh, sites, ground);
         let supply = flow::supply(mesh, radius, climate, &routes);
         let loss = flow::volumes(mesh, radius, &climate.open_water_loss);
-        let balance = sinks::Balance { mesh, radius, ground, supply: &supply, loss: &loss };
+        let balance = sinks::Balance {
+            mesh,
+            radius,
+            ground,
+            supply: &supply,
+            loss: &loss,
+        };
         let closed = sinks::close_basins(&balance, &mut routes);
         (routes, closed)
     }
@@ -139,7 +156,8 @@ impl Drainage {
         self.ground.is_empty()
     }
 
-    /// Discharge of vertex `i` in m³/s as it would be on an Earth-sized planet: what rivers are ranked by.
+    /// Discharge of vertex `i` in m³/s as it would be on an Earth-sized planet: what rivers are
+    /// ranked by.
     pub fn earth_like_discharge(&self, i: usize) -> f64 {
         flow::earth_like(self.discharge[i], self.radius)
     }

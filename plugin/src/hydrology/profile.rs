@@ -1,12 +1,15 @@
-//! The long profiles of rivers: water that never runs uphill, beds that strictly descend, lakes that are level.
+//! The long profiles of rivers: water that never runs uphill, beds that strictly descend, lakes
+//! that are level.
 //!
-//! Two sweeps. Upstream first, every vertex learns how low it should lie for what comes from above to run on (the least
-//! of its ground and of what drains to it, less the gradient), but no lower than its river can wear it down
-//! ([`incision`]): breaching, where it costs less than the river can pay. Then, downstream first,
-//! each takes that level, or one gradient above the vertex that it drains to. Where that stands well above its
-//! ground water fills the hollow: a lake, at the level of its outlet. Shallow hollows are filled with sediment instead.
+//! Two sweeps. Upstream first, every vertex learns how low it should lie for what comes from above
+//! to run on (the least of its ground and of what drains to it, less the gradient), but no lower
+//! than its river can wear it down ([`incision`]): breaching, where it costs less than the river
+//! can pay. Then, downstream first, each takes that level, or one gradient above the vertex that it
+//! drains to. Where that stands well above its ground water fills the hollow: a lake, at the level
+//! of its outlet. Shallow hollows are filled with sediment instead.
 //!
-//! Depth follows discharge as d = 0.27 Q^0.30 (Moody and Troutman 2002), Q as on an Earth-sized planet.
+//! Depth follows discharge as d = 0.27 Q^0.30 (Moody and Troutman 2002), Q as on an Earth-sized
+//! planet.
 
 use super::flood::{NONE, Routes};
 use super::growth::RiverNetwork;
@@ -21,9 +24,10 @@ pub const FALL: i32 = 1024;
 /// Least depth of a hollow that holds a lake, grains: 20 m. Sediment fills shallower ones.
 pub const LAKE_DEPTH: i32 = 20 * 1024;
 
-/// Greatest depth of a lake, grains: 400 m. Crust is too coarse to tell a valley's floor from its rims, so hollows come out
-/// kilometres deep, which sediment would fill. Of the Earth's great lakes only young rifts and the deepest troughs of ice
-/// are deeper (Tanganyika 1470 m, Great Slave Lake 614 m); Lake Superior has 406 m, Lake Ladoga 230 m.
+/// Greatest depth of a lake, grains: 400 m. Crust is too coarse to tell a valley's floor from its
+/// rims, so hollows come out kilometres deep, which sediment would fill. Of the Earth's great lakes
+/// only young rifts and the deepest troughs of ice are deeper (Tanganyika 1470 m, Great Slave Lake
+/// 614 m); Lake Superior has 406 m, Lake Ladoga 230 m.
 pub const DEEPEST_LAKE: i32 = 400 * 1024;
 
 /// A lake.
@@ -31,7 +35,8 @@ pub const DEEPEST_LAKE: i32 = 400 * 1024;
 pub struct Lake {
     /// Level of the water in grains.
     pub level: i32,
-    /// The river's vertex through which it drains, at the lake's level; [`NONE`] for a closed basin.
+    /// The river's vertex through which it drains, at the lake's level; [`NONE`] for a closed
+    /// basin.
     pub outlet: u32,
     /// The vertex to which all of it drains, on its bottom or next to the outlet.
     pub sink: u32,
@@ -42,7 +47,8 @@ pub struct Lake {
 /// Levels along all rivers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Profile {
-    /// Level of the water if there is any at the vertex, else of its ground, in grains; never rises downstream.
+    /// Level of the water if there is any at the vertex, else of its ground, in grains; never rises
+    /// downstream.
     pub level: Vec<i32>,
     /// River bed or lake floor in grains.
     pub bed: Vec<i32>,
@@ -54,10 +60,15 @@ pub struct Profile {
 
 /// Depth in grains of a river of a discharge in m³/s.
 pub fn depth(discharge: f64) -> i32 {
-    if discharge > 0.0 { (0.27 * math::pow(discharge, 0.3) * 1024.0) as i32 } else { 0 }
+    if discharge > 0.0 {
+        (0.27 * math::pow(discharge, 0.3) * 1024.0) as i32
+    } else {
+        0
+    }
 }
 
-/// Finds the levels for `routes` over `ground` in grains, with the earth-like discharge of each vertex in m³/s.
+/// Finds the levels for `routes` over `ground` in grains, with the earth-like discharge of each
+/// vertex in m³/s.
 pub(super) fn profile(
     mesh: &SphereMesh,
     routes: &Routes,
@@ -70,9 +81,17 @@ pub(super) fn profile(
     let mut lake = vec![NONE; n];
     let mut lakes = Vec::new();
     for basin in closed {
-        basin.vertices.iter().for_each(|&i| lake[i as usize] = lakes.len() as u32);
+        basin
+            .vertices
+            .iter()
+            .for_each(|&i| lake[i as usize] = lakes.len() as u32);
         let sink = basin.vertices.first().copied().unwrap_or(NONE);
-        lakes.push(Lake { level: basin.level, outlet: NONE, sink, vertices: basin.vertices.len() as u32 });
+        lakes.push(Lake {
+            level: basin.level,
+            outlet: NONE,
+            sink,
+            vertices: basin.vertices.len() as u32,
+        });
     }
     let wanted = breach(mesh, routes, ground, &discharge, &lake, network);
     let mut level: Vec<i32> = ground.to_vec();
@@ -92,7 +111,12 @@ pub(super) fn profile(
             lake[k] = lake[r];
         } else if lake[r] == NONE && hollow > LAKE_DEPTH {
             lake[k] = lakes.len() as u32;
-            lakes.push(Lake { level: level[r], outlet: r as u32, sink: i, vertices: 0 });
+            lakes.push(Lake {
+                level: level[r],
+                outlet: r as u32,
+                sink: i,
+                vertices: 0,
+            });
         } else {
             level[k] = wanted[k].max(level[r] + FALL);
             continue;
@@ -101,10 +125,16 @@ pub(super) fn profile(
         level[k] = level[r];
     }
     let bed = beds(mesh, routes, ground, &level, &lake, &discharge);
-    Profile { level, bed, lake, lakes }
+    Profile {
+        level,
+        bed,
+        lake,
+        lakes,
+    }
 }
 
-/// How low every vertex should lie for the water from upstream to run on, if its river can wear it down so far.
+/// How low every vertex should lie for the water from upstream to run on, if its river can wear it
+/// down so far.
 fn breach(
     mesh: &SphereMesh,
     routes: &Routes,
@@ -136,8 +166,8 @@ fn breach(
     wanted
 }
 
-/// Beds: the depth of the river below its level; in lakes the ground, where that is lower, or the sediment on it. At
-/// coasts the bed of the mouth.
+/// Beds: the depth of the river below its level; in lakes the ground, where that is lower, or the
+/// sediment on it. At coasts the bed of the mouth.
 fn beds(
     mesh: &SphereMesh,
     routes: &Routes,
@@ -157,7 +187,11 @@ fn beds(
         }
         let river = level[k] - depth(flow);
         let sediment = level[k].saturating_sub(DEEPEST_LAKE);
-        if lake[k] == NONE { river } else { river.min(ground[k].max(sediment)) }
+        if lake[k] == NONE {
+            river
+        } else {
+            river.min(ground[k].max(sediment))
+        }
     })
 }
 
@@ -180,23 +214,53 @@ mod tests {
         // A chain 5 -> 4 -> 3 -> 2 -> 1 -> 0, the coast; 3 is a sill, 4 a hollow behind it.
         let routes = Routes {
             order: vec![1, 2, 3, 4, 5],
-            receiver: (0..100).map(|i| if (1..6).contains(&i) { i - 1 } else { NONE }).collect(),
+            receiver: (0..100)
+                .map(|i| if (1..6).contains(&i) { i - 1 } else { NONE })
+                .collect(),
             depressions: vec![],
         };
         let km = 1024 * 1000;
         let mut ground = vec![0; 100];
         ground[1..6].copy_from_slice(&[km / 10, km / 5, km, km / 2, 2 * km]);
-        let weak = profile(&mesh, &routes, &ground, |_| 1.0, &[], RiverNetwork::Drainage);
+        let weak = profile(
+            &mesh,
+            &routes,
+            &ground,
+            |_| 1.0,
+            &[],
+            RiverNetwork::Drainage,
+        );
         assert_eq!(weak.level[3], km - incision(1.0));
         assert_eq!(weak.level[4], weak.level[3]);
         assert_eq!((weak.lake[4], weak.lake[3], weak.lake[5]), (0, NONE, NONE));
-        assert_eq!(weak.bed[4], weak.level[4] - DEEPEST_LAKE, "750 m of water, but for the sediment");
-        assert_eq!(weak.lakes, [Lake { level: weak.level[3], outlet: 3, sink: 4, vertices: 1 }]);
-        let strong = profile(&mesh, &routes, &ground, |_| 40_000.0, &[], RiverNetwork::Drainage);
+        assert_eq!(
+            weak.bed[4],
+            weak.level[4] - DEEPEST_LAKE,
+            "750 m of water, but for the sediment"
+        );
+        assert_eq!(
+            weak.lakes,
+            [Lake {
+                level: weak.level[3],
+                outlet: 3,
+                sink: 4,
+                vertices: 1
+            }]
+        );
+        let strong = profile(
+            &mesh,
+            &routes,
+            &ground,
+            |_| 40_000.0,
+            &[],
+            RiverNetwork::Drainage,
+        );
         assert!(strong.lakes.is_empty());
         assert_eq!((strong.level[4], strong.level[3]), (km / 2, km / 2 - FALL));
         for k in 1..6 {
-            assert!(strong.level[k] >= strong.level[k - 1] + FALL && strong.bed[k] > strong.bed[k - 1]);
+            assert!(
+                strong.level[k] >= strong.level[k - 1] + FALL && strong.bed[k] > strong.bed[k - 1]
+            );
         }
     }
 }

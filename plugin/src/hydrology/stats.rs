@@ -1,12 +1,15 @@
 //! Figures of rivers and lakes: Horton's ratios, Hack's exponent, discharges (`stats.json`).
 //!
-//! A *stream* of order ω is an unbroken run of vertices of that order. Horton's laws say that the numbers of streams fall,
-//! and their mean lengths and areas grow, by constant ratios from order to order: R_B 3 to 5, R_L 1.5 to 3.5, R_A 3 to 6
-//! on Earth (Horton 1945, Schumm 1956). Hack's law says that the longest way upstream grows with a power of
-//! 0.57 to 0.6 of the area (Hack 1957). Ratios and power are slopes of straight lines fitted to logarithms.
+//! A *stream* of order ω is an unbroken run of vertices of that order. Horton's laws say that the
+//! numbers of streams fall, and their mean lengths and areas grow, by constant ratios from order to
+//! order: R_B 3 to 5, R_L 1.5 to 3.5, R_A 3 to 6 on Earth (Horton 1945, Schumm 1956). Hack's law
+//! says that the longest way upstream grows with a power of 0.57 to 0.6 of the area (Hack 1957).
+//! Ratios and power are slopes of straight lines fitted to logarithms.
 //!
-//! Policies. Channels begin where `SUPPORT` vertices drain together: the network of single vertices is the mesh's, not the
-//! land's (as in any network drawn from a grid, Tarboton, Bras and Rodriguez-Iturbe 1991). Orders with fewer than ten streams are left out of the fit, and basins of fewer than ten vertices.
+//! Policies. Channels begin where `SUPPORT` vertices drain together: the network of single vertices
+//! is the mesh's, not the land's (as in any network drawn from a grid, Tarboton, Bras and
+//! Rodriguez-Iturbe 1991). Orders with fewer than ten streams are left out of the fit, and basins
+//! of fewer than ten vertices.
 
 use super::flood::NONE;
 use super::{Drainage, Site, flow, order};
@@ -59,18 +62,27 @@ impl HydrologyStats {
     pub fn new(mesh: &SphereMesh, climate: &Climate, drainage: &Drainage) -> Self {
         let land = |i: usize| drainage.sites[i] == Site::Land;
         let area = |i: usize| mesh.area(i as u32);
-        let total =
-            |value: &dyn Fn(usize) -> f64| (0..mesh.len()).filter(|&i| land(i)).map(value).sum::<f64>();
+        let total = |value: &dyn Fn(usize) -> f64| {
+            (0..mesh.len()).filter(|&i| land(i)).map(value).sum::<f64>()
+        };
         let land_area = total(&area);
         let share = |x: f64| if land_area > 0.0 { x / land_area } else { 0.0 };
         let rain = |i: usize| area(i) * f64::from(climate.rain[i]);
-        let closed = |i: usize| if drainage.is_endorheic(i) { area(i) } else { 0.0 };
+        let closed = |i: usize| {
+            if drainage.is_endorheic(i) {
+                area(i)
+            } else {
+                0.0
+            }
+        };
         let ends = || (0..mesh.len()).filter(|&i| drainage.routes.receiver[i] == NONE);
         let upstream = Upstream::new(mesh, drainage);
         Self {
             land_rain_mm_mean: share(total(&rain)),
             discharge_total_m3s: flow::per_second(ends().map(|i| drainage.discharge[i]).sum()),
-            largest_river_m3s: flow::per_second(ends().map(|i| drainage.discharge[i]).max().unwrap_or(0)),
+            largest_river_m3s: flow::per_second(
+                ends().map(|i| drainage.discharge[i]).max().unwrap_or(0),
+            ),
             longest_river_km: upstream.length.iter().copied().fold(0.0, f64::max) * drainage.radius,
             endorheic_share: share(total(&closed)),
             lakes: drainage.profile.lakes.len(),
@@ -107,7 +119,8 @@ impl Upstream {
             count[k] += 1;
             if to != NONE {
                 let r = to as usize;
-                length[r] = length[r].max(length[k] + math::angle_between(mesh.point(i), mesh.point(to)));
+                length[r] =
+                    length[r].max(length[k] + math::angle_between(mesh.point(i), mesh.point(to)));
                 area[r] += area[k];
                 count[r] += count[k];
             }
@@ -123,15 +136,26 @@ impl Upstream {
                 }
             }
         }
-        Self { length, area, stream, count, order }
+        Self {
+            length,
+            area,
+            stream,
+            count,
+            order,
+        }
     }
 
     /// The last vertices of all streams.
     fn mouths<'a>(&'a self, drainage: &'a Drainage) -> impl Iterator<Item = usize> + 'a {
-        drainage.routes.order.iter().map(|&i| i as usize).filter(|&i| {
-            let to = drainage.routes.receiver[i];
-            self.order[i] > 0 && (to == NONE || self.order[to as usize] != self.order[i])
-        })
+        drainage
+            .routes
+            .order
+            .iter()
+            .map(|&i| i as usize)
+            .filter(|&i| {
+                let to = drainage.routes.receiver[i];
+                self.order[i] > 0 && (to == NONE || self.order[to as usize] != self.order[i])
+            })
     }
 
     fn horton(&self, drainage: &Drainage) -> Horton {
@@ -143,24 +167,39 @@ impl Upstream {
             let basin = &mut top[drainage.basin[i] as usize];
             *basin = self.order[i].max(*basin);
         }
-        for i in self.mouths(drainage).filter(|&i| top[drainage.basin[i] as usize] >= NETWORK) {
+        for i in self
+            .mouths(drainage)
+            .filter(|&i| top[drainage.basin[i] as usize] >= NETWORK)
+        {
             let (count, length, area) = &mut orders[usize::from(self.order[i])];
-            (*count, *length, *area) = (*count + 1.0, *length + self.stream[i], *area + self.area[i]);
+            (*count, *length, *area) =
+                (*count + 1.0, *length + self.stream[i], *area + self.area[i]);
         }
         let known: Vec<(f64, (f64, f64, f64))> = (1..=255)
             .map(|order| (f64::from(order), orders[order as usize]))
             .filter(|(_, (count, length, _))| *count >= 10.0 && *length > 0.0)
             .collect();
         let ratio = |value: &dyn Fn((f64, f64, f64)) -> f64| {
-            let points: Vec<_> = known.iter().map(|&(order, sums)| (order, math::ln(value(sums)))).collect();
+            let points: Vec<_> = known
+                .iter()
+                .map(|&(order, sums)| (order, math::ln(value(sums))))
+                .collect();
             slope(&points).map_or(0.0, math::exp)
         };
-        Horton { rb: ratio(&|(n, ..)| 1.0 / n), rl: ratio(&|(n, l, _)| l / n), ra: ratio(&|(n, _, a)| a / n) }
+        Horton {
+            rb: ratio(&|(n, ..)| 1.0 / n),
+            rl: ratio(&|(n, l, _)| l / n),
+            ra: ratio(&|(n, _, a)| a / n),
+        }
     }
 
     fn hack(&self, drainage: &Drainage) -> f64 {
-        let basins = self.mouths(drainage).filter(|&i| self.count[i] >= 10 && self.length[i] > 0.0);
-        let points: Vec<_> = basins.map(|i| (math::ln(self.area[i]), math::ln(self.length[i]))).collect();
+        let basins = self
+            .mouths(drainage)
+            .filter(|&i| self.count[i] >= 10 && self.length[i] > 0.0);
+        let points: Vec<_> = basins
+            .map(|i| (math::ln(self.area[i]), math::ln(self.length[i])))
+            .collect();
         slope(&points).unwrap_or(0.0)
     }
 }
@@ -168,10 +207,12 @@ impl Upstream {
 /// Slope of the straight line that fits points best; none for fewer than two different ones.
 fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let n = points.len() as f64;
-    let (mx, my) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));
-    let (xx, xy) = points
+    let (mx, my) = points
         .iter()
-        .fold((0.0, 0.0), |(xx, xy), p| (xx + (p.0 - mx) * (p.0 - mx), xy + (p.0 - mx) * (p.1 - my)));
+        .fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));
+    let (xx, xy) = points.iter().fold((0.0, 0.0), |(xx, xy), p| {
+        (xx + (p.0 - mx) * (p.0 - mx), xy + (p.0 - mx) * (p.1 - my))
+    });
     (xx > 1e-12).then(|| xy / xx)
 }
 
@@ -192,11 +233,15 @@ mod tests {
         let mesh = SphereMesh::fibonacci(512).unwrap();
         let routes = Routes {
             order: (1..512).collect(),
-            receiver: (0..512).map(|k| if k == 0 { NONE } else { k / 2 }).collect(),
+            receiver: (0..512)
+                .map(|k| if k == 0 { NONE } else { k / 2 })
+                .collect(),
             depressions: vec![],
         };
         let drainage = Drainage {
-            sites: (0..512).map(|k| if k == 0 { Site::Coast } else { Site::Land }).collect(),
+            sites: (0..512)
+                .map(|k| if k == 0 { Site::Coast } else { Site::Land })
+                .collect(),
             ground: vec![0; 512],
             supply: vec![1; 512],
             discharge: vec![1; 512],
@@ -206,7 +251,10 @@ mod tests {
             radius: 6370.0,
             ..Drainage::default()
         };
-        let climate = Climate { rain: vec![500.0; 512], ..Climate::default() };
+        let climate = Climate {
+            rain: vec![500.0; 512],
+            ..Climate::default()
+        };
         let stats = HydrologyStats::new(&mesh, &climate, &drainage);
         assert!((stats.horton.rb - 2.0).abs() < 1e-9, "{:?}", stats.horton);
         // Areas are 1, 3, 7, ... cells.

@@ -1,5 +1,6 @@
-//! The ground of the base mesh and its landforms: the control maps C, A, P and B of paper 002 §3, from the crust or
-//! from a user's maps. (W comes with the climate.) The laws are those of `landform`.
+//! The ground of the base mesh and its landforms: the control maps C, A, P and B of paper 002 §3,
+//! from the crust or from a user's maps. (W comes with the climate.) The laws are those of
+//! `landform`.
 
 use super::base::{BaseMesh, Transfer};
 use super::landform::{BELOW, Crustal};
@@ -40,7 +41,8 @@ pub struct Terrain {
 pub struct TerrainMaps {
     /// Elevation of the crust in km, -15..=15, negative under the sea.
     pub crust: EquirectMap,
-    /// A: age of the last orogeny in My, at least 0; without it, high ground counts as folded 100 My ago.
+    /// A: age of the last orogeny in My, at least 0; without it, high ground counts as folded 100
+    /// My ago.
     pub age: Option<EquirectMap>,
     /// P: presence of plateaus, 0..=1.
     pub plateau: Option<EquirectMap>,
@@ -54,20 +56,47 @@ impl TerrainMaps {
     /// # Errors
     /// [`MapError::Range`].
     pub fn check(&self) -> Result<(), MapError> {
-        let Self { crust, age, plateau, hills } = self;
+        let Self {
+            crust,
+            age,
+            plateau,
+            hills,
+        } = self;
         let metres = "from -15 to 15 km: the values look like metres";
-        EquirectMap::check(Some(crust), "the elevation of the crust", -15.0..=15.0, metres)?;
+        EquirectMap::check(
+            Some(crust),
+            "the elevation of the crust",
+            -15.0..=15.0,
+            metres,
+        )?;
         let past = 0.0..=f32::INFINITY;
-        EquirectMap::check(age.as_ref(), "the age of the orogeny", past, "at least 0 My")?;
-        EquirectMap::check(plateau.as_ref(), "the presence of plateaus", 0.0..=1.0, "from 0 to 1")?;
-        EquirectMap::check(hills.as_ref(), "the presence of hills", 0.0..=1.0, "from 0 to 1")
+        EquirectMap::check(
+            age.as_ref(),
+            "the age of the orogeny",
+            past,
+            "at least 0 My",
+        )?;
+        EquirectMap::check(
+            plateau.as_ref(),
+            "the presence of plateaus",
+            0.0..=1.0,
+            "from 0 to 1",
+        )?;
+        EquirectMap::check(
+            hills.as_ref(),
+            "the presence of hills",
+            0.0..=1.0,
+            "from 0 to 1",
+        )
     }
 }
 
 impl Terrain {
     /// The terrain of a simulated planet.
     pub fn from_surface(base: &BaseMesh, transfer: &Transfer, surface: &Surface) -> Self {
-        let crustal = per_sample(&base.mesh, |i| Crustal::between(surface, transfer.corners(i as usize)));
+        let crustal = per_sample(&base.mesh, |i| {
+            Crustal::between(surface, transfer.corners(i as usize))
+        });
         Self::new(base, &crustal, None, None)
     }
 
@@ -115,15 +144,22 @@ impl Terrain {
         hills: Option<&EquirectMap>,
     ) -> Self {
         let mesh = &base.mesh;
-        let given = |map: Option<&EquirectMap>, i: u32| map.map(|m| m.at(mesh.point(i)).clamp(0.0, 1.0));
+        let given =
+            |map: Option<&EquirectMap>, i: u32| map.map(|m| m.at(mesh.point(i)).clamp(0.0, 1.0));
         let forms: Vec<[f32; 4]> = per_sample(mesh, |i| {
             let own = &crustal[i as usize];
             let steepness = steepness(base, crustal, i);
-            let plateau = given(plateau, i).unwrap_or_else(|| own.plateau(steepness, base.noise[i as usize]));
+            let plateau =
+                given(plateau, i).unwrap_or_else(|| own.plateau(steepness, base.noise[i as usize]));
             let hills = given(hills, i).unwrap_or_else(|| own.hills() * (1.0 - plateau));
             let relief = own.relief(plateau);
             let ground = own.ground(relief, steepness, base.noise[i as usize]);
-            [ground, own.elevation.max(ground) + (1.0 - BELOW) * relief, plateau, hills]
+            [
+                ground,
+                own.elevation.max(ground) + (1.0 - BELOW) * relief,
+                plateau,
+                hills,
+            ]
         });
         let column = |k: usize| forms.iter().map(|f| f[k]).collect::<Vec<f32>>();
         let grains = |k: usize| forms.iter().map(|f| to_grains(f[k])).collect::<Vec<i32>>();
@@ -133,7 +169,13 @@ impl Terrain {
             crust: grains(1),
             plateau: column(2),
             hills: column(3),
-            age: of(|c| if c.folded > 0.02 { c.age } else { f32::INFINITY }),
+            age: of(|c| {
+                if c.folded > 0.02 {
+                    c.age
+                } else {
+                    f32::INFINITY
+                }
+            }),
             collision: of(|c| c.collision),
             oceanic: of(|c| c.oceanic),
             ocean_age: of(|c| c.ocean_age),
@@ -144,7 +186,10 @@ impl Terrain {
 
     /// The base ground in km, as the climate sees it.
     pub fn elevation_km(&self) -> Vec<f32> {
-        self.ground.iter().map(|&z| z as f32 / (1000.0 * GRAINS as f32)).collect()
+        self.ground
+            .iter()
+            .map(|&z| z as f32 / (1000.0 * GRAINS as f32))
+            .collect()
     }
 }
 
@@ -174,22 +219,55 @@ mod tests {
 
     #[test]
     fn maps_of_no_planet_are_refused() {
-        let map =
-            |value: f32| EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).unwrap();
-        let plain = || TerrainMaps { crust: map(-11.0), age: None, plateau: None, hills: None };
-        let error = TerrainMaps { crust: map(8848.0), ..plain() }.check().unwrap_err();
-        assert!(error.to_string().contains("8848 at pixel 0") && error.to_string().contains("metres"));
+        let map = |value: f32| {
+            EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).unwrap()
+        };
+        let plain = || TerrainMaps {
+            crust: map(-11.0),
+            age: None,
+            plateau: None,
+            hills: None,
+        };
+        let error = TerrainMaps {
+            crust: map(8848.0),
+            ..plain()
+        }
+        .check()
+        .unwrap_err();
+        assert!(
+            error.to_string().contains("8848 at pixel 0") && error.to_string().contains("metres")
+        );
         let refused = |maps: TerrainMaps| matches!(maps.check(), Err(MapError::Range { .. }));
-        assert!(refused(TerrainMaps { age: Some(map(-1.0)), ..plain() }));
-        assert!(refused(TerrainMaps { plateau: Some(map(1.1)), ..plain() }));
-        assert!(refused(TerrainMaps { hills: Some(map(-0.1)), ..plain() }));
-        assert_eq!(TerrainMaps { age: Some(map(4000.0)), hills: Some(map(1.0)), ..plain() }.check(), Ok(()));
+        assert!(refused(TerrainMaps {
+            age: Some(map(-1.0)),
+            ..plain()
+        }));
+        assert!(refused(TerrainMaps {
+            plateau: Some(map(1.1)),
+            ..plain()
+        }));
+        assert!(refused(TerrainMaps {
+            hills: Some(map(-0.1)),
+            ..plain()
+        }));
+        assert_eq!(
+            TerrainMaps {
+                age: Some(map(4000.0)),
+                hills: Some(map(1.0)),
+                ..plain()
+            }
+            .check(),
+            Ok(())
+        );
     }
 
     #[test]
     fn heights_beyond_all_bounds_are_clamped() {
         let (top, metre) = (100_000 * GRAINS, 1e-3);
-        assert_eq!([metre, 1e9, f32::NEG_INFINITY, f32::NAN].map(to_grains), [GRAINS, top, -top, 0]);
+        assert_eq!(
+            [metre, 1e9, f32::NEG_INFINITY, f32::NAN].map(to_grains),
+            [GRAINS, top, -top, 0]
+        );
     }
 
     #[test]
@@ -197,7 +275,12 @@ mod tests {
         let base = BaseMesh::new(1, 0.05).unwrap();
         let crust = EquirectMap::from_fn(32, |lat, _| (lat / 20.0) as f32).unwrap();
         let ones = EquirectMap::from_fn(4, |_, _| 0.5).unwrap();
-        let maps = TerrainMaps { crust, age: None, plateau: Some(ones), hills: None };
+        let maps = TerrainMaps {
+            crust,
+            age: None,
+            plateau: Some(ones),
+            hills: None,
+        };
         let terrain = Terrain::from_maps(&base, &maps);
         assert!(terrain.plateau.iter().all(|&p| p == 0.5));
         for (i, p) in base.mesh.points().iter().enumerate() {

@@ -13,17 +13,28 @@ use bevy::prelude::*;
 
 /// Copies the state of a planet out of its world, plates in the order of their numbers.
 ///
-/// `None` if the entity is no planet, or while it is in the middle of a step. Commands that wait in its inbox are part
-/// of the state, as those of a scenario are that have still to come.
+/// `None` if the entity is no planet, or while it is in the middle of a step. Commands that wait in
+/// its inbox are part of the state, as those of a scenario are that have still to come.
 pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     let entity = world.get_entity(planet).ok()?;
-    if entity.get::<StepCursor>().is_some_and(|cursor| !cursor.at_boundary()) {
+    if entity
+        .get::<StepCursor>()
+        .is_some_and(|cursor| !cursor.at_boundary())
+    {
         return None;
     }
     let mut rows: Vec<((PlateId, PlateMotion, f64), PlateStats)> = Vec::new();
-    for plate in entity.get::<Plates>().into_iter().flat_map(|plates| plates.iter()) {
+    for plate in entity
+        .get::<Plates>()
+        .into_iter()
+        .flat_map(|plates| plates.iter())
+    {
         let plate = world.get_entity(plate).ok()?;
-        let row = (*plate.get::<PlateId>()?, *plate.get::<PlateMotion>()?, plate.get::<Plate>()?.born);
+        let row = (
+            *plate.get::<PlateId>()?,
+            *plate.get::<PlateMotion>()?,
+            plate.get::<Plate>()?.born,
+        );
         rows.push((row, *plate.get::<PlateStats>()?));
     }
     rows.sort_by_key(|&((id, ..), _)| id);
@@ -45,11 +56,15 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     })
 }
 
-/// What is left of the scenario, and the inbox: its commands are due now, after those of the scenario.
+/// What is left of the scenario, and the inbox: its commands are due now, after those of the
+/// scenario.
 fn pending(planet: EntityRef) -> Option<Scenario> {
     let step = planet.get::<GeologicClock>()?.step;
     let mut pending = planet.get::<Scenario>().cloned().unwrap_or_default();
     let waiting = planet.get::<Inbox>().into_iter().flat_map(|inbox| &inbox.0);
-    pending.0.extend(waiting.map(|command| TimedCommand { step, command: command.clone() }));
+    pending.0.extend(waiting.map(|command| TimedCommand {
+        step,
+        command: command.clone(),
+    }));
     Some(pending)
 }

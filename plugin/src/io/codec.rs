@@ -1,5 +1,5 @@
-//! Numbers and texts in little-endian bytes. A reader never trusts a count: it is compared with the bytes that are left before
-//! anything is allocated.
+//! Numbers and texts in little-endian bytes. A reader never trusts a count: it is compared with the
+//! bytes that are left before anything is allocated.
 
 use super::save::SaveError;
 use bevy::math::{DQuat, DVec3, Vec3};
@@ -100,7 +100,11 @@ impl<'a> Decoder<'a> {
     /// A finite number.
     pub(super) fn f64(&mut self) -> Result<f64, SaveError> {
         let value = f64::from_le_bytes(self.array()?);
-        if value.is_finite() { Ok(value) } else { Err(invalid(format!("a number is {value}"))) }
+        if value.is_finite() {
+            Ok(value)
+        } else {
+            Err(invalid(format!("a number is {value}")))
+        }
     }
 
     /// A finite number between two limits.
@@ -109,7 +113,10 @@ impl<'a> Decoder<'a> {
         if (low..=high).contains(&value) {
             Ok(value)
         } else {
-            Err(invalid(format!("{what} = {} is outside of {low}..={high}", crate::params::shown(value))))
+            Err(invalid(format!(
+                "{what} = {} is outside of {low}..={high}",
+                crate::params::shown(value)
+            )))
         }
     }
 
@@ -118,7 +125,12 @@ impl<'a> Decoder<'a> {
     }
 
     pub(super) fn dquat(&mut self) -> Result<DQuat, SaveError> {
-        Ok(DQuat::from_xyzw(self.f64()?, self.f64()?, self.f64()?, self.f64()?))
+        Ok(DQuat::from_xyzw(
+            self.f64()?,
+            self.f64()?,
+            self.f64()?,
+            self.f64()?,
+        ))
     }
 
     pub(super) fn text(&mut self) -> Result<&'a str, SaveError> {
@@ -129,7 +141,10 @@ impl<'a> Decoder<'a> {
     /// A count of things that take at least `size` bytes each.
     pub(super) fn count(&mut self, size: usize) -> Result<usize, SaveError> {
         let count = self.u32()? as usize;
-        if count.checked_mul(size).is_some_and(|bytes| bytes <= self.0.len()) {
+        if count
+            .checked_mul(size)
+            .is_some_and(|bytes| bytes <= self.0.len())
+        {
             Ok(count)
         } else {
             Err(SaveError::Truncated)
@@ -138,7 +153,11 @@ impl<'a> Decoder<'a> {
 
     /// Nothing may be left.
     pub(super) fn end(&self) -> Result<(), SaveError> {
-        if self.0.is_empty() { Ok(()) } else { Err(invalid("a section is too long".into())) }
+        if self.0.is_empty() {
+            Ok(())
+        } else {
+            Err(invalid("a section is too long".into()))
+        }
     }
 }
 
@@ -154,10 +173,20 @@ pub(super) fn read_floats(
     (low, high): (f32, f32),
 ) -> Result<Vec<f32>, SaveError> {
     if bytes.len() != 4 * n {
-        return Err(invalid(format!("the column of {what} has the wrong length")));
+        return Err(invalid(format!(
+            "the column of {what} has the wrong length"
+        )));
     }
-    let values: Vec<f32> = bytes.as_chunks::<4>().0.iter().map(|&chunk| f32::from_le_bytes(chunk)).collect();
-    match values.iter().position(|value| !(low..=high).contains(value)) {
+    let values: Vec<f32> = bytes
+        .as_chunks::<4>()
+        .0
+        .iter()
+        .map(|&chunk| f32::from_le_bytes(chunk))
+        .collect();
+    match values
+        .iter()
+        .position(|value| !(low..=high).contains(value))
+    {
         None => Ok(values),
         Some(i) => Err(invalid(format!("{what} of sample {i} is {}", values[i]))),
     }
@@ -166,10 +195,17 @@ pub(super) fn read_floats(
 /// A column of `n` vectors no longer than a unit.
 pub(super) fn read_vectors(bytes: &[u8], n: usize, what: &str) -> Result<Vec<Vec3>, SaveError> {
     if bytes.len() != 12 * n {
-        return Err(invalid(format!("the column of {what} has the wrong length")));
+        return Err(invalid(format!(
+            "the column of {what} has the wrong length"
+        )));
     }
     let values = read_floats(bytes, 3 * n, what, (-LONGEST, LONGEST))?;
-    Ok(values.as_chunks::<3>().0.iter().map(|&v| Vec3::from_array(v)).collect())
+    Ok(values
+        .as_chunks::<3>()
+        .0
+        .iter()
+        .map(|&v| Vec3::from_array(v))
+        .collect())
 }
 
 /// Unit vectors may be so long after rounding.
@@ -191,7 +227,10 @@ mod tests {
         out.dquat(DQuat::from_xyzw(0.0, 0.6, 0.0, 0.8));
         out.text("Pangäa");
         let mut read = Decoder(&out.0);
-        assert_eq!((read.u8(), read.u16(), read.u32()), (Ok(7), Ok(65_000), Ok(4_000_000_000)));
+        assert_eq!(
+            (read.u8(), read.u16(), read.u32()),
+            (Ok(7), Ok(65_000), Ok(4_000_000_000))
+        );
         assert_eq!((read.u64(), read.f64()), (Ok(u64::MAX), Ok(-0.1)));
         assert_eq!(read.dvec3(), Ok(DVec3::new(1.0, 2.0, 3.0)));
         assert_eq!(read.dquat(), Ok(DQuat::from_xyzw(0.0, 0.6, 0.0, 0.8)));
@@ -212,7 +251,11 @@ mod tests {
     fn columns_keep_their_bits_and_refuse_what_is_no_number() {
         let column = [0.0, -0.0, 1.5e-40, -11.25];
         let read = read_floats(&floats(&column), 4, "x", (-20.0, 20.0)).unwrap();
-        assert!(read.iter().zip(column).all(|(a, b)| a.to_bits() == b.to_bits()));
+        assert!(
+            read.iter()
+                .zip(column)
+                .all(|(a, b)| a.to_bits() == b.to_bits())
+        );
         for bad in [f32::NAN, f32::INFINITY, -1e30, 20.1] {
             assert!(read_floats(&floats(&[bad]), 1, "x", (-20.0, 20.0)).is_err());
         }

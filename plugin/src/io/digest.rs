@@ -6,5 +6,6 @@ use crate::spawn::PlanetState;
 /// The digest of a planet: the BLAKE3 hash of its save file in hexadecimal digits.
 pub fn digest(state: &PlanetState) -> String {
     // A sink takes everything: there is no error to report.
-    write_hashed(state, &mut std::io::sink()).map_or_else(|_| String::new(), |hash| hash.to_hex().to_string())
+    write_hashed(state, &mut std::io::sink())
+        .map_or_else(|_| String::new(), |hash| hash.to_hex().to_string())
 }

@@ -1,8 +1,9 @@
-//! Maps of the whole planet, as a user gives them: equirectangular, north up, longitude -180 at the left edge.
+//! Maps of the whole planet, as a user gives them: equirectangular, north up, longitude -180 at the
+//! left edge.
 //!
-//! A GeoTIFF of one band holds the values themselves. A grey PNG of 8 or 16 bits holds greys: what black and white
-//! stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by whoever asks for the map; values between
-//! are linear.
+//! A GeoTIFF of one band holds the values themselves. A grey PNG of 8 or 16 bits holds greys: what
+//! black and white stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by
+//! whoever asks for the map; values between are linear.
 
 use super::IoError;
 use super::dem::geotiff::Band;
@@ -51,18 +52,28 @@ impl Scale {
     fn load(path: &Path) -> Result<[f32; 2], IoError> {
         let scale = serde_json::from_slice(&read_limited(path)?).ok();
         let good = |&Self { min, max }: &Self| min.is_finite() && max.is_finite() && min != max;
-        let refused = || IoError::Map { path: path.to_path_buf(), source: MapFileError::Sidecar };
-        scale.filter(good).map(|Self { min, max }| [min, max]).ok_or_else(refused)
+        let refused = || IoError::Map {
+            path: path.to_path_buf(),
+            source: MapFileError::Sidecar,
+        };
+        scale
+            .filter(good)
+            .map(|Self { min, max }| [min, max])
+            .ok_or_else(refused)
     }
 }
 
-/// Reads a map; its extension says of which kind. `grey` are the values of black and white of a picture that has no
-/// sidecar.
+/// Reads a map; its extension says of which kind. `grey` are the values of black and white of a
+/// picture that has no sidecar.
 ///
 /// # Errors
-/// [`IoError::Read`] if the file cannot be read, [`IoError::Map`] if it is no map of a whole planet.
+/// [`IoError::Read`] if the file cannot be read, [`IoError::Map`] if it is no map of a whole
+/// planet.
 pub fn load_map(path: &Path, grey: Option<[f32; 2]>) -> Result<EquirectMap, IoError> {
-    let refused = |source: MapFileError| IoError::Map { path: path.to_path_buf(), source };
+    let refused = |source: MapFileError| IoError::Map {
+        path: path.to_path_buf(),
+        source,
+    };
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     match extension.to_str() {
         Some("tif" | "tiff") => geotiff(&read_limited(path)?).map_err(refused),
@@ -73,7 +84,11 @@ pub fn load_map(path: &Path, grey: Option<[f32; 2]>) -> Result<EquirectMap, IoEr
                 // The sidecar knows best.
                 _ if sidecar.exists() => Scale::load(&sidecar)?,
                 Some(scale) => scale,
-                None => return Err(refused(MapFileError::NoScale(sidecar.display().to_string()))),
+                None => {
+                    return Err(refused(MapFileError::NoScale(
+                        sidecar.display().to_string(),
+                    )));
+                }
             };
             picture(&bytes, scale).map_err(refused)
         }
@@ -90,7 +105,10 @@ fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
     // Climate data often begins at Greenwich: half a planet off is worse than no map.
     if let Some(extent) = band.extent_deg() {
         let pixel = 360.0 / f64::from(band.size[0]);
-        let whole = extent.iter().zip([-180.0, 180.0, -90.0, 90.0]).all(|(x, end)| (x - end).abs() <= pixel);
+        let whole = extent
+            .iter()
+            .zip([-180.0, 180.0, -90.0, 90.0])
+            .all(|(x, end)| (x - end).abs() <= pixel);
         if !whole {
             return Err(MapFileError::Extent(extent));
         }
@@ -99,12 +117,20 @@ fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
 }
 
 fn picture(bytes: &[u8], [black, white]: [f32; 2]) -> Result<EquirectMap, MapFileError> {
-    let Greys { size: [width, height], values, .. } = Greys::read(bytes, check_size)?;
+    let Greys {
+        size: [width, height],
+        values,
+        ..
+    } = Greys::read(bytes, check_size)?;
     let value = |&grey: &u16| {
         let share = f64::from(grey) / 65_535.0;
         (f64::from(black) * (1.0 - share) + f64::from(white) * share) as f32
     };
-    Ok(EquirectMap::new(width, height, values.iter().map(value).collect())?)
+    Ok(EquirectMap::new(
+        width,
+        height,
+        values.iter().map(value).collect(),
+    )?)
 }
 
 #[cfg(test)]

@@ -116,16 +116,26 @@ pub enum IoError {
 }
 
 fn at(line: usize) -> String {
-    if line == 0 { String::new() } else { format!(" line {line}") }
+    if line == 0 {
+        String::new()
+    } else {
+        format!(" line {line}")
+    }
 }
 
 impl IoError {
     fn read(path: &Path, source: io::Error) -> Self {
-        Self::Read { path: path.to_path_buf(), source }
+        Self::Read {
+            path: path.to_path_buf(),
+            source,
+        }
     }
 
     fn write(path: &Path, source: io::Error) -> Self {
-        Self::Write { path: path.to_path_buf(), source }
+        Self::Write {
+            path: path.to_path_buf(),
+            source,
+        }
     }
 }
 
@@ -139,13 +149,17 @@ fn read_text(path: &Path) -> Result<String, IoError> {
         .map_err(|source| IoError::read(path, source))?;
     if text.len() as u64 > MAX_TEXT {
         let problem = format!("the file is longer than {MAX_TEXT} bytes");
-        return Err(IoError::Text { path: path.to_path_buf(), line: 0, problem });
+        return Err(IoError::Text {
+            path: path.to_path_buf(),
+            line: 0,
+            problem,
+        });
     }
     Ok(text)
 }
 
-/// Writes a file whole or not at all: into a hidden file beside it, which is flushed to the disk and
-/// then renamed. What is no plain file (a device, a pipe) is written directly.
+/// Writes a file whole or not at all: into a hidden file beside it, which is flushed to the disk
+/// and then renamed. What is no plain file (a device, a pipe) is written directly.
 ///
 /// # Errors
 /// [`IoError::Write`]; the file is as it was before.
@@ -157,7 +171,9 @@ pub fn write_atomically(
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let result = match fs::metadata(&target) {
         Ok(meta) if meta.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
-        Ok(meta) if !meta.is_file() => File::create(&target).and_then(|file| fill(file, content, false)),
+        Ok(meta) if !meta.is_file() => {
+            File::create(&target).and_then(|file| fill(file, content, false))
+        }
         _ => replace(&target, content),
     };
     result.map_err(|source| IoError::write(path, source))
@@ -169,7 +185,8 @@ pub fn write_atomically(
 /// [`IoError::Write`]; the files are as they were before, but if a rename fails half way through.
 pub fn write_all_atomically(files: &[(PathBuf, Vec<u8>)]) -> Result<(), IoError> {
     let target = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let plain = |path: &Path| fs::metadata(path).is_ok_and(|meta| !meta.is_file() && !meta.is_dir());
+    let plain =
+        |path: &Path| fs::metadata(path).is_ok_and(|meta| !meta.is_file() && !meta.is_dir());
     if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
         return Err(IoError::write(path, io::ErrorKind::IsADirectory.into()));
     }
@@ -206,10 +223,17 @@ pub fn write_all_atomically(files: &[(PathBuf, Vec<u8>)]) -> Result<(), IoError>
 /// The hidden name that a file has while it is written.
 fn hidden_beside(target: &Path) -> io::Result<PathBuf> {
     let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?;
-    Ok(target.with_file_name(format!(".{}.{}.part", name.to_string_lossy(), std::process::id())))
+    Ok(target.with_file_name(format!(
+        ".{}.{}.part",
+        name.to_string_lossy(),
+        std::process::id()
+    )))
 }
 
-fn replace(target: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+fn replace(
+    target: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
     let part = hidden_beside(target)?;
     let result = File::create(&part)
         .and_then(|file| fill(file, content, true))
@@ -220,9 +244,15 @@ fn replace(target: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>
     result
 }
 
-fn fill(file: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()>, sync: bool) -> io::Result<()> {
+fn fill(
+    file: File,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    sync: bool,
+) -> io::Result<()> {
     let mut writer = BufWriter::new(file);
     content(&mut writer)?;
-    let file = writer.into_inner().map_err(io::IntoInnerError::into_error)?;
+    let file = writer
+        .into_inner()
+        .map_err(io::IntoInnerError::into_error)?;
     if sync { file.sync_all() } else { Ok(()) }
 }

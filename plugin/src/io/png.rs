@@ -37,7 +37,13 @@ pub fn elevation_png(width: u32, elevation: &[f32]) -> Result<Vec<u8>, EncodingE
 pub fn grey_png(width: u32, greys: impl Iterator<Item = u16>) -> Result<Vec<u8>, EncodingError> {
     let bytes: Vec<u8> = greys.flat_map(u16::to_be_bytes).collect();
     let height = (bytes.len() / 2) as u32 / width.max(1);
-    encode(width, height, ColorType::Grayscale, BitDepth::Sixteen, &bytes)
+    encode(
+        width,
+        height,
+        ColorType::Grayscale,
+        BitDepth::Sixteen,
+        &bytes,
+    )
 }
 
 /// An RGB PNG.
@@ -45,7 +51,13 @@ pub fn grey_png(width: u32, greys: impl Iterator<Item = u16>) -> Result<Vec<u8>,
 /// # Errors
 /// If the raster's size and content do not fit.
 pub fn rgb_png(raster: &Raster) -> Result<Vec<u8>, EncodingError> {
-    encode(raster.width, raster.height, ColorType::Rgb, BitDepth::Eight, &raster.rgb)
+    encode(
+        raster.width,
+        raster.height,
+        ColorType::Rgb,
+        BitDepth::Eight,
+        &raster.rgb,
+    )
 }
 
 fn encode(
@@ -87,16 +99,30 @@ mod tests {
     fn pictures_are_read_as_written() {
         let elevation = [-11.0_f32, -5.0, 0.0, 3.0, 9.0, 12.0];
         let file = elevation_png(3, &elevation).unwrap();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(&file)).read_info().unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&file))
+            .read_info()
+            .unwrap();
         let mut pixels = vec![0; 12];
         let info = reader.next_frame(&mut pixels).unwrap();
-        assert_eq!((info.width, info.height, info.bit_depth), (3, 2, BitDepth::Sixteen));
+        assert_eq!(
+            (info.width, info.height, info.bit_depth),
+            (3, 2, BitDepth::Sixteen)
+        );
         for (z, bytes) in elevation.iter().zip(pixels.chunks(2)) {
-            assert_eq!(u16::from_be_bytes([bytes[0], bytes[1]]), grey_of_elevation(*z));
+            assert_eq!(
+                u16::from_be_bytes([bytes[0], bytes[1]]),
+                grey_of_elevation(*z)
+            );
         }
-        let raster = Raster { width: 1, height: 2, rgb: vec![1, 2, 3, 4, 5, 6] };
+        let raster = Raster {
+            width: 1,
+            height: 2,
+            rgb: vec![1, 2, 3, 4, 5, 6],
+        };
         let file = rgb_png(&raster).unwrap();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(&file)).read_info().unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&file))
+            .read_info()
+            .unwrap();
         let mut pixels = vec![0; 6];
         reader.next_frame(&mut pixels).unwrap();
         assert_eq!(pixels, raster.rgb);
@@ -106,6 +132,13 @@ mod tests {
     fn broken_rows_are_refused() {
         assert!(elevation_png(4, &[0.0; 6]).is_err());
         assert!(elevation_png(0, &[]).is_err());
-        assert!(rgb_png(&Raster { width: 2, height: 2, rgb: vec![0; 3] }).is_err());
+        assert!(
+            rgb_png(&Raster {
+                width: 2,
+                height: 2,
+                rgb: vec![0; 3]
+            })
+            .is_err()
+        );
     }
 }

@@ -36,7 +36,11 @@ pub struct TextError {
 
 impl TextError {
     pub(super) fn in_file(self, path: &Path) -> IoError {
-        IoError::Text { path: path.to_path_buf(), line: self.line, problem: self.problem }
+        IoError::Text {
+            path: path.to_path_buf(),
+            line: self.line,
+            problem: self.problem,
+        }
     }
 }
 
@@ -45,8 +49,16 @@ pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, TextError> {
     let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
     options.from_str(text).map_err(|error| {
         // The parser quotes the text it met; a message stays on one line.
-        let problem = error.code.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
-        TextError { line: error.span.start.line, problem }
+        let problem = error
+            .code
+            .to_string()
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        TextError {
+            line: error.span.start.line,
+            problem,
+        }
     })
 }
 
@@ -57,7 +69,9 @@ pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, TextError> {
 pub fn parse_recipe(text: &str) -> Result<PlanetRecipe, TextError> {
     let recipe: PlanetRecipe = parse(text)?;
     recipe.validate().map_err(|error| TextError {
-        line: field_of(&error).and_then(|field| line_of(text, field)).unwrap_or(0),
+        line: field_of(&error)
+            .and_then(|field| line_of(text, field))
+            .unwrap_or(0),
         problem: error.to_string(),
     })?;
     Ok(recipe)
@@ -84,7 +98,11 @@ fn line_of(text: &str, name: &str) -> Option<usize> {
             after.starts_with(':') && !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
         })
     };
-    let mut found = text.lines().enumerate().filter(|(_, line)| sets(line)).map(|(i, _)| i + 1);
+    let mut found = text
+        .lines()
+        .enumerate()
+        .filter(|(_, line)| sets(line))
+        .map(|(i, _)| i + 1);
     let first = found.next()?;
     found.next().is_none().then_some(first)
 }
@@ -101,7 +119,8 @@ pub fn load_preset(path: &Path) -> Result<PlanetRecipe, IoError> {
 #[derive(Default, TypePath)]
 pub struct PlanetRecipeLoader;
 
-/// Registers [`PlanetRecipe`] as an asset and [`PlanetRecipeLoader`] as its loader, in apps that have assets.
+/// Registers [`PlanetRecipe`] as an asset and [`PlanetRecipeLoader`] as its loader, in apps that
+/// have assets.
 pub struct PresetPlugin;
 
 impl Plugin for PresetPlugin {
@@ -109,7 +128,8 @@ impl Plugin for PresetPlugin {
 
     fn finish(&self, app: &mut App) {
         if app.world().contains_resource::<AssetServer>() {
-            app.init_asset::<PlanetRecipe>().register_asset_loader(PlanetRecipeLoader);
+            app.init_asset::<PlanetRecipe>()
+                .register_asset_loader(PlanetRecipeLoader);
         }
     }
 }
@@ -175,7 +195,11 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read() {
-        let recipe = PlanetRecipe { seed: u64::MAX, land: 0.123_456_789, ..PlanetRecipe::default() };
+        let recipe = PlanetRecipe {
+            seed: u64::MAX,
+            land: 0.123_456_789,
+            ..PlanetRecipe::default()
+        };
         assert_eq!(parse_recipe(&ron::to_string(&recipe).unwrap()), Ok(recipe));
     }
 
@@ -190,17 +214,29 @@ mod tests {
         assert_eq!(line("(\n\n  radius: -inf\n)"), 3);
         let error = parse_recipe("(\n  samples: 5000,\n  plate_count: 100000\n)").unwrap_err();
         assert!(error.problem.contains("100000"), "{error}");
-        assert!(!parse_recipe("(seed: \"a\nb\")").unwrap_err().to_string().contains('\n'));
+        assert!(
+            !parse_recipe("(seed: \"a\nb\")")
+                .unwrap_err()
+                .to_string()
+                .contains('\n')
+        );
     }
 
     #[test]
     fn every_number_of_a_preset_is_checked() {
         for bad in ["NaN", "inf", "-inf", "1e300", "-1e300"] {
             for field in ["radius", "land"] {
-                assert!(parse_recipe(&format!("({field}: {bad})")).is_err(), "{field}: {bad}");
+                assert!(
+                    parse_recipe(&format!("({field}: {bad})")).is_err(),
+                    "{field}: {bad}"
+                );
             }
             for info in crate::params::TectonicParams::TABLE {
-                assert!(parse_recipe(&format!("(params: ({}: {bad}))", info.name)).is_err(), "{}", info.name);
+                assert!(
+                    parse_recipe(&format!("(params: ({}: {bad}))", info.name)).is_err(),
+                    "{}",
+                    info.name
+                );
             }
             for plate in [
                 format!("(centroid: ({bad}, 0))"),
@@ -217,7 +253,10 @@ mod tests {
                 format!("(center: (0, {bad}), radius: 100)"),
                 format!("(center: (0, 0), radius: {bad})"),
             ] {
-                assert!(parse_recipe(&format!("(continents: [{disc}])")).is_err(), "{disc}");
+                assert!(
+                    parse_recipe(&format!("(continents: [{disc}])")).is_err(),
+                    "{disc}"
+                );
             }
         }
     }

@@ -52,7 +52,11 @@ pub enum SaveError {
 }
 
 fn age(found: u32) -> &'static str {
-    if found > VERSION { "newer than this program" } else { "no longer supported" }
+    if found > VERSION {
+        "newer than this program"
+    } else {
+        "no longer supported"
+    }
 }
 
 /// Passes on what is written, and hashes it.
@@ -77,8 +81,14 @@ pub fn write_to(state: &PlanetState, out: &mut (impl Write + ?Sized)) -> io::Res
 }
 
 /// Writes a planet and returns its hash.
-pub(super) fn write_hashed(state: &PlanetState, out: &mut (impl Write + ?Sized)) -> io::Result<blake3::Hash> {
-    let mut out = Hashing { out, hasher: blake3::Hasher::new() };
+pub(super) fn write_hashed(
+    state: &PlanetState,
+    out: &mut (impl Write + ?Sized),
+) -> io::Result<blake3::Hash> {
+    let mut out = Hashing {
+        out,
+        hasher: blake3::Hasher::new(),
+    };
     out.put(MAGIC)?;
     out.put(&VERSION.to_le_bytes())?;
     for section in sections::SECTIONS {
@@ -104,7 +114,11 @@ pub fn read_from(bytes: &[u8]) -> Result<PlanetState, SaveError> {
     if found != VERSION {
         return Err(SaveError::Version { found });
     }
-    let content = bytes.len().checked_sub(HASH).filter(|&end| end >= HEAD).ok_or(SaveError::Truncated)?;
+    let content = bytes
+        .len()
+        .checked_sub(HASH)
+        .filter(|&end| end >= HEAD)
+        .ok_or(SaveError::Truncated)?;
     if blake3::hash(&bytes[..content]).as_bytes()[..] != bytes[content..] {
         return Err(SaveError::Checksum);
     }
@@ -137,10 +151,16 @@ pub fn load(path: &Path) -> Result<PlanetState, IoError> {
     let meta = fs::metadata(path).map_err(|source| IoError::read(path, source))?;
     // A device may never end, and no save is that large.
     if !meta.is_dir() && (!meta.is_file() || meta.len() > MAX_SIZE) {
-        return Err(IoError::Save { path: path.to_path_buf(), source: SaveError::NotASave });
+        return Err(IoError::Save {
+            path: path.to_path_buf(),
+            source: SaveError::NotASave,
+        });
     }
     let bytes = fs::read(path).map_err(|source| IoError::read(path, source))?;
-    read_from(&bytes).map_err(|source| IoError::Save { path: path.to_path_buf(), source })
+    read_from(&bytes).map_err(|source| IoError::Save {
+        path: path.to_path_buf(),
+        source,
+    })
 }
 
 /// Larger files hold no planet: two million samples take 140 MB.

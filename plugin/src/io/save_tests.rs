@@ -1,7 +1,9 @@
 //! Tests of the save file on a small planet with every kind of state.
 
 use super::*;
-use crate::authoring::{Brush, Inbox, PaintTarget, Recording, Scenario, TectonicCommand, TimedCommand};
+use crate::authoring::{
+    Brush, Inbox, PaintTarget, Recording, Scenario, TectonicCommand, TimedCommand,
+};
 use crate::crust::{Cause, Crust, CrustKind, Frame, Frames, Ledger, Orogeny};
 use crate::io::{capture, digest};
 use crate::math;
@@ -19,18 +21,31 @@ use rayon::prelude::*;
 use std::sync::Arc;
 
 fn stats(continental: f64) -> PlateStats {
-    PlateStats { samples: 75, area: 2.5e8, continental, ocean_age: 60.0, centroid: DVec3::Y }
+    PlateStats {
+        samples: 75,
+        area: 2.5e8,
+        continental,
+        ocean_age: 60.0,
+        centroid: DVec3::Y,
+    }
 }
 
 fn state() -> PlanetState {
     let mesh = Arc::new(SphereMesh::fibonacci(150).unwrap());
-    let mut params = TectonicParams { erosion: 0.07, ..TectonicParams::default() };
+    let mut params = TectonicParams {
+        erosion: 0.07,
+        ..TectonicParams::default()
+    };
     params.processes.noise = false;
     let mut crust = Crust::ocean(mesh.len(), &params);
     for i in 0..mesh.len() {
         let x = i as f32;
         crust.frame[i] = (i % 3) as u16;
-        crust.kind[i] = if i % 4 == 0 { CrustKind::Continental } else { CrustKind::Oceanic };
+        crust.kind[i] = if i % 4 == 0 {
+            CrustKind::Continental
+        } else {
+            CrustKind::Oceanic
+        };
         crust.orogeny[i] = [Orogeny::None, Orogeny::Andean, Orogeny::Himalayan][i % 3];
         (crust.thickness[i], crust.elevation[i]) = (7.0 + 0.1 * x, -6.0 + 0.013 * x);
         (crust.ocean_age[i], crust.orogeny_age[i]) = (x, 2.0 * x);
@@ -39,20 +54,48 @@ fn state() -> PlanetState {
     }
     let mut ledger = Ledger::default();
     ledger.book(Cause::ArcGrowth, 1.25e5, 3.5e6);
-    let moved = Frame { rotation: math::rotation(DVec3::Y, 0.3), ..Frame::at_rest(PlateId(1)) };
-    let motion = PlateMotion { axis: DVec3::X, speed: 0.01 };
+    let moved = Frame {
+        rotation: math::rotation(DVec3::Y, 0.3),
+        ..Frame::at_rest(PlateId(1))
+    };
+    let motion = PlateMotion {
+        axis: DVec3::X,
+        speed: 0.01,
+    };
     let paint = TectonicCommand::PaintCrust {
-        target: PaintTarget::Disc { center: (10.5, -20.25), radius: 900.0 },
+        target: PaintTarget::Disc {
+            center: (10.5, -20.25),
+            radius: 900.0,
+        },
         brush: Brush::Raise(0.1),
     };
-    let fronts = FrontField { reach: 0.25, front: vec![(3, 0), (7, 2)], ..FrontField::new(150) };
-    fronts.nearest.set(70, 3, mesh.point(70).distance_squared(mesh.point(3)) as f32);
+    let fronts = FrontField {
+        reach: 0.25,
+        front: vec![(3, 0), (7, 2)],
+        ..FrontField::new(150)
+    };
+    fronts
+        .nearest
+        .set(70, 3, mesh.point(70).distance_squared(mesh.point(3)) as f32);
     PlanetState {
-        planet: Planet { radius: 6370.0, seed: 42 },
+        planet: Planet {
+            radius: 6370.0,
+            seed: 42,
+        },
         lattice: Lattice(mesh),
         crust,
-        frames: Frames(vec![Frame::at_rest(PlateId(0)), moved, Frame { terrane: true, ..moved }]),
-        plates: vec![(PlateId(0), PlateMotion::REST, 0.0), (PlateId(1), motion, 12.0)],
+        frames: Frames(vec![
+            Frame::at_rest(PlateId(0)),
+            moved,
+            Frame {
+                terrane: true,
+                ..moved
+            },
+        ]),
+        plates: vec![
+            (PlateId(0), PlateMotion::REST, 0.0),
+            (PlateId(1), motion, 12.0),
+        ],
         stats: vec![stats(0.25), stats(0.5)],
         clock: GeologicClock {
             time: 20.0,
@@ -63,8 +106,14 @@ fn state() -> PlanetState {
         },
         params,
         ledger,
-        recording: Recording(vec![TimedCommand { step: 4, command: paint.clone() }]),
-        pending: Scenario(vec![TimedCommand { step: 40, command: paint }]),
+        recording: Recording(vec![TimedCommand {
+            step: 4,
+            command: paint.clone(),
+        }]),
+        pending: Scenario(vec![TimedCommand {
+            step: 40,
+            command: paint,
+        }]),
         polarity: PolarityMemory(vec![Segment {
             pair: (PlateId(0), PlateId(1)),
             bin: 17,
@@ -97,13 +146,30 @@ fn a_planet_comes_back_with_the_same_bits() {
     let back = read_from(&saved).unwrap();
     assert_eq!(bytes(&back), saved);
     assert_eq!(back.crust, state.crust);
-    assert_eq!((back.planet, back.plates, back.frames), (state.planet, state.plates, state.frames));
+    assert_eq!(
+        (back.planet, back.plates, back.frames),
+        (state.planet, state.plates, state.frames)
+    );
     assert_eq!(back.stats, state.stats);
-    assert_eq!((back.clock, back.params, back.ledger), (state.clock, state.params, state.ledger));
-    assert_eq!((back.recording, back.polarity), (state.recording, state.polarity));
-    assert_eq!((back.fronts.stale, back.fronts.reach), (state.fronts.stale, state.fronts.reach));
+    assert_eq!(
+        (back.clock, back.params, back.ledger),
+        (state.clock, state.params, state.ledger)
+    );
+    assert_eq!(
+        (back.recording, back.polarity),
+        (state.recording, state.polarity)
+    );
+    assert_eq!(
+        (back.fronts.stale, back.fronts.reach),
+        (state.fronts.stale, state.fronts.reach)
+    );
     assert_eq!(back.fronts.front, state.fronts.front);
-    assert!(state.fronts.nearest(70).is_some_and(|(source, _)| source == 3));
+    assert!(
+        state
+            .fronts
+            .nearest(70)
+            .is_some_and(|(source, _)| source == 3)
+    );
     assert!((0..150).all(|i| back.fronts.nearest(i) == state.fronts.nearest(i)));
     assert_eq!(back.lattice.points(), state.lattice.points());
 }
@@ -112,7 +178,12 @@ fn a_planet_comes_back_with_the_same_bits() {
 fn a_mesh_of_other_points_comes_back() {
     let mut state = state();
     let turn = math::rotation(DVec3::X, 0.1);
-    let points = state.lattice.points().iter().map(|&p| (turn * p).normalize()).collect();
+    let points = state
+        .lattice
+        .points()
+        .iter()
+        .map(|&p| (turn * p).normalize())
+        .collect();
     state.lattice = Lattice(Arc::new(SphereMesh::from_points(points).unwrap()));
     let back = read_from(&bytes(&state)).unwrap();
     assert_eq!(back.lattice.points(), state.lattice.points());
@@ -138,7 +209,13 @@ fn older_and_newer_versions_are_named() {
     assert_eq!(error, SaveError::Version { found: VERSION + 1 });
     assert!(error.to_string().contains("newer"), "{error}");
     saved[8] = VERSION as u8 - 1;
-    assert!(read_from(&saved).err().unwrap().to_string().contains("no longer"));
+    assert!(
+        read_from(&saved)
+            .err()
+            .unwrap()
+            .to_string()
+            .contains("no longer")
+    );
 }
 
 #[test]
@@ -159,7 +236,8 @@ fn every_truncation_and_every_flipped_bit_is_seen() {
     }
 }
 
-/// A forger who repairs the checksum gets an error or a planet that lives, but no panic and no huge allocation.
+/// A forger who repairs the checksum gets an error or a planet that lives, but no panic and no huge
+/// allocation.
 #[test]
 fn resealed_mutations_do_no_harm() {
     let saved = bytes(&state());
@@ -223,7 +301,10 @@ fn states_that_make_no_planet_are_refused() {
         let mut state = state();
         spoil(&mut state);
         let error = read_from(&bytes(&state)).err();
-        assert!(matches!(error, Some(SaveError::Invalid(_))), "{what}: {error:?}");
+        assert!(
+            matches!(error, Some(SaveError::Invalid(_))),
+            "{what}: {error:?}"
+        );
         assert!(!error.unwrap().to_string().contains('\n'));
     }
 }
@@ -236,11 +317,15 @@ fn a_frame_without_samples_may_outlive_its_plate() {
     assert!(read_from(&bytes(&state)).is_ok());
 }
 
-/// Saved and loaded at any step, a planet goes on as if it had never stopped: with frames that have moved,
-/// just before a resample, just after it, and after a rift.
+/// Saved and loaded at any step, a planet goes on as if it had never stopped: with frames that have
+/// moved, just before a resample, just after it, and after a rift.
 #[test]
 fn a_loaded_planet_continues_to_the_same_digest() {
-    let recipe = PlanetRecipe { samples: 1500, plate_count: 15, ..PlanetRecipe::default() };
+    let recipe = PlanetRecipe {
+        samples: 1500,
+        plate_count: 15,
+        ..PlanetRecipe::default()
+    };
     let mut app = App::new();
     app.add_plugins(crate::PangaeaPlugins);
     let world = app.world_mut();
@@ -248,7 +333,11 @@ fn a_loaded_planet_continues_to_the_same_digest() {
     let mut saves = Vec::new();
     for step in 0..40 {
         if step == 15 {
-            let rift = TectonicCommand::RiftPlate { plate: PlateId(0), line: vec![], fragments: 3 };
+            let rift = TectonicCommand::RiftPlate {
+                plate: PlateId(0),
+                line: vec![],
+                fragments: 3,
+            };
             world.get_mut::<Inbox>(planet).unwrap().0.push(rift);
         }
         run_steps(world, planet, 1);
@@ -259,9 +348,17 @@ fn a_loaded_planet_continues_to_the_same_digest() {
     let uninterrupted = digest(&capture(world, planet).unwrap());
     for (left, saved) in saves {
         let again = read_from(&saved).unwrap().spawn(world);
-        assert_eq!(bytes(&capture(world, again).unwrap()), saved, "{left} steps before the end");
+        assert_eq!(
+            bytes(&capture(world, again).unwrap()),
+            saved,
+            "{left} steps before the end"
+        );
         run_steps(world, again, left);
-        assert_eq!(digest(&capture(world, again).unwrap()), uninterrupted, "{left} steps before the end");
+        assert_eq!(
+            digest(&capture(world, again).unwrap()),
+            uninterrupted,
+            "{left} steps before the end"
+        );
     }
 }
 
@@ -273,7 +370,11 @@ fn files_are_replaced_whole() {
     fs::write(&path, "old").unwrap();
     save(&state(), &path).unwrap();
     assert_eq!(digest(&load(&path).unwrap()), digest(&state()));
-    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "no temporary file is left");
+    assert_eq!(
+        fs::read_dir(&folder).unwrap().count(),
+        1,
+        "no temporary file is left"
+    );
     let failed = write_atomically(&path, |out| {
         out.write_all(b"half")?;
         Err(io::ErrorKind::StorageFull.into())
@@ -281,8 +382,17 @@ fn files_are_replaced_whole() {
     assert!(failed.unwrap_err().to_string().contains("a.pangaea"));
     assert!(load(&path).is_ok(), "the older file is untouched");
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
-    assert!(matches!(load(&folder.join("none")), Err(IoError::Read { .. })));
-    assert!(matches!(save(&state(), &folder), Err(IoError::Write { .. })));
-    assert!(matches!(save(&state(), &folder.join("no/such/x")), Err(IoError::Write { .. })));
+    assert!(matches!(
+        load(&folder.join("none")),
+        Err(IoError::Read { .. })
+    ));
+    assert!(matches!(
+        save(&state(), &folder),
+        Err(IoError::Write { .. })
+    ));
+    assert!(matches!(
+        save(&state(), &folder.join("no/such/x")),
+        Err(IoError::Write { .. })
+    ));
     fs::remove_dir_all(&folder).unwrap();
 }

@@ -55,13 +55,20 @@ mod tests {
         .unwrap();
         let steps: Vec<u64> = scenario.0.iter().map(|timed| timed.step).collect();
         assert_eq!(steps, [10, 20, 30, 40, 50]);
-        let rift = TectonicCommand::RiftPlate { plate: PlateId(5), line: vec![], fragments: 2 };
+        let rift = TectonicCommand::RiftPlate {
+            plate: PlateId(5),
+            line: vec![],
+            fragments: 2,
+        };
         assert_eq!(scenario.0[1].command, rift);
     }
 
     #[test]
     fn a_written_recording_is_a_scenario() {
-        let commands = vec![TimedCommand { step: 3, command: TectonicCommand::Resample }];
+        let commands = vec![TimedCommand {
+            step: 3,
+            command: TectonicCommand::Resample,
+        }];
         let text = ron::to_string(&commands).unwrap();
         assert_eq!(parse_scenario(&text).unwrap().0, commands);
     }
@@ -81,7 +88,10 @@ mod tests {
             "SetProcess(name: \"magic\", on: true)",
         ] {
             let error = parse_scenario(&format!("[(step: 1, command: {command})]")).unwrap_err();
-            assert!(error.problem.contains("command 1 (step 1)"), "{command}: {error}");
+            assert!(
+                error.problem.contains("command 1 (step 1)"),
+                "{command}: {error}"
+            );
         }
         let error = parse_scenario("[\n(step: 1, command: Explode)\n]").unwrap_err();
         assert_eq!(error.line, 2, "{error}");

@@ -12,7 +12,9 @@ use crate::spawn::PlanetState;
 use account::{ledger, pending, read_ledger, read_pending, read_recording, recording};
 use bevy::math::DVec3;
 use crust::{carried, mesh, read_crust, read_mesh};
-use plates::{frames, fronts, plates, polarity, read_frames, read_fronts, read_plates, read_polarity};
+use plates::{
+    frames, fronts, plates, polarity, read_frames, read_fronts, read_plates, read_polarity,
+};
 
 /// A part of the file.
 pub(super) struct Section {
@@ -22,30 +24,100 @@ pub(super) struct Section {
 
 /// All sections in the order of the file.
 pub(super) const SECTIONS: &[Section] = &[
-    Section { tag: b"PLAN", encode: planet },
-    Section { tag: b"PARM", encode: params },
-    Section { tag: b"PLAT", encode: plates },
-    Section { tag: b"FRMS", encode: frames },
-    Section { tag: b"LEDG", encode: ledger },
-    Section { tag: b"RECO", encode: recording },
-    Section { tag: b"PEND", encode: pending },
-    Section { tag: b"POLA", encode: polarity },
-    Section { tag: b"FRON", encode: fronts },
-    Section { tag: b"MESH", encode: mesh },
-    Section { tag: b"FRAM", encode: |s| s.crust.frame.iter().flat_map(|f| f.to_le_bytes()).collect() },
-    Section { tag: b"KIND", encode: |s| s.crust.kind.iter().map(|&k| k as u8).collect() },
-    Section { tag: b"THIC", encode: |s| floats(&s.crust.thickness) },
-    Section { tag: b"ELEV", encode: |s| floats(&s.crust.elevation) },
-    Section { tag: b"OAGE", encode: |s| floats(&s.crust.ocean_age) },
-    Section { tag: b"RIDG", encode: |s| vectors(&s.crust.ridge) },
-    Section { tag: b"FAGE", encode: |s| floats(&s.crust.orogeny_age) },
-    Section { tag: b"OROG", encode: |s| s.crust.orogeny.iter().map(|&o| o as u8).collect() },
-    Section { tag: b"FOLD", encode: |s| vectors(&s.crust.fold) },
+    Section {
+        tag: b"PLAN",
+        encode: planet,
+    },
+    Section {
+        tag: b"PARM",
+        encode: params,
+    },
+    Section {
+        tag: b"PLAT",
+        encode: plates,
+    },
+    Section {
+        tag: b"FRMS",
+        encode: frames,
+    },
+    Section {
+        tag: b"LEDG",
+        encode: ledger,
+    },
+    Section {
+        tag: b"RECO",
+        encode: recording,
+    },
+    Section {
+        tag: b"PEND",
+        encode: pending,
+    },
+    Section {
+        tag: b"POLA",
+        encode: polarity,
+    },
+    Section {
+        tag: b"FRON",
+        encode: fronts,
+    },
+    Section {
+        tag: b"MESH",
+        encode: mesh,
+    },
+    Section {
+        tag: b"FRAM",
+        encode: |s| s.crust.frame.iter().flat_map(|f| f.to_le_bytes()).collect(),
+    },
+    Section {
+        tag: b"KIND",
+        encode: |s| s.crust.kind.iter().map(|&k| k as u8).collect(),
+    },
+    Section {
+        tag: b"THIC",
+        encode: |s| floats(&s.crust.thickness),
+    },
+    Section {
+        tag: b"ELEV",
+        encode: |s| floats(&s.crust.elevation),
+    },
+    Section {
+        tag: b"OAGE",
+        encode: |s| floats(&s.crust.ocean_age),
+    },
+    Section {
+        tag: b"RIDG",
+        encode: |s| vectors(&s.crust.ridge),
+    },
+    Section {
+        tag: b"FAGE",
+        encode: |s| floats(&s.crust.orogeny_age),
+    },
+    Section {
+        tag: b"OROG",
+        encode: |s| s.crust.orogeny.iter().map(|&o| o as u8).collect(),
+    },
+    Section {
+        tag: b"FOLD",
+        encode: |s| vectors(&s.crust.fold),
+    },
 ];
 
 /// Makes a planet of the contents of all sections. The mesh, which takes longest, comes last.
 pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
-    let &[head, parm, plat, frms, ledg, reco, pend, pola, fron, mesh, ref columns @ ..] = contents else {
+    let &[
+        head,
+        parm,
+        plat,
+        frms,
+        ledg,
+        reco,
+        pend,
+        pola,
+        fron,
+        mesh,
+        ref columns @ ..,
+    ] = contents
+    else {
         return Err(SaveError::Truncated);
     };
     let (planet, clock) = read_planet(head)?;
@@ -94,7 +166,10 @@ fn planet(state: &PlanetState) -> Vec<u8> {
 
 fn read_planet(bytes: &[u8]) -> Result<(Planet, GeologicClock), SaveError> {
     let mut read = Decoder(bytes);
-    let planet = Planet { radius: read.within("radius", 50.0, 100_000.0)?, seed: read.u64()? };
+    let planet = Planet {
+        radius: read.within("radius", 50.0, 100_000.0)?,
+        seed: read.u64()?,
+    };
     let clock = GeologicClock {
         time: read.within("time", 0.0, 1e9)?,
         step: read.u64()?,
@@ -133,17 +208,24 @@ fn read_params(bytes: &[u8]) -> Result<TectonicParams, SaveError> {
     let mut params = TectonicParams::default();
     let refused = |error: crate::params::ParamError| invalid(error.to_string());
     if read.count(12)? != TectonicParams::TABLE.len() {
-        return Err(invalid("its parameters are not those of this program".into()));
+        return Err(invalid(
+            "its parameters are not those of this program".into(),
+        ));
     }
     for info in TectonicParams::TABLE {
         let name = read.text()?;
         if name != info.name {
-            return Err(invalid(format!("unknown parameter `{}`", name.escape_debug())));
+            return Err(invalid(format!(
+                "unknown parameter `{}`",
+                name.escape_debug()
+            )));
         }
         params.set(name, read.f64()?).map_err(refused)?;
     }
     if read.count(5)? != ProcessSwitches::NAMES.len() {
-        return Err(invalid("its processes are not those of this program".into()));
+        return Err(invalid(
+            "its processes are not those of this program".into(),
+        ));
     }
     for _ in ProcessSwitches::NAMES {
         let name = read.text()?;

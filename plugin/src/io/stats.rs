@@ -31,7 +31,8 @@ pub struct Stats {
     pub elevation_km: Elevation,
     /// Age of oceanic crust in My.
     pub ocean_age_my: OceanAge,
-    /// Share per 250 m of elevation from -11 km to 11 km, ascending; what lies beyond counts to the ends.
+    /// Share per 250 m of elevation from -11 km to 11 km, ascending; what lies beyond counts to the
+    /// ends.
     pub hypsometry: Vec<f64>,
     /// Share of folded crust.
     pub orogeny_fraction: OrogenyFraction,
@@ -75,8 +76,9 @@ pub struct OrogenyFraction {
     pub himalayan: f64,
 }
 
-/// Changes of the continental area by cause, as shares of the area that there was at the beginning (of
-/// the planet's area, if there was none), and the largest share that one resample left unexplained.
+/// Changes of the continental area by cause, as shares of the area that there was at the beginning
+/// (of the planet's area, if there was none), and the largest share that one resample left
+/// unexplained.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LedgerShares {
     /// Shares in the order of [`Cause::ALL`].
@@ -150,7 +152,14 @@ pub struct StatsInput<'a> {
 impl Stats {
     /// Computes the figures. `digest` is that of the state.
     pub fn new(input: &StatsInput, digest: String, timings_ms: Timings) -> Self {
-        let StatsInput { mesh, surface, clock, ledger, radius, plates } = *input;
+        let StatsInput {
+            mesh,
+            surface,
+            clock,
+            ledger,
+            radius,
+            plates,
+        } = *input;
         let crust = &surface.crust;
         let sphere = 4.0 * crate::math::PI;
         let area = |i: usize| mesh.area(i as u32) / sphere;
@@ -159,9 +168,11 @@ impl Stats {
             parallel::sum(n, |i| if belongs(i) { area(i) } else { 0.0 })
         };
         let elevation = |i: usize| f64::from(surface.elevation(i));
-        let range = (0..n).map(elevation).fold(None, |range: Option<(f64, f64)>, z| {
-            Some(range.map_or((z, z), |(low, high)| (low.min(z), high.max(z))))
-        });
+        let range = (0..n)
+            .map(elevation)
+            .fold(None, |range: Option<(f64, f64)>, z| {
+                Some(range.map_or((z, z), |(low, high)| (low.min(z), high.max(z))))
+            });
         let (min, max) = range.unwrap_or((0.0, 0.0));
         let oceanic = |i: usize| crust.kind[i] == CrustKind::Oceanic;
         let ocean_area = share(&oceanic);
@@ -175,9 +186,17 @@ impl Stats {
             time_my: clock.time,
             land_fraction: share(&|i| elevation(i) > 0.0),
             continental_fraction: share(&|i| !oceanic(i)),
-            elevation_km: Elevation { min, max, mean: parallel::sum(n, |i| elevation(i) * area(i)) },
+            elevation_km: Elevation {
+                min,
+                max,
+                mean: parallel::sum(n, |i| elevation(i) * area(i)),
+            },
             ocean_age_my: OceanAge {
-                mean: if ocean_area > 0.0 { ocean_age / ocean_area } else { 0.0 },
+                mean: if ocean_area > 0.0 {
+                    ocean_age / ocean_area
+                } else {
+                    0.0
+                },
                 max: (0..n).filter(|&i| oceanic(i)).map(age).fold(0.0, f64::max),
             },
             hypsometry: hypsometry((0..n).map(|i| (elevation(i), area(i)))),
@@ -194,14 +213,21 @@ impl Stats {
 
     /// The figures with those of a bake's rivers and lakes.
     pub fn with_bake(mut self, bake: &crate::control::Bake) -> Self {
-        self.hydrology =
-            Some(crate::hydrology::HydrologyStats::new(bake.mesh(), &bake.climate, &bake.drainage));
+        self.hydrology = Some(crate::hydrology::HydrologyStats::new(
+            bake.mesh(),
+            &bake.climate,
+            &bake.drainage,
+        ));
         self
     }
 }
 
 fn shares(ledger: &Ledger, planet_area: f64) -> LedgerShares {
-    let whole = if ledger.initial.area > 0.0 { ledger.initial.area } else { planet_area };
+    let whole = if ledger.initial.area > 0.0 {
+        ledger.initial.area
+    } else {
+        planet_area
+    };
     LedgerShares {
         causes: Cause::ALL.map(|cause| ledger.of(cause).area / whole),
         unexplained_max: ledger.unexplained_max,
@@ -239,10 +265,21 @@ mod tests {
     #[test]
     fn hypsometry_has_open_ends_and_sum_one() {
         let bins = hypsometry(
-            [(-50.0, 1.0), (-11.0, 1.0), (-0.01, 1.0), (0.0, 3.0), (10.99, 1.0), (99.0, 1.0)].into_iter(),
+            [
+                (-50.0, 1.0),
+                (-11.0, 1.0),
+                (-0.01, 1.0),
+                (0.0, 3.0),
+                (10.99, 1.0),
+                (99.0, 1.0),
+            ]
+            .into_iter(),
         );
         assert_eq!(bins.len(), BINS);
-        assert_eq!((bins[0], bins[43], bins[44], bins[87]), (0.25, 0.125, 0.375, 0.25));
+        assert_eq!(
+            (bins[0], bins[43], bins[44], bins[87]),
+            (0.25, 0.125, 0.375, 0.25)
+        );
         assert!((bins.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         assert_eq!(hypsometry(core::iter::empty()), vec![0.0; BINS]);
     }
@@ -279,10 +316,15 @@ mod tests {
         let stats = Stats::new(&input, "00".into(), Timings::default());
         assert!((stats.land_fraction - 0.5).abs() < 1e-3);
         assert!((stats.continental_fraction - 0.5).abs() < 1e-3);
-        assert_eq!((stats.elevation_km.min, stats.elevation_km.max), (-6.0, 1.0));
+        assert_eq!(
+            (stats.elevation_km.min, stats.elevation_km.max),
+            (-6.0, 1.0)
+        );
         assert!((stats.elevation_km.mean + 2.5).abs() < 1e-2);
         assert!((stats.ocean_age_my.mean - 50.0).abs() < 1e-9);
         assert_eq!(stats.orogeny_fraction.andean, 0.0);
-        assert!((stats.hypsometry[20] - 0.5).abs() < 1e-3 && (stats.hypsometry[48] - 0.5).abs() < 1e-3);
+        assert!(
+            (stats.hypsometry[20] - 0.5).abs() < 1e-3 && (stats.hypsometry[48] - 0.5).abs() < 1e-3
+        );
     }
 }

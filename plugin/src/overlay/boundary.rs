@@ -49,7 +49,8 @@ impl BoundaryKind {
 /// sine of 30 degrees.
 const ACROSS: f64 = 0.5;
 
-/// Relative speed in radii per My below which plates rest against each other: 1 km in 150 My on Earth.
+/// Relative speed in radii per My below which plates rest against each other: 1 km in 150 My on
+/// Earth.
 const REST: f64 = 1e-6;
 
 /// The kind of boundary at every sample; a boundary is one sample wide on either side.
@@ -58,7 +59,12 @@ pub fn boundaries(input: &OverlayInput) -> Vec<BoundaryKind> {
 }
 
 fn boundary(input: &OverlayInput, i: u32) -> BoundaryKind {
-    let OverlayInput { mesh, surface, plates, .. } = *input;
+    let OverlayInput {
+        mesh,
+        surface,
+        plates,
+        ..
+    } = *input;
     let (own, p) = (surface.plate[i as usize], mesh.point(i));
     let (mut opening, mut speed, mut foreign) = (0.0, 0.0, 0);
     for &j in mesh.ring(i) {
@@ -67,8 +73,8 @@ fn boundary(input: &OverlayInput, i: u32) -> BoundaryKind {
             continue;
         }
         let q = mesh.point(j);
-        let relative =
-            (plates.angular_velocity(other) - plates.angular_velocity(own)).cross((p + q).normalize());
+        let relative = (plates.angular_velocity(other) - plates.angular_velocity(own))
+            .cross((p + q).normalize());
         opening += relative.dot((q - p).normalize());
         speed += relative.length();
         foreign += 1;

@@ -15,7 +15,12 @@ use bevy::math::Vec3;
 /// What an overlay shows at each sample.
 pub(super) enum Field {
     /// Numbers on a ramp between two values; not a number where there is none.
-    Scalar { values: Vec<f32>, ramp: Ramp, low: f32, high: f32 },
+    Scalar {
+        values: Vec<f32>,
+        ramp: Ramp,
+        low: f32,
+        high: f32,
+    },
     /// Axes: the doubled azimuth as a vector; zero where there is none.
     Axis(Vec<[f32; 2]>),
     /// Classes that do not mix.
@@ -30,7 +35,11 @@ pub(super) const NO_VALUE_OCEAN: Rgba = [52, 60, 72, 255];
 pub(super) const NO_VALUE_LAND: Rgba = [176, 174, 166, 255];
 
 /// Colours of the crust types: ocean, continent above and below the sea.
-pub(super) const CRUST: [Rgba; 3] = [[30, 66, 116, 255], [190, 164, 112, 255], [122, 158, 164, 255]];
+pub(super) const CRUST: [Rgba; 3] = [
+    [30, 66, 116, 255],
+    [190, 164, 112, 255],
+    [122, 158, 164, 255],
+];
 /// Colours of Andean and Himalayan folding.
 pub(super) const OROGENY: [Rgba; 2] = [[226, 110, 60, 255], [132, 74, 168, 255]];
 
@@ -48,14 +57,21 @@ pub(super) fn orogeny_age_max(input: &OverlayInput) -> f32 {
     ((input.surface.time / 50.0).ceil() * 50.0).clamp(100.0, 1000.0) as f32
 }
 
-/// Frequency and octaves of the noise that warps borders, as they are for 40 plates: 0.9 periods per
-/// distance of two centroids.
+/// Frequency and octaves of the noise that warps borders, as they are for 40 plates: 0.9 periods
+/// per distance of two centroids.
 const NOISE: (f64, u32) = (1.6, 5);
 
 impl Field {
     /// The field that `overlay` shows.
     pub(super) fn new(overlay: Overlay, input: &OverlayInput) -> Self {
-        let OverlayInput { planet, mesh, surface, plates, params, bake } = *input;
+        let OverlayInput {
+            planet,
+            mesh,
+            surface,
+            plates,
+            params,
+            bake,
+        } = *input;
         let crust = &surface.crust;
         let scalar = |ramp, low, high, value: &(dyn Fn(usize) -> f32 + Sync)| Self::Scalar {
             values: per_sample(mesh, |i| value(i as usize)),
@@ -63,8 +79,9 @@ impl Field {
             low,
             high,
         };
-        let classes =
-            |color: &(dyn Fn(usize) -> Rgba + Sync)| Self::Classes(per_sample(mesh, |i| color(i as usize)));
+        let classes = |color: &(dyn Fn(usize) -> Rgba + Sync)| {
+            Self::Classes(per_sample(mesh, |i| color(i as usize)))
+        };
         match overlay {
             baked if ground::is_baked(baked) => match bake {
                 Some(bake) => Self::Colors(ground::colors(baked, bake, mesh)),
@@ -74,12 +91,22 @@ impl Field {
             Overlay::Plates => classes(&|i| plate_color(surface.plate[i].0, crust.kind[i])),
             Overlay::CrustType => classes(&|i| crust_color(crust.kind[i], surface.elevation(i))),
             Overlay::OceanAge => scalar(palette::AGE, 0.0, OCEAN_AGE_MAX, &|i| {
-                if crust.is_continental(i) { f32::NAN } else { crust.ocean_age[i] }
+                if crust.is_continental(i) {
+                    f32::NAN
+                } else {
+                    crust.ocean_age[i]
+                }
             }),
-            Overlay::Thickness => scalar(palette::AMOUNT, 0.0, THICKNESS_MAX, &|i| crust.thickness[i]),
+            Overlay::Thickness => {
+                scalar(palette::AMOUNT, 0.0, THICKNESS_MAX, &|i| crust.thickness[i])
+            }
             Overlay::OrogenyType => classes(&|i| orogeny_color(crust.orogeny[i], crust.kind[i])),
             Overlay::OrogenyAge => scalar(palette::AGE, 0.0, orogeny_age_max(input), &|i| {
-                if crust.orogeny[i] == Orogeny::None { f32::NAN } else { crust.orogeny_age[i] }
+                if crust.orogeny[i] == Orogeny::None {
+                    f32::NAN
+                } else {
+                    crust.orogeny_age[i]
+                }
             }),
             Overlay::FoldDirection => axes_of(input, &crust.fold),
             Overlay::RidgeDirection => axes_of(input, &crust.ridge),
@@ -87,20 +114,31 @@ impl Field {
                 let omega = plates.angular_velocity(surface.plate[i]);
                 (omega.cross(mesh.point(i as u32)).length() * planet.radius) as f32
             }),
-            Overlay::Slope => {
-                Self::Scalar { values: slopes(input), ramp: palette::STEEPNESS, low: 0.0, high: SLOPE_MAX }
-            }
+            Overlay::Slope => Self::Scalar {
+                values: slopes(input),
+                ramp: palette::STEEPNESS,
+                low: 0.0,
+                high: SLOPE_MAX,
+            },
             Overlay::Laplacian => {
                 let values = laplacians(input);
-                Self::Scalar { values, ramp: palette::DIVERGING, low: 0.0, high: LAPLACIAN_MAX }
+                Self::Scalar {
+                    values,
+                    ramp: palette::DIVERGING,
+                    low: 0.0,
+                    high: LAPLACIAN_MAX,
+                }
             }
             Overlay::VectorNoise => {
                 let noise = Noise::new(planet.seed, Purpose::BorderWarp, 0);
                 Self::Colors(per_sample(mesh, |i| noise_color(&noise, mesh.point(i))))
             }
             _ => classes(&|i| {
-                let tint =
-                    palette::mix(palette::HYPSOMETRIC.at(surface.elevation(i)), [150, 150, 150, 255], 0.45);
+                let tint = palette::mix(
+                    palette::HYPSOMETRIC.at(surface.elevation(i)),
+                    [150, 150, 150, 255],
+                    0.45,
+                );
                 palette::scaled(tint, [0.86, 0.95, 1.04, 1.12][(mix(i as u64) & 3) as usize])
             }),
         }
@@ -112,16 +150,29 @@ impl Field {
     }
 
     /// The colour between three samples.
-    pub(super) fn between(&self, vertices: [u32; 3], weights: [f32; 3], kinds: &[CrustKind]) -> Rgba {
+    pub(super) fn between(
+        &self,
+        vertices: [u32; 3],
+        weights: [f32; 3],
+        kinds: &[CrustKind],
+    ) -> Rgba {
         let corner = vertices.map(|v| v as usize);
         match self {
-            Self::Scalar { values, ramp, low, high } => match mean(corner.map(|i| values[i]), weights) {
+            Self::Scalar {
+                values,
+                ramp,
+                low,
+                high,
+            } => match mean(corner.map(|i| values[i]), weights) {
                 Some(value) => ramp.within(value, *low, *high),
                 None => no_value(corner.map(|i| kinds[i]), weights),
             },
             Self::Axis(axes) => {
                 let part = |k: usize| (0..3).map(|c| weights[c] * axes[corner[c]][k]).sum::<f32>();
-                let known: f32 = (0..3).filter(|&c| axes[corner[c]] != [0.0; 2]).map(|c| weights[c]).sum();
+                let known: f32 = (0..3)
+                    .filter(|&c| axes[corner[c]] != [0.0; 2])
+                    .map(|c| weights[c])
+                    .sum();
                 if known < 0.5 {
                     return no_value(corner.map(|i| kinds[i]), weights);
                 }
@@ -129,8 +180,11 @@ impl Field {
             }
             Self::Classes(colors) => majority(corner.map(|i| colors[i]), weights).0,
             Self::Colors(colors) => {
-                let channel =
-                    |k: usize| (0..3).map(|c| weights[c] * f32::from(colors[corner[c]][k])).sum::<f32>();
+                let channel = |k: usize| {
+                    (0..3)
+                        .map(|c| weights[c] * f32::from(colors[corner[c]][k]))
+                        .sum::<f32>()
+                };
                 [0, 1, 2, 3].map(|k| (channel(k) + 0.5) as u8)
             }
         }
@@ -151,7 +205,12 @@ fn mean(values: [f32; 3], weights: [f32; 3]) -> Option<f32> {
 
 /// The class with most weight, and by how much it leads. At a tie the first corner wins.
 pub(super) fn majority<T: Copy + PartialEq>(classes: [T; 3], weights: [f32; 3]) -> (T, f32) {
-    let total = |class: T| (0..3).filter(|&c| classes[c] == class).map(|c| weights[c]).sum::<f32>();
+    let total = |class: T| {
+        (0..3)
+            .filter(|&c| classes[c] == class)
+            .map(|c| weights[c])
+            .sum::<f32>()
+    };
     let mut best = (classes[0], total(classes[0]));
     let mut second = 0.0;
     for class in [classes[1], classes[2]] {
@@ -179,7 +238,11 @@ fn no_value(kinds: [CrustKind; 3], weights: [f32; 3]) -> Rgba {
 /// A plate's colour; its continents are darker.
 pub(super) fn plate_color(id: u32, kind: CrustKind) -> Rgba {
     let color = palette::distinct(id);
-    if kind == CrustKind::Continental { palette::scaled(color, 0.72) } else { color }
+    if kind == CrustKind::Continental {
+        palette::scaled(color, 0.72)
+    } else {
+        color
+    }
 }
 
 fn crust_color(kind: CrustKind, elevation: f32) -> Rgba {
@@ -222,7 +285,10 @@ mod tests {
 
     #[test]
     fn missing_values_are_left_out() {
-        assert_eq!(mean([2.0, f32::NAN, 4.0], [0.5, 0.25, 0.25]), Some(8.0 / 3.0));
+        assert_eq!(
+            mean([2.0, f32::NAN, 4.0], [0.5, 0.25, 0.25]),
+            Some(8.0 / 3.0)
+        );
         assert_eq!(mean([f32::NAN, f32::NAN, 4.0], [0.4, 0.3, 0.3]), None);
     }
 

@@ -53,7 +53,10 @@ pub(super) fn legend(overlay: Overlay, input: &OverlayInput) -> Legend {
         ),
         Overlay::OrogenyAge => ("My", gradient(palette::AGE, field::orogeny_age_max(input))),
         Overlay::FoldDirection | Overlay::RidgeDirection => ("° from north", axes()),
-        Overlay::Velocity => ("km/My", gradient(palette::AMOUNT, input.params.max_speed as f32)),
+        Overlay::Velocity => (
+            "km/My",
+            gradient(palette::AMOUNT, input.params.max_speed as f32),
+        ),
         Overlay::Slope => ("m/km", gradient(palette::STEEPNESS, SLOPE_MAX)),
         Overlay::Laplacian => ("m/km²", gradient(palette::DIVERGING, LAPLACIAN_MAX)),
         Overlay::VectorNoise => (
@@ -67,8 +70,14 @@ pub(super) fn legend(overlay: Overlay, input: &OverlayInput) -> Legend {
         Overlay::Temperature => {
             let (low, high) = ground::TEMPERATURE;
             let stops = palette::TEMPERATURE.0;
-            let stop = |&(x, color): &(f32, [u8; 3])| (low + x * (high - low), palette::opaque(color));
-            ("°C", LegendEntries::Gradient { stops: stops.iter().map(stop).collect() })
+            let stop =
+                |&(x, color): &(f32, [u8; 3])| (low + x * (high - low), palette::opaque(color));
+            (
+                "°C",
+                LegendEntries::Gradient {
+                    stops: stops.iter().map(stop).collect(),
+                },
+            )
         }
         Overlay::Rain => ("mm/year", gradient(palette::RAIN, ground::RAIN_MAX)),
         Overlay::Wetness => ("", gradient(palette::RAIN, 1.0)),
@@ -77,31 +86,56 @@ pub(super) fn legend(overlay: Overlay, input: &OverlayInput) -> Legend {
         Overlay::Basins => (
             "",
             classes(&[
-                ("one colour per mouth; reddish: never reaches the sea", [150, 150, 150, 255]),
+                (
+                    "one colour per mouth; reddish: never reaches the sea",
+                    [150, 150, 150, 255],
+                ),
                 ("sea", ground::SEA),
             ]),
         ),
         Overlay::Lakes => ("", classes(&LAKES)),
-        Overlay::Mesh => ("", classes(&[("one shade per sample", [150, 150, 150, 255])])),
+        Overlay::Mesh => (
+            "",
+            classes(&[("one shade per sample", [150, 150, 150, 255])]),
+        ),
     };
-    Legend { title: overlay.label(), unit, entries }
+    Legend {
+        title: overlay.label(),
+        unit,
+        entries,
+    }
 }
 
 fn gradient(ramp: Ramp, scale: f32) -> LegendEntries {
-    let stops = ramp.0.iter().map(|&(x, color)| (x * scale, palette::opaque(color))).collect();
+    let stops = ramp
+        .0
+        .iter()
+        .map(|&(x, color)| (x * scale, palette::opaque(color)))
+        .collect();
     LegendEntries::Gradient { stops }
 }
 
 fn classes(entries: &[(&str, Rgba)]) -> LegendEntries {
-    LegendEntries::Classes(entries.iter().map(|&(name, color)| (name.to_string(), color)).collect())
+    LegendEntries::Classes(
+        entries
+            .iter()
+            .map(|&(name, color)| (name.to_string(), color))
+            .collect(),
+    )
 }
 
 fn plates() -> LegendEntries {
     let kinds = BoundaryKind::ALL.map(|kind| (format!("{} boundary", kind.label()), kind.color()));
     let mut entries = kinds.to_vec();
     let shade = |kind| field::plate_color(2, kind);
-    entries.push(("ocean floor of a plate".into(), shade(crate::crust::CrustKind::Oceanic)));
-    entries.push(("continent of the plate".into(), shade(crate::crust::CrustKind::Continental)));
+    entries.push((
+        "ocean floor of a plate".into(),
+        shade(crate::crust::CrustKind::Oceanic),
+    ));
+    entries.push((
+        "continent of the plate".into(),
+        shade(crate::crust::CrustKind::Continental),
+    ));
     LegendEntries::Classes(entries)
 }
 
@@ -133,5 +167,7 @@ fn axes() -> LegendEntries {
         let degrees = 15.0 * f32::from(k);
         (degrees, palette::axis_hue(degrees.into()))
     };
-    LegendEntries::Gradient { stops: (0..=12).map(stop).collect() }
+    LegendEntries::Gradient {
+        stops: (0..=12).map(stop).collect(),
+    }
 }

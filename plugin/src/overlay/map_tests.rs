@@ -16,16 +16,27 @@ struct Small {
     params: TectonicParams,
 }
 
-/// Two plates that meet at the meridians 0 and 180; the eastern one turns about the pole by `omega`.
-/// Elevation is 5 sin(latitude), the north is continental.
+/// Two plates that meet at the meridians 0 and 180; the eastern one turns about the pole by
+/// `omega`. Elevation is 5 sin(latitude), the north is continental.
 fn small(omega: f64) -> Small {
     let params = TectonicParams::default();
     let mesh = SphereMesh::fibonacci(4000).unwrap();
-    let mut surface = Surface { crust: Crust::ocean(mesh.len(), &params), ..Surface::default() };
+    let mut surface = Surface {
+        crust: Crust::ocean(mesh.len(), &params),
+        ..Surface::default()
+    };
     for (i, p) in mesh.points().iter().enumerate() {
         surface.crust.elevation[i] = (5.0 * p.z) as f32;
-        surface.crust.kind[i] = if p.z > 0.0 { CrustKind::Continental } else { CrustKind::Oceanic };
-        surface.crust.orogeny[i] = if p.z > 0.5 { Orogeny::Andean } else { Orogeny::None };
+        surface.crust.kind[i] = if p.z > 0.0 {
+            CrustKind::Continental
+        } else {
+            CrustKind::Oceanic
+        };
+        surface.crust.orogeny[i] = if p.z > 0.5 {
+            Orogeny::Andean
+        } else {
+            Orogeny::None
+        };
         surface.crust.fold[i] = DVec3::new(-p.y, p.x, 0.0).normalize_or_zero().as_vec3();
         surface.plate.push(PlateId(u32::from(p.y > 0.0)));
     }
@@ -34,18 +45,43 @@ fn small(omega: f64) -> Small {
     let row = |id, speed| PlateRow {
         id: PlateId(id),
         entity: Entity::PLACEHOLDER,
-        motion: PlateMotion { axis: DVec3::Z, speed },
+        motion: PlateMotion {
+            axis: DVec3::Z,
+            speed,
+        },
         stats: PlateStats::default(),
         born: 0.0,
     };
     let plates = PlateTable::new([row(0, 0.0), row(1, omega)]);
-    Small { planet: Planet { radius: 6370.0, seed: 1 }, mesh, surface, plates, params }
+    Small {
+        planet: Planet {
+            radius: 6370.0,
+            seed: 1,
+        },
+        mesh,
+        surface,
+        plates,
+        params,
+    }
 }
 
 impl Small {
     fn input(&self) -> OverlayInput<'_> {
-        let Self { planet, mesh, surface, plates, params } = self;
-        OverlayInput { planet, mesh, surface, plates, params, bake: None }
+        let Self {
+            planet,
+            mesh,
+            surface,
+            plates,
+            params,
+        } = self;
+        OverlayInput {
+            planet,
+            mesh,
+            surface,
+            plates,
+            params,
+            bake: None,
+        }
     }
 }
 
@@ -62,8 +98,14 @@ fn maps_have_north_up_and_greenwich_in_the_middle() {
         }
     }
     let plates = map.interpolate(|i| small.surface.plate[i].0 as f32);
-    assert!(plates[16 * 64 + 16] < 0.01, "90 W lies in the western plate");
-    assert!(plates[16 * 64 + 48] > 0.99, "90 E lies in the eastern plate");
+    assert!(
+        plates[16 * 64 + 16] < 0.01,
+        "90 W lies in the western plate"
+    );
+    assert!(
+        plates[16 * 64 + 48] > 0.99,
+        "90 E lies in the eastern plate"
+    );
 }
 
 #[test]
@@ -73,7 +115,12 @@ fn the_same_map_on_any_number_of_threads() {
         let map = MapProjection::new(&small.mesh, 96, 48);
         Overlay::ALL.map(|overlay| map.draw(overlay, &small.input()))
     };
-    let pool = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
+    let pool = |n| {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(n)
+            .build()
+            .unwrap()
+    };
     assert_eq!(pool(1).install(draw), pool(3).install(draw));
 }
 
@@ -84,14 +131,22 @@ fn boundaries_are_named_by_relative_motion() {
     let kinds = boundaries(&small.input());
     let at = |lat, lon| {
         let sample = small.mesh.nearest(math::direction(lat, lon));
-        let foreign = small.mesh.ring(sample).iter().find(|&&j| kinds[j as usize] != BoundaryKind::None);
+        let foreign = small
+            .mesh
+            .ring(sample)
+            .iter()
+            .find(|&&j| kinds[j as usize] != BoundaryKind::None);
         foreign.map_or(kinds[sample as usize], |&j| kinds[j as usize])
     };
     assert_eq!(at(10.0, 0.0), BoundaryKind::Divergent);
     assert_eq!(at(10.0, 180.0), BoundaryKind::Convergent);
     assert_eq!(at(10.0, 90.0), BoundaryKind::None);
     let resting = boundaries(&self::small(0.0).input());
-    assert!(resting.iter().all(|k| matches!(k, BoundaryKind::None | BoundaryKind::Transform)));
+    assert!(
+        resting
+            .iter()
+            .all(|k| matches!(k, BoundaryKind::None | BoundaryKind::Transform))
+    );
 }
 
 #[test]
@@ -140,5 +195,10 @@ fn a_surface_of_another_mesh_draws_nothing() {
     let map = MapProjection::new(&small.mesh, 8, 4);
     small.surface = Surface::default();
     assert!(colorize(Overlay::Slope, &small.input()).is_empty());
-    assert!(map.draw(Overlay::Slope, &small.input()).rgb.iter().all(|&b| b == 0));
+    assert!(
+        map.draw(Overlay::Slope, &small.input())
+            .rgb
+            .iter()
+            .all(|&b| b == 0)
+    );
 }

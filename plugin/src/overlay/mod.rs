@@ -1,7 +1,7 @@
 //! What maps and globes show: a colour for every sample, and the legend that explains it.
 //!
-//! In: the [`Surface`] of a planet. Out: colours per sample ([`colorize`](fn@colorize)) for the globe, rasters
-//! ([`map`]) for files. Nothing here needs a renderer.
+//! In: the [`Surface`] of a planet. Out: colours per sample ([`colorize`](fn@colorize)) for the
+//! globe, rasters ([`map`]) for files. Nothing here needs a renderer.
 //!
 //! ```text
 //! palette     colour ramps
@@ -84,7 +84,8 @@ pub enum Overlay {
     Rain,
     /// Wetness W of paper 002.
     Wetness,
-    /// Discharge: the water of all that lies upstream, on a logarithmic ramp, and rivers in its colours.
+    /// Discharge: the water of all that lies upstream, on a logarithmic ramp, and rivers in its
+    /// colours.
     Drainage,
     /// Rivers by their Horton–Strahler order, and lakes.
     Rivers,

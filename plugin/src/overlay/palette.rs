@@ -120,7 +120,8 @@ pub const DISCHARGE: Ramp = Ramp(&[
 ]);
 
 impl Ramp {
-    /// The colour at position `x`; beyond the ends, that of the end. Not a number: that of the start.
+    /// The colour at position `x`; beyond the ends, that of the end. Not a number: that of the
+    /// start.
     pub fn at(&self, x: f32) -> Rgba {
         let stops = self.0;
         let after = stops.partition_point(|&(position, _)| position <= x);
@@ -185,7 +186,11 @@ pub fn oklch(lightness: f64, chroma: f64, hue: f64) -> Rgba {
 
 /// The sRGB transfer function.
 fn encode(x: f64) -> f64 {
-    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * math::pow(x, 1.0 / 2.4) - 0.055 }
+    if x <= 0.003_130_8 {
+        12.92 * x
+    } else {
+        1.055 * math::pow(x, 1.0 / 2.4) - 0.055
+    }
 }
 
 /// A colour for the `n`-th of many things. Neighbours in number are far apart in hue.
@@ -206,7 +211,16 @@ mod tests {
 
     #[test]
     fn ramps_ascend_and_pass_through_their_stops() {
-        for ramp in [HYPSOMETRIC, AGE, AMOUNT, STEEPNESS, DIVERGING, TEMPERATURE, RAIN, DISCHARGE] {
+        for ramp in [
+            HYPSOMETRIC,
+            AGE,
+            AMOUNT,
+            STEEPNESS,
+            DIVERGING,
+            TEMPERATURE,
+            RAIN,
+            DISCHARGE,
+        ] {
             assert!(ramp.0.windows(2).all(|w| w[0].0 <= w[1].0));
             for (i, &(x, color)) in ramp.0.iter().enumerate() {
                 let last_of_step = ramp.0.get(i + 1).is_none_or(|next| next.0 > x);
@@ -226,8 +240,15 @@ mod tests {
 
     #[test]
     fn sequential_ramps_change_steadily_in_lightness() {
-        let luma = |c: Rgba| 0.2126 * f32::from(c[0]) + 0.7152 * f32::from(c[1]) + 0.0722 * f32::from(c[2]);
-        for (ramp, sign) in [(AGE, -1.0), (AMOUNT, 1.0), (STEEPNESS, -1.0), (DISCHARGE, -1.0)] {
+        let luma = |c: Rgba| {
+            0.2126 * f32::from(c[0]) + 0.7152 * f32::from(c[1]) + 0.0722 * f32::from(c[2])
+        };
+        for (ramp, sign) in [
+            (AGE, -1.0),
+            (AMOUNT, 1.0),
+            (STEEPNESS, -1.0),
+            (DISCHARGE, -1.0),
+        ] {
             for i in 0..64 {
                 let step = luma(ramp.at((i + 1) as f32 / 64.0)) - luma(ramp.at(i as f32 / 64.0));
                 assert!(step * sign > -0.6, "{i}: {step}");

@@ -1,8 +1,8 @@
 //! Gradient, slope, Laplacian and shading of the elevation at every sample.
 //!
 //! Both come from one fit by least squares to the ring of a sample: z = g · d + c d², with the
-//! gradient g and the Laplacian 4 c. A plane alone would see slopes in hollows, and the mean of the ring alone
-//! hollows on slopes, wherever a ring is not centred on its sample.
+//! gradient g and the Laplacian 4 c. A plane alone would see slopes in hollows, and the mean of the
+//! ring alone hollows on slopes, wherever a ring is not centred on its sample.
 
 use super::OverlayInput;
 use crate::math;
@@ -18,23 +18,36 @@ pub fn gradients(input: &OverlayInput) -> Vec<Vec3> {
 /// Gradient of a function of the elevation in km at every sample, as [`gradients`].
 pub fn gradients_of(input: &OverlayInput, height: impl Fn(f32) -> f32 + Sync) -> Vec<Vec3> {
     let elevation = |i: u32| f64::from(height(input.surface.elevation(i as usize)));
-    per_sample(input.mesh, |i| (fit(input.mesh, i, elevation).0 / input.planet.radius).as_vec3())
+    per_sample(input.mesh, |i| {
+        (fit(input.mesh, i, elevation).0 / input.planet.radius).as_vec3()
+    })
 }
 
 /// Slope at every sample in m per km.
 pub fn slopes(input: &OverlayInput) -> Vec<f32> {
-    gradients(input).into_iter().map(|g| 1000.0 * g.length()).collect()
+    gradients(input)
+        .into_iter()
+        .map(|g| 1000.0 * g.length())
+        .collect()
 }
 
-/// Laplacian of the elevation at every sample in m per km²: positive in hollows, negative on crests.
+/// Laplacian of the elevation at every sample in m per km²: positive in hollows, negative on
+/// crests.
 pub fn laplacians(input: &OverlayInput) -> Vec<f32> {
     let elevation = |i: u32| f64::from(input.surface.elevation(i as usize));
     let unit = 1000.0 / (input.planet.radius * input.planet.radius);
-    per_sample(input.mesh, |i| (fit(input.mesh, i, elevation).1 * unit) as f32)
+    per_sample(input.mesh, |i| {
+        (fit(input.mesh, i, elevation).1 * unit) as f32
+    })
 }
 
-pub(crate) fn per_sample<T: Send>(mesh: &SphereMesh, value: impl Fn(u32) -> T + Sync + Send) -> Vec<T> {
-    let parts = parallel::map_chunks(mesh.len(), |range| range.map(|i| value(i as u32)).collect::<Vec<T>>());
+pub(crate) fn per_sample<T: Send>(
+    mesh: &SphereMesh,
+    value: impl Fn(u32) -> T + Sync + Send,
+) -> Vec<T> {
+    let parts = parallel::map_chunks(mesh.len(), |range| {
+        range.map(|i| value(i as u32)).collect::<Vec<T>>()
+    });
     parts.into_iter().flatten().collect()
 }
 
@@ -47,7 +60,12 @@ pub(crate) fn fit(mesh: &SphereMesh, i: u32, value: impl Fn(u32) -> f64) -> (DVe
     let (mut xr, mut yr, mut rr, mut rz) = (0.0, 0.0, 0.0, 0.0);
     for &j in mesh.ring(i) {
         let d = mesh.point(j) - p;
-        let (x, y, r, z) = (d.dot(east), d.dot(north), d.length_squared(), value(j) - value(i));
+        let (x, y, r, z) = (
+            d.dot(east),
+            d.dot(north),
+            d.length_squared(),
+            value(j) - value(i),
+        );
         (xx, xy, yy) = (xx + x * x, xy + x * y, yy + y * y);
         (xz, yz, rz) = (xz + x * z, yz + y * z, rz + r * z);
         (xr, yr, rr) = (xr + x * r, yr + y * r, rr + r * r);
@@ -60,14 +78,25 @@ pub(crate) fn fit(mesh: &SphereMesh, i: u32, value: impl Fn(u32) -> f64) -> (DVe
     let (gx, gy) = plane(xz, yz);
     let (hx, hy) = plane(xr, yr);
     let spread = rr - xr * hx - yr * hy;
-    let curve = if spread > 1e-6 * rr { (rz - xr * gx - yr * gy) / spread } else { 0.0 };
-    (east * (gx - curve * hx) + north * (gy - curve * hy), 4.0 * curve)
+    let curve = if spread > 1e-6 * rr {
+        (rz - xr * gx - yr * gy) / spread
+    } else {
+        0.0
+    };
+    (
+        east * (gx - curve * hx) + north * (gy - curve * hy),
+        4.0 * curve,
+    )
 }
 
 /// East and north at the unit direction `p`; at a pole any two axes that fit.
 pub fn axes(p: DVec3) -> (DVec3, DVec3) {
     let across = DVec3::new(-p.y, p.x, 0.0);
-    let east = if across.length_squared() > 1e-24 { across.normalize() } else { math::any_tangent(p) };
+    let east = if across.length_squared() > 1e-24 {
+        across.normalize()
+    } else {
+        math::any_tangent(p)
+    };
     (east, p.cross(east))
 }
 
@@ -75,11 +104,15 @@ pub fn axes(p: DVec3) -> (DVec3, DVec3) {
 pub fn azimuth(p: DVec3, v: DVec3) -> f64 {
     let (east, north) = axes(p);
     let degrees = math::atan2(v.dot(east), v.dot(north)).to_degrees();
-    if degrees < 0.0 { degrees + 360.0 } else { degrees }
+    if degrees < 0.0 {
+        degrees + 360.0
+    } else {
+        degrees
+    }
 }
 
-/// Brightness of ground with the uphill `gradient` (km per km, exaggerated as wanted) under a sun in
-/// the north-west at 45 degrees; 1 on level ground.
+/// Brightness of ground with the uphill `gradient` (km per km, exaggerated as wanted) under a sun
+/// in the north-west at 45 degrees; 1 on level ground.
 pub fn shade(p: Vec3, gradient: Vec3) -> f32 {
     let (east, north) = axes(p.as_dvec3());
     let (gx, gy) = (gradient.dot(east.as_vec3()), gradient.dot(north.as_vec3()));
@@ -103,7 +136,10 @@ mod tests {
             let p = mesh.point(i);
             let expected = along - p * along.dot(p);
             let found = fit(&mesh, i, |j| mesh.point(j).dot(along)).0;
-            assert!((found - expected).length() < 1e-9, "{i}: {found} {expected}");
+            assert!(
+                (found - expected).length() < 1e-9,
+                "{i}: {found} {expected}"
+            );
             assert!(found.dot(p).abs() < 1e-9);
         }
     }
@@ -111,8 +147,9 @@ mod tests {
     #[test]
     fn laplacian_of_a_harmonic_is_its_eigenvalue() {
         let mesh = mesh();
-        // Spherical harmonics of degree 1 and 2 have the eigenvalues -2 and -6. The fit is exact for the first;
-        // rings that are longer in one direction see too much or too little of a saddle.
+        // Spherical harmonics of degree 1 and 2 have the eigenvalues -2 and -6. The fit is exact
+        // for the first; rings that are longer in one direction see too much or too little of a
+        // saddle.
         for i in 0..mesh.len() as u32 {
             let p = mesh.point(i);
             let one = fit(&mesh, i, |j| mesh.point(j).z).1;
@@ -122,8 +159,9 @@ mod tests {
         let mean: f64 = (0..mesh.len() as u32)
             .map(|i| fit(&mesh, i, |j| at(mesh.point(j).z)).1 * at(mesh.point(i).z) * mesh.area(i))
             .sum();
-        let norm: f64 =
-            (0..mesh.len() as u32).map(|i| at(mesh.point(i).z) * at(mesh.point(i).z) * mesh.area(i)).sum();
+        let norm: f64 = (0..mesh.len() as u32)
+            .map(|i| at(mesh.point(i).z) * at(mesh.point(i).z) * mesh.area(i))
+            .sum();
         assert!((mean / norm + 6.0).abs() < 1.0, "{}", mean / norm);
     }
 

@@ -1,5 +1,5 @@
-//! Rivers as lines along the edges of the base mesh, on maps as on globes: as wide as their order, in the colour of
-//! their order or of their discharge.
+//! Rivers as lines along the edges of the base mesh, on maps as on globes: as wide as their order,
+//! in the colour of their order or of their discharge.
 
 use super::map::Raster;
 use super::palette::{self, Rgba};
@@ -11,8 +11,8 @@ use crate::math;
 /// Lowest order of a river that is drawn.
 const LOWEST_ORDER: u8 = 2;
 
-/// Least discharge that has a line, m³/s as it would be on an Earth-sized planet: paler lines would be lighter than the
-/// shaded ground of a globe.
+/// Least discharge that has a line, m³/s as it would be on an Earth-sized planet: paler lines would
+/// be lighter than the shaded ground of a globe.
 const SMALLEST_LINE: f64 = 100.0;
 
 /// The colour of a river's order: the higher, the deeper and the darker.
@@ -48,17 +48,29 @@ pub(crate) fn stretches(overlay: Overlay, bake: &Bake) -> Vec<Stretch> {
     let drainage = &bake.drainage;
     let (color, least): (fn(&Drainage, usize) -> Rgba, f64) = match overlay {
         Overlay::Rivers => (|drainage, i| order_color(drainage.strahler[i]), 0.0),
-        Overlay::Drainage => {
-            (|drainage, i| ground::discharge_color(drainage.earth_like_discharge(i)), SMALLEST_LINE)
-        }
+        Overlay::Drainage => (
+            |drainage, i| ground::discharge_color(drainage.earth_like_discharge(i)),
+            SMALLEST_LINE,
+        ),
         _ => return Vec::new(),
     };
     let large = |i: usize| drainage.earth_like_discharge(i) >= least;
-    let drawn = drainage.routes.order.iter().filter(|&&i| is_drawn(bake, i as usize) && large(i as usize));
+    let drawn = drainage
+        .routes
+        .order
+        .iter()
+        .filter(|&&i| is_drawn(bake, i as usize) && large(i as usize));
     let stretch = |&i: &u32| {
-        let (to, order) = (drainage.routes.receiver[i as usize], drainage.strahler[i as usize]);
+        let (to, order) = (
+            drainage.routes.receiver[i as usize],
+            drainage.strahler[i as usize],
+        );
         let color = color(drainage, i as usize);
-        (to != NONE).then_some(Stretch { order, ends: [i, to], color })
+        (to != NONE).then_some(Stretch {
+            order,
+            ends: [i, to],
+            color,
+        })
     };
     let mut stretches: Vec<_> = drawn.filter_map(stretch).collect();
     stretches.sort_by_key(|stretch| stretch.order);

@@ -1,4 +1,5 @@
-//! What is switched and chosen, rather than measured: which processes run, and by which law ocean floor sinks.
+//! What is switched and chosen, rather than measured: which processes run, and by which law ocean
+//! floor sinks.
 
 use super::ParamError;
 use bevy::prelude::*;
@@ -86,7 +87,9 @@ impl ProcessSwitches {
 }
 
 /// How ocean floor sinks with age.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect, serde::Serialize, serde::Deserialize)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Reflect, serde::Serialize, serde::Deserialize,
+)]
 #[reflect(Default)]
 pub enum OceanFloor {
     /// It relaxes towards the elevation at which its crust floats.

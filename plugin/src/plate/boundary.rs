@@ -10,8 +10,8 @@ use rayon::prelude::*;
 /// Entry of [`Rim::index`] for samples that are on no rim.
 pub const INTERIOR: u32 = u32::MAX;
 
-/// The samples on the rims of all frames, in sample order, with what never changes while no frame gains or
-/// loses samples. Vectors are in lattice coordinates.
+/// The samples on the rims of all frames, in sample order, with what never changes while no frame
+/// gains or loses samples. Vectors are in lattice coordinates.
 #[derive(Component, Clone, Debug, Default)]
 pub struct Rim {
     /// The samples.
@@ -40,7 +40,10 @@ impl Rim {
                 part
             })
             .collect();
-        let mut rim = Self { length: mesh.spacing(), ..default() };
+        let mut rim = Self {
+            length: mesh.spacing(),
+            ..default()
+        };
         for (samples, normal) in parts {
             rim.samples.extend(samples);
             rim.normal.extend(normal);
@@ -53,12 +56,26 @@ impl Rim {
     }
 
     /// Renews the rims after the samples `changed`, in order, have gone to other frames.
-    pub fn renew(&mut self, mesh: &SphereMesh, frame: &[FrameId], frames: &Frames, changed: &[u32]) {
+    pub fn renew(
+        &mut self,
+        mesh: &SphereMesh,
+        frame: &[FrameId],
+        frames: &Frames,
+        changed: &[u32],
+    ) {
         let plate: Vec<_> = frames.iter().map(|frame| frame.plate).collect();
         // Amid others that went to the same frame nothing can change.
-        let amid = |i: u32| mesh.ring(i).iter().all(|&j| frame[j as usize] == frame[i as usize]);
-        let at_edge = changed.iter().filter(|&&i| self.index[i as usize] != INTERIOR || !amid(i));
-        let mut near: Vec<u32> = at_edge.flat_map(|&i| mesh.ring(i).iter().copied().chain([i])).collect();
+        let amid = |i: u32| {
+            mesh.ring(i)
+                .iter()
+                .all(|&j| frame[j as usize] == frame[i as usize])
+        };
+        let at_edge = changed
+            .iter()
+            .filter(|&&i| self.index[i as usize] != INTERIOR || !amid(i));
+        let mut near: Vec<u32> = at_edge
+            .flat_map(|&i| mesh.ring(i).iter().copied().chain([i]))
+            .collect();
         near.par_sort_unstable();
         near.dedup();
         let fresh = parallel::map_chunks(near.len(), |range| {
@@ -66,7 +83,9 @@ impl Rim {
             near[range].iter().filter_map(normal).collect::<Vec<_>>()
         });
         let mut fresh = fresh.into_iter().flatten().peekable();
-        let old = core::mem::take(&mut self.samples).into_iter().zip(core::mem::take(&mut self.normal));
+        let old = core::mem::take(&mut self.samples)
+            .into_iter()
+            .zip(core::mem::take(&mut self.normal));
         let mut near = near.into_iter().peekable();
         for (i, normal) in old {
             self.index[i as usize] = INTERIOR;
@@ -101,7 +120,12 @@ impl Rim {
 }
 
 /// The outward normal of sample `i`, if it has a neighbour on another plate.
-fn outward(mesh: &SphereMesh, frame: &[FrameId], plate: &[super::PlateId], i: u32) -> Option<DVec3> {
+fn outward(
+    mesh: &SphereMesh,
+    frame: &[FrameId],
+    plate: &[super::PlateId],
+    i: u32,
+) -> Option<DVec3> {
     let frame_of = |j: u32| frame[j as usize];
     if mesh.ring(i).iter().all(|&j| frame_of(j) == frame_of(i)) {
         return None;
@@ -118,7 +142,11 @@ fn outward(mesh: &SphereMesh, frame: &[FrameId], plate: &[super::PlateId], i: u3
     }
     let tangent = sum - p * sum.dot(p);
     // A sample alone among strangers has no outside: any direction serves.
-    found.then(|| tangent.try_normalize().unwrap_or_else(|| crate::math::any_tangent(p)))
+    found.then(|| {
+        tangent
+            .try_normalize()
+            .unwrap_or_else(|| crate::math::any_tangent(p))
+    })
 }
 
 #[cfg(test)]
@@ -135,7 +163,12 @@ mod tests {
         // Two frames of one plate: a sample between them is on no rim until one changes plate.
         let mut frames = Frames([0, 1, 2, 1].map(|id| Frame::at_rest(PlateId(id))).to_vec());
         let mut rim = Rim::new(&mesh, &frame, &frames);
-        for (at, to) in [(DVec3::X, 0), (DVec3::new(0.2, 0.1, 0.95), 5), (-DVec3::Y, 1), (DVec3::X, 1)] {
+        for (at, to) in [
+            (DVec3::X, 0),
+            (DVec3::new(0.2, 0.1, 0.95), 5),
+            (-DVec3::Y, 1),
+            (DVec3::X, 1),
+        ] {
             let id = frames.len() as FrameId;
             frames.push(Frame::at_rest(PlateId(to)));
             let disc = |i: &u32| mesh.point(*i).distance(at) < 0.3;
@@ -143,7 +176,10 @@ mod tests {
             changed.iter().for_each(|&i| frame[i as usize] = id);
             rim.renew(&mesh, &frame, &frames, &changed);
             let anew = Rim::new(&mesh, &frame, &frames);
-            assert_eq!((&rim.samples, &rim.normal, &rim.index), (&anew.samples, &anew.normal, &anew.index));
+            assert_eq!(
+                (&rim.samples, &rim.normal, &rim.index),
+                (&anew.samples, &anew.normal, &anew.index)
+            );
         }
     }
 }

@@ -1,12 +1,13 @@
-//! Where plates meet: every sample of a rim looks just beyond it (paper 000 §6, plate boundary tracking).
+//! Where plates meet: every sample of a rim looks just beyond it (paper 000 §6, plate boundary
+//! tracking).
 //!
-//! A sample of the rim probes the point three quarters of a sample's spacing outside. What it finds there,
-//! and the relative velocity, make the meeting: the plates converge (and one of them goes under), diverge,
-//! or slide. Moving triangles need not be intersected: a rim sample over another plate's crust, or about
-//! to be, is the intersection at the resolution of the lattice.
+//! A sample of the rim probes the point three quarters of a sample's spacing outside. What it finds
+//! there, and the relative velocity, make the meeting: the plates converge (and one of them goes
+//! under), diverge, or slide. Moving triangles need not be intersected: a rim sample over another
+//! plate's crust, or about to be, is the intersection at the resolution of the lattice.
 //!
-//! Policies. *Several plates at the probe*: the one on top of the others is met. *Triple junction*: each rim
-//! sample meets one plate, so each part of the junction has one polarity.
+//! Policies. *Several plates at the probe*: the one on top of the others is met. *Triple junction*:
+//! each rim sample meets one plate, so each part of the junction has one polarity.
 
 use super::boundary::Rim;
 use super::polarity::{Evidence, Pair, PolarityMemory, bin, pair};
@@ -23,8 +24,8 @@ use std::collections::BTreeMap;
 /// Slower than this in km/My plates neither converge nor diverge.
 pub const SLIDING: f64 = 2.0;
 
-/// Weight in My with which an ocean that goes under a continent speaks for the polarity of its segment: an island that
-/// arrives there goes the same way.
+/// Weight in My with which an ocean that goes under a continent speaks for the polarity of its
+/// segment: an island that arrives there goes the same way.
 const OCEAN_UNDER_CONTINENT: f64 = 200.0;
 
 /// What a rim sample does.
@@ -61,7 +62,8 @@ pub struct Contact {
     pub other_elevation: f32,
     /// Speed of approach along the rim's normal in km/My; negative where the plates part.
     pub approach: f32,
-    /// Angular velocity of the own plate relative to the other, in lattice coordinates of the own frame, in rad/My.
+    /// Angular velocity of the own plate relative to the other, in lattice coordinates of the own
+    /// frame, in rad/My.
     pub relative: DVec3,
 }
 
@@ -92,10 +94,17 @@ pub fn find_contacts(
     polarity: &mut PolarityMemory,
     hysteresis: f64,
 ) -> Contacts {
-    let spins: Vec<DVec3> =
-        input.frames.iter().map(|frame| input.plates.angular_velocity(frame.plate)).collect();
+    let spins: Vec<DVec3> = input
+        .frames
+        .iter()
+        .map(|frame| input.plates.angular_velocity(frame.plate))
+        .collect();
     let meet = |k| meet(input, rim, &spins, polarity, k);
-    let mut contacts: Vec<Contact> = (0..rim.len()).into_par_iter().with_min_len(256).map(meet).collect();
+    let mut contacts: Vec<Contact> = (0..rim.len())
+        .into_par_iter()
+        .with_min_len(256)
+        .map(meet)
+        .collect();
     polarity.update(&evidence(input, rim, &contacts), hysteresis);
     contacts
         .par_iter_mut()
@@ -105,10 +114,23 @@ pub fn find_contacts(
     Contacts(contacts)
 }
 
-/// What rim sample `k` meets; the role of converging plates is still open ([`Role::Overriding`] stands for both).
-/// `spins` are the frames' angular velocities in the world.
-fn meet(input: &ContactInput, rim: &Rim, spins: &[DVec3], polarity: &PolarityMemory, k: usize) -> Contact {
-    let &ContactInput { mesh, crust, frames, cover, radius, .. } = input;
+/// What rim sample `k` meets; the role of converging plates is still open ([`Role::Overriding`]
+/// stands for both). `spins` are the frames' angular velocities in the world.
+fn meet(
+    input: &ContactInput,
+    rim: &Rim,
+    spins: &[DVec3],
+    polarity: &PolarityMemory,
+    k: usize,
+) -> Contact {
+    let &ContactInput {
+        mesh,
+        crust,
+        frames,
+        cover,
+        radius,
+        ..
+    } = input;
     let sample = rim.samples[k];
     let id = crust.frame[sample as usize];
     let frame = &frames[usize::from(id)];
@@ -146,7 +168,12 @@ fn meet(input: &ContactInput, rim: &Rim, spins: &[DVec3], polarity: &PolarityMem
 
 /// Ages of ocean floors that meet, by pair and segment, summed in the order of the rim.
 fn evidence(input: &ContactInput, rim: &Rim, contacts: &[Contact]) -> Vec<((Pair, u16), Evidence)> {
-    let &ContactInput { mesh, crust, frames, .. } = input;
+    let &ContactInput {
+        mesh,
+        crust,
+        frames,
+        ..
+    } = input;
     let seen = parallel::map_chunks(contacts.len(), |range| {
         let meeting = |k: usize| {
             let (i, contact) = (rim.samples[k] as usize, &contacts[k]);
@@ -156,14 +183,18 @@ fn evidence(input: &ContactInput, rim: &Rim, contacts: &[Contact]) -> Vec<((Pair
                 (true, true) => [0.0; 2],
                 (true, false) => [0.0, OCEAN_UNDER_CONTINENT],
                 (false, true) => [OCEAN_UNDER_CONTINENT, 0.0],
-                (false, false) => {
-                    [f64::from(crust.ocean_age[i]), f64::from(crust.ocean_age[contact.sample as usize])]
-                }
+                (false, false) => [
+                    f64::from(crust.ocean_age[i]),
+                    f64::from(crust.ocean_age[contact.sample as usize]),
+                ],
             };
             let age = if swapped { [age[1], age[0]] } else { age };
             ((pair, bin(frame.to_world(mesh.points()[i]))), age)
         };
-        range.filter(|&k| contacts[k].role == Role::Overriding).map(meeting).collect::<Vec<_>>()
+        range
+            .filter(|&k| contacts[k].role == Role::Overriding)
+            .map(meeting)
+            .collect::<Vec<_>>()
     });
     let mut found: BTreeMap<(Pair, u16), Evidence> = BTreeMap::new();
     let seen: Vec<_> = seen.concat();
@@ -180,13 +211,28 @@ fn evidence(input: &ContactInput, rim: &Rim, contacts: &[Contact]) -> Vec<((Pair
 }
 
 /// Decides which of two converging plates goes under.
-fn decide(input: &ContactInput, rim: &Rim, polarity: &PolarityMemory, k: usize, contact: &mut Contact) {
+fn decide(
+    input: &ContactInput,
+    rim: &Rim,
+    polarity: &PolarityMemory,
+    k: usize,
+    contact: &mut Contact,
+) {
     if contact.role != Role::Overriding {
         return;
     }
-    let &ContactInput { mesh, crust, frames, .. } = input;
+    let &ContactInput {
+        mesh,
+        crust,
+        frames,
+        ..
+    } = input;
     let i = rim.samples[k] as usize;
-    let own = if crust.is_continental(i) { CrustKind::Continental } else { CrustKind::Oceanic };
+    let own = if crust.is_continental(i) {
+        CrustKind::Continental
+    } else {
+        CrustKind::Oceanic
+    };
     let frame = &frames[usize::from(crust.frame[i])];
     let goes_under = match (own, contact.other_continental) {
         (CrustKind::Continental, false) => false,

@@ -1,4 +1,5 @@
-//! Initial crust: continents with shelves and old worn belts, and an ocean floor that knows its age.
+//! Initial crust: continents with shelves and old worn belts, and an ocean floor that knows its
+//! age.
 //!
 //! ```text
 //! lobes      which plates carry continents, and discs that make their rough shapes
@@ -14,7 +15,8 @@
 //!
 //! Policies:
 //! - Land share is met to a fraction of a sample, unless discs are given: they say what is land.
-//! - Continental crust reaches below the sea until it covers [`CONTINENTAL_PER_LAND`] times the land.
+//! - Continental crust reaches below the sea until it covers [`CONTINENTAL_PER_LAND`] times the
+//!   land.
 //! - Distances are in km, but shrink with planets smaller than Earth, and are never so short that
 //!   samples could not show them.
 
@@ -85,7 +87,11 @@ fn fold_belts(crust: &mut Crust, mesh: &SphereMesh, relief: &Relief, coast: &[f6
         range.filter_map(belt).collect::<Vec<_>>()
     });
     for (i, belt) in belts.into_iter().flatten() {
-        crust.orogeny[i] = if belt.collision { Orogeny::Himalayan } else { Orogeny::Andean };
+        crust.orogeny[i] = if belt.collision {
+            Orogeny::Himalayan
+        } else {
+            Orogeny::Andean
+        };
         crust.orogeny_age[i] = belt.age as f32;
         crust.fold[i] = belt.fold.as_vec3();
     }

@@ -20,8 +20,8 @@ pub use motion::{PlateMotion, PlateRow, PlateTable};
 
 use bevy::prelude::*;
 
-/// The stable number of a plate. Everything that must not depend on the order of entities goes by it.
-/// Numbers are never used twice on one planet.
+/// The stable number of a plate. Everything that must not depend on the order of entities goes by
+/// it. Numbers are never used twice on one planet.
 #[derive(
     Component,
     Clone,

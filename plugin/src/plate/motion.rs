@@ -16,12 +16,22 @@ pub struct PlateMotion {
 
 impl PlateMotion {
     /// A plate at rest.
-    pub const REST: Self = Self { axis: DVec3::Z, speed: 0.0 };
+    pub const REST: Self = Self {
+        axis: DVec3::Z,
+        speed: 0.0,
+    };
 
     /// The motion with the angular velocity `omega` in rad/My.
     pub fn from_angular_velocity(omega: DVec3) -> Self {
         let speed = omega.length();
-        if speed > 1e-12 { Self { axis: omega / speed, speed } } else { Self::REST }
+        if speed > 1e-12 {
+            Self {
+                axis: omega / speed,
+                speed,
+            }
+        } else {
+            Self::REST
+        }
     }
 
     /// Angular velocity omega w in rad/My.
@@ -36,7 +46,10 @@ impl PlateMotion {
 
     /// The same motion slowed so that no point exceeds `limit` rad/My.
     pub fn limited(&self, limit: f64) -> Self {
-        Self { axis: self.axis, speed: self.speed.min(limit) }
+        Self {
+            axis: self.axis,
+            speed: self.speed.min(limit),
+        }
     }
 }
 
@@ -84,6 +97,7 @@ impl PlateTable {
 
     /// Angular velocity of a plate in rad/My; zero for a plate that is gone.
     pub fn angular_velocity(&self, id: PlateId) -> DVec3 {
-        self.get(id).map_or(DVec3::ZERO, |row| row.motion.angular_velocity())
+        self.get(id)
+            .map_or(DVec3::ZERO, |row| row.motion.angular_velocity())
     }
 }

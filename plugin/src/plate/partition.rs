@@ -29,8 +29,8 @@ use bevy::math::DVec3;
 /// block is compact.
 const BLOCK: usize = 128;
 
-/// Longest displacement by an octave relative to its amplitude. Few are longer; a short limit lets most
-/// samples do without the finer octaves.
+/// Longest displacement by an octave relative to its amplitude. Few are longer; a short limit lets
+/// most samples do without the finer octaves.
 const LONGEST: f64 = 0.65;
 
 /// Most octaves of a border's warp.
@@ -38,9 +38,12 @@ const MAX_OCTAVES: i32 = 7;
 
 /// The motions of the initial plates and the plate of every sample.
 ///
-/// `recipe` is valid ([`PlanetRecipe::validate`]). Plate k is the k-th of `recipe.plates`, or one of
-/// `recipe.plate_count` random ones, the largest first.
-pub fn initial_plates(recipe: &PlanetRecipe, mesh: &SphereMesh) -> (Vec<PlateMotion>, Vec<FrameId>) {
+/// `recipe` is valid ([`PlanetRecipe::validate`]). Plate k is the k-th of `recipe.plates`, or one
+/// of `recipe.plate_count` random ones, the largest first.
+pub fn initial_plates(
+    recipe: &PlanetRecipe,
+    mesh: &SphereMesh,
+) -> (Vec<PlateMotion>, Vec<FrameId>) {
     let sites = sites(recipe);
     let centroids: Vec<_> = sites.iter().map(|site| site.centroid).collect();
     let weights: Vec<_> = sites.iter().map(|site| site.weight).collect();
@@ -56,9 +59,9 @@ pub fn initial_plates(recipe: &PlanetRecipe, mesh: &SphereMesh) -> (Vec<PlateMot
 /// The index of the nearest centroid of each of `samples`, with warped distances.
 ///
 /// `weights` (chord lengths, missing ones are 0) extend a centroid's cell: a border lies where the
-/// distances less the weights are equal. `warp` is the amplitude of the warp relative to the distance
-/// of the centroids, 0 for plain cells. Sorted samples are fastest. Cells may have stray pieces;
-/// [`keep_connected`] removes them.
+/// distances less the weights are equal. `warp` is the amplitude of the warp relative to the
+/// distance of the centroids, 0 for plain cells. Sorted samples are fastest. Cells may have stray
+/// pieces; [`keep_connected`] removes them.
 pub fn warped_voronoi(
     mesh: &SphereMesh,
     samples: &[u32],
@@ -104,24 +107,48 @@ struct Cells<'a> {
 }
 
 impl<'a> Cells<'a> {
-    fn new(mesh: &SphereMesh, centroids: &[DVec3], weights: &[f64], noise: &'a Noise, warp: f64) -> Self {
+    fn new(
+        mesh: &SphereMesh,
+        centroids: &[DVec3],
+        weights: &[f64],
+        noise: &'a Noise,
+        warp: f64,
+    ) -> Self {
         let cell = |(k, &centroid): (usize, &DVec3)| {
             let weight = weights.get(k).copied().unwrap_or(0.0);
-            Cell { index: k as u16, centroid, weight }
+            Cell {
+                index: k as u16,
+                centroid,
+                weight,
+            }
         };
         let spacing = mean_spacing(centroids);
         let frequency = 0.9 / spacing;
         // Octaves finer than the samples would only make specks.
         let finest = 0.3 / mesh.spacing();
         let resolved = |octave: &i32| frequency * f64::from(1 << octave) <= finest;
-        let octaves = if warp > 0.0 { (0..MAX_OCTAVES).take_while(resolved).count() as i32 } else { 0 };
+        let octaves = if warp > 0.0 {
+            (0..MAX_OCTAVES).take_while(resolved).count() as i32
+        } else {
+            0
+        };
         let cells = centroids.iter().enumerate().map(cell).collect();
-        Self { cells, noise, amplitude: 2.0 * warp * spacing, frequency, octaves }
+        Self {
+            cells,
+            noise,
+            amplitude: 2.0 * warp * spacing,
+            frequency,
+            octaves,
+        }
     }
 
     /// How far octaves from `octave` on can displace a sample.
     fn reach(&self, octave: i32) -> f64 {
-        if octave < self.octaves { 2.0 * LONGEST * self.amplitude / f64::from(1 << octave) } else { 0.0 }
+        if octave < self.octaves {
+            2.0 * LONGEST * self.amplitude / f64::from(1 << octave)
+        } else {
+            0.0
+        }
     }
 
     /// The centroids that can own any sample of a block.
@@ -129,9 +156,17 @@ impl<'a> Cells<'a> {
         let points = block.iter().map(|&i| mesh.point(i));
         let middle = points.clone().sum::<DVec3>() / block.len() as f64;
         let radius = points.map(|p| (p - middle).length()).fold(0.0, f64::max) + self.reach(0);
-        let nearest = self.cells.iter().map(|c| c.distance(middle)).fold(f64::INFINITY, f64::min);
+        let nearest = self
+            .cells
+            .iter()
+            .map(|c| c.distance(middle))
+            .fold(f64::INFINITY, f64::min);
         let limit = nearest + 2.0 * radius + 1e-9;
-        self.cells.iter().filter(|c| c.distance(middle) <= limit).copied().collect()
+        self.cells
+            .iter()
+            .filter(|c| c.distance(middle) <= limit)
+            .copied()
+            .collect()
     }
 
     /// The centroid among `near` that owns the sample at `p`.
@@ -173,16 +208,24 @@ fn closest(p: DVec3, near: &[Cell]) -> (u16, f64) {
 fn mean_spacing(centroids: &[DVec3]) -> f64 {
     let nearest = |a: usize| {
         let others = (0..centroids.len()).filter(|&b| b != a);
-        others.map(|b| (centroids[a] - centroids[b]).length()).fold(f64::INFINITY, f64::min)
+        others
+            .map(|b| (centroids[a] - centroids[b]).length())
+            .fold(f64::INFINITY, f64::min)
     };
     let mean = (0..centroids.len()).map(nearest).sum::<f64>() / centroids.len() as f64;
-    if mean.is_finite() { mean.max(1e-4) } else { 1.0 }
+    if mean.is_finite() {
+        mean.max(1e-4)
+    } else {
+        1.0
+    }
 }
 
 /// Gives each plate without a sample the nearest one to its centroid that another plate can spare.
 fn seed_empty(mesh: &SphereMesh, centroids: &[DVec3], owner: &mut [u16]) {
     let mut count = vec![0_u32; centroids.len()];
-    owner.iter().for_each(|&plate| count[usize::from(plate)] += 1);
+    owner
+        .iter()
+        .for_each(|&plate| count[usize::from(plate)] += 1);
     for (plate, &centroid) in centroids.iter().enumerate() {
         if count[plate] > 0 {
             continue;

@@ -1,11 +1,13 @@
 //! Which of two plates goes under, with a memory, so that a front does not flicker.
 //!
-//! Where the kinds of crust differ the ocean goes under, and nothing need be remembered. Between equal
-//! kinds the decision is kept per pair of plates and *segment* of their front: the part of it in one of
-//! 384 bins of the world, about 1000 km across. A new segment takes over what most segments of the pair
-//! decided; the first decides by age: the older ocean floor goes under, and between continents the plate
-//! with the smaller number overrides. A segment turns over when its mean ages speak against it by more than
-//! [`TectonicParams::polarity_hysteresis`](crate::params::TectonicParams), and not within [`HOLD`] steps of the last turn.
+//! Where the kinds of crust differ the ocean goes under, and nothing need be remembered. Between
+//! equal kinds the decision is kept per pair of plates and *segment* of their front: the part of it
+//! in one of 384 bins of the world, about 1000 km across. A new segment takes over what most
+//! segments of the pair decided; the first decides by age: the older ocean floor goes under, and
+//! between continents the plate with the smaller number overrides. A segment turns over when its
+//! mean ages speak against it by more than
+//! [`TectonicParams::polarity_hysteresis`](crate::params::TectonicParams), and not within [`HOLD`]
+//! steps of the last turn.
 
 use super::PlateId;
 use crate::crust::bins::CubeGrid;
@@ -54,7 +56,11 @@ pub fn bin(p: DVec3) -> u16 {
 
 /// The pair of two plates, and whether the first argument is its second member.
 pub fn pair(a: PlateId, b: PlateId) -> (Pair, bool) {
-    if a <= b { ((a, b), false) } else { ((b, a), true) }
+    if a <= b {
+        ((a, b), false)
+    } else {
+        ((b, a), true)
+    }
 }
 
 impl PolarityMemory {
@@ -67,7 +73,10 @@ impl PolarityMemory {
 
     /// The decision about one segment.
     fn segment(&self, pair: Pair, bin: u16) -> Option<bool> {
-        let at = self.0.binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin)).ok()?;
+        let at = self
+            .0
+            .binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin))
+            .ok()?;
         Some(self.0[at].first_under)
     }
 
@@ -87,7 +96,10 @@ impl PolarityMemory {
         for &((pair, bin), seen) in evidence {
             let count = f64::from(seen.count.max(1));
             let excess = (seen.age[0] - seen.age[1]) / count;
-            match self.0.binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin)) {
+            match self
+                .0
+                .binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin))
+            {
                 Ok(at) => {
                     let segment = &mut self.0[at];
                     segment.held = segment.held.saturating_add(1);
@@ -99,7 +111,12 @@ impl PolarityMemory {
                 }
                 Err(_) => {
                     let first_under = self.majority(pair).unwrap_or(excess > 0.0);
-                    fresh.push(Segment { pair, bin, first_under, held: 0 });
+                    fresh.push(Segment {
+                        pair,
+                        bin,
+                        first_under,
+                        held: 0,
+                    });
                 }
             }
         }
@@ -129,15 +146,25 @@ mod tests {
         let mut memory = PolarityMemory::default();
         assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), None);
         memory.update(&[(key, seen([80.0, 60.0]))], 15.0);
-        assert_eq!(memory.under(PlateId(4), PlateId(1), DVec3::X), Some(PlateId(1)));
+        assert_eq!(
+            memory.under(PlateId(4), PlateId(1), DVec3::X),
+            Some(PlateId(1))
+        );
         for flicker in [50.0, 100.0, 46.0, 74.0] {
             memory.update(&[(key, seen([flicker, 60.0]))], 15.0);
-            assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), Some(PlateId(1)), "{flicker}");
+            assert_eq!(
+                memory.under(PlateId(1), PlateId(4), DVec3::X),
+                Some(PlateId(1)),
+                "{flicker}"
+            );
         }
         for _ in 0..HOLD {
             memory.update(&[(key, seen([44.0, 60.0]))], 15.0);
         }
-        assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), Some(PlateId(4)));
+        assert_eq!(
+            memory.under(PlateId(1), PlateId(4), DVec3::X),
+            Some(PlateId(4))
+        );
     }
 
     #[test]

@@ -15,8 +15,8 @@ struct Sums {
     moment: DVec3,
 }
 
-/// Statistics of a choice of plates, as pairs of plate number and statistics in the order of plate numbers.
-/// A plate of several frames has one entry. `radius` is in km.
+/// Statistics of a choice of plates, as pairs of plate number and statistics in the order of plate
+/// numbers. A plate of several frames has one entry. `radius` is in km.
 pub fn plate_stats(
     mesh: &SphereMesh,
     crust: &Crust,
@@ -67,7 +67,9 @@ pub fn plate_stats(
             sum.moment += frame.to_world(part.moment);
         }
     }
-    out.into_iter().map(|(id, sum)| (id, finish(sum, radius))).collect()
+    out.into_iter()
+        .map(|(id, sum)| (id, finish(sum, radius)))
+        .collect()
 }
 
 fn finish(sum: Sums, radius: f64) -> PlateStats {
@@ -75,8 +77,16 @@ fn finish(sum: Sums, radius: f64) -> PlateStats {
     PlateStats {
         samples: sum.samples,
         area: sum.area * radius * radius,
-        continental: if sum.area > 0.0 { sum.continental / sum.area } else { 0.0 },
-        ocean_age: if ocean > 1e-9 { sum.ocean_age / ocean } else { 0.0 },
+        continental: if sum.area > 0.0 {
+            sum.continental / sum.area
+        } else {
+            0.0
+        },
+        ocean_age: if ocean > 1e-9 {
+            sum.ocean_age / ocean
+        } else {
+            0.0
+        },
         centroid: sum.moment.try_normalize().unwrap_or(DVec3::Z),
     }
 }

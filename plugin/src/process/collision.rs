@@ -6,12 +6,14 @@
 //! f' = (n x (p - q)/|p - q|) x n
 //! ```
 //!
-//! *Trigger*: continents of two plates overlap by 300 km, measured along their relative motion from the rim of
-//! either plate backwards; half of that in a step that ends with a resample, which would resolve the overlap. *Who moves*: the smaller of the two terranes takes a new frame owned by the
-//! other's plate, with the rotation that it has; no resample is forced. *Distance*: d is measured from the
-//! overlap, on both sides of the suture; measured from the whole terrane, as printed, a continent that collides
-//! would become one plateau. *Small islands*, below [`TectonicParams::terrane_min_area`], do not break off: they
-//! are forced down, and booked as such when the crust is resampled. Only continental crust surges.
+//! *Trigger*: continents of two plates overlap by 300 km, measured along their relative motion from
+//! the rim of either plate backwards; half of that in a step that ends with a resample, which would
+//! resolve the overlap. *Who moves*: the smaller of the two terranes takes a new frame owned by the
+//! other's plate, with the rotation that it has; no resample is forced. *Distance*: d is measured
+//! from the overlap, on both sides of the suture; measured from the whole terrane, as printed, a
+//! continent that collides would become one plateau. *Small islands*, below
+//! [`TectonicParams::terrane_min_area`], do not break off: they are forced down, and booked as such
+//! when the crust is resampled. Only continental crust surges.
 //!
 //! Reads: contacts, crust. Writes: frames, elevation, thickness, fold, orogeny.
 
@@ -38,7 +40,10 @@ pub struct CollisionPlugin;
 
 impl Plugin for CollisionPlugin {
     fn build(&self, app: &mut App) {
-        app.add_systems(TectonicStep, collision.in_set(TectonicSystems::Process(Stage::Collision)));
+        app.add_systems(
+            TectonicStep,
+            collision.in_set(TectonicSystems::Process(Stage::Collision)),
+        );
     }
 }
 
@@ -59,7 +64,15 @@ struct Scene<'a> {
 pub fn collision(
     plates: PlateAccess,
     mut planets: Query<(
-        (&Planet, &Lattice, &TectonicParams, &GeologicClock, &Rim, &Contacts, &CoverIndex),
+        (
+            &Planet,
+            &Lattice,
+            &TectonicParams,
+            &GeologicClock,
+            &Rim,
+            &Contacts,
+            &CoverIndex,
+        ),
         (&mut Crust, &mut Frames, &mut Ledger),
     )>,
     mut commands: Commands,
@@ -80,14 +93,25 @@ pub fn collision(
     // A resample resolves overlaps: what is half way to a collision would never become one.
     let last_chance = crate::resample::due(params, clock, &table, planet.radius, frames.len());
     let trigger = params.collision_trigger / planet.radius * if last_chance { 0.5 } else { 1.0 };
-    let scene = Scene { planet, mesh, params, rim, contacts, cover, plates: table, trigger };
+    let scene = Scene {
+        planet,
+        mesh,
+        params,
+        rim,
+        contacts,
+        cover,
+        plates: table,
+        trigger,
+    };
     let mut moved = Moved::default();
     let mut scratch = Scratch::default();
     for at in scene.overlaps(&meeting, &crust, &frames) {
         let found = scene.collide(at, &mut crust, &mut frames, &mut ledger, &mut scratch);
         if let Some((mut event, frame, terrane)) = found {
             event.planet = plates.planet();
-            moved.frames.extend([crust.frame[terrane[0] as usize], frame]);
+            moved
+                .frames
+                .extend([crust.frame[terrane[0] as usize], frame]);
             moved.samples.extend(terrane);
             commands.trigger(event);
         }
@@ -112,13 +136,24 @@ fn meeting_continents(rim: &Rim, contacts: &Contacts, crust: &Crust) -> Vec<usiz
 }
 
 impl Scene<'_> {
-    /// The first place of every pair of frames where continents overlap by the trigger, in the order of the rim.
+    /// The first place of every pair of frames where continents overlap by the trigger, in the
+    /// order of the rim.
     fn overlaps(&self, meeting: &[usize], crust: &Crust, frames: &Frames) -> Vec<usize> {
-        let deep = |k: usize| self.overlaps_by(k, self.trigger, crust, frames).then_some(k);
-        let found: Vec<usize> = meeting.par_iter().with_min_len(64).filter_map(|&k| deep(k)).collect();
+        let deep = |k: usize| {
+            self.overlaps_by(k, self.trigger, crust, frames)
+                .then_some(k)
+        };
+        let found: Vec<usize> = meeting
+            .par_iter()
+            .with_min_len(64)
+            .filter_map(|&k| deep(k))
+            .collect();
         let mut pairs: Vec<(FrameId, FrameId)> = Vec::new();
         let first = |&k: &usize| {
-            let pair = (crust.frame[self.rim.samples[k] as usize], self.contacts.0[k].frame);
+            let pair = (
+                crust.frame[self.rim.samples[k] as usize],
+                self.contacts.0[k].frame,
+            );
             let new = !pairs.contains(&pair);
             if new {
                 pairs.push(pair);
@@ -128,14 +163,16 @@ impl Scene<'_> {
         found.into_iter().filter(first).collect()
     }
 
-    /// Whether the other plate's continent lies under rim sample `k` and for `length` radians behind it, against
-    /// the relative motion; seen in steps of half a sample.
+    /// Whether the other plate's continent lies under rim sample `k` and for `length` radians
+    /// behind it, against the relative motion; seen in steps of half a sample.
     fn overlaps_by(&self, k: usize, length: f64, crust: &Crust, frames: &Frames) -> bool {
         let contact = &self.contacts.0[k];
         let sample = self.rim.samples[k];
         let frame = &frames[usize::from(crust.frame[sample as usize])];
         let p = self.mesh.point(sample);
-        let Some(forward) = contact.relative.cross(p).try_normalize() else { return false };
+        let Some(forward) = contact.relative.cross(p).try_normalize() else {
+            return false;
+        };
         let stride = 0.5 * self.mesh.spacing();
         // The far end first: most overlaps are short.
         (0..=(length / stride) as usize).rev().all(|step| {
@@ -146,8 +183,9 @@ impl Scene<'_> {
         })
     }
 
-    /// Carries out one collision at the rim's sample number `at`, if both terranes still stand where they were found and
-    /// are large enough. Returns also the frame that the terrane left, and its samples.
+    /// Carries out one collision at the rim's sample number `at`, if both terranes still stand
+    /// where they were found and are large enough. Returns also the frame that the terrane left,
+    /// and its samples.
     fn collide(
         &self,
         at: usize,
@@ -174,8 +212,8 @@ impl Scene<'_> {
         let (from, to) = (ids[mover], ids[1 - mover]);
         let at = frames[usize::from(ids[0])].to_world(self.mesh.point(above));
         let centroid = self.centroid(&terrane, &frames[usize::from(from)]);
-        let relative =
-            self.plates.angular_velocity(frames.plate(from)) - self.plates.angular_velocity(frames.plate(to));
+        let relative = self.plates.angular_velocity(frames.plate(from))
+            - self.plates.angular_velocity(frames.plate(to));
         let speed = relative.cross(centroid).length() * self.planet.radius;
         let surge = Surge::new(self.params, self.planet.radius, area, speed);
         let seeds = self.suture(&terrane, crust, frames, from, to, start, mover);
@@ -183,7 +221,11 @@ impl Scene<'_> {
             let q = frames[usize::from(id)].to_lattice(centroid);
             let reached = self.spread_on(crust, id, &seeds[side], surge.radius, scratch);
             let volume = surge.raise(self.mesh, crust, &reached, q);
-            ledger.book(Cause::CollisionUplift, 0.0, volume * self.planet.radius * self.planet.radius);
+            ledger.book(
+                Cause::CollisionUplift,
+                0.0,
+                volume * self.planet.radius * self.planet.radius,
+            );
         }
         let event = TerraneCollided {
             planet: Entity::PLACEHOLDER,
@@ -203,7 +245,10 @@ impl Scene<'_> {
     }
 
     fn centroid(&self, samples: &[u32], frame: &Frame) -> DVec3 {
-        let sum: DVec3 = samples.iter().map(|&i| self.mesh.point(i) * self.mesh.area(i)).sum();
+        let sum: DVec3 = samples
+            .iter()
+            .map(|&i| self.mesh.point(i) * self.mesh.area(i))
+            .sum();
         frame.to_world(sum.try_normalize().unwrap_or(DVec3::Z))
     }
 
@@ -225,7 +270,9 @@ impl Scene<'_> {
             .filter_map(|&i| {
                 let p = frame.to_world(self.mesh.point(i));
                 let hit = self.cover.hit(self.mesh, crust, to, p)?;
-                crust.is_continental(hit.sample as usize).then_some((i, hit.sample))
+                crust
+                    .is_continental(hit.sample as usize)
+                    .then_some((i, hit.sample))
             })
             .collect();
         let mut own: Vec<u32> = pairs.iter().map(|pair| pair.0).collect();
@@ -274,7 +321,11 @@ impl Surge {
         let highest = params.collision_surge_max;
         Self {
             radius: params.collision_distance * params.collision_reach * share / planet_radius,
-            height: if printed > 0.0 { printed * highest / (printed + highest) } else { 0.0 },
+            height: if printed > 0.0 {
+                printed * highest / (printed + highest)
+            } else {
+                0.0
+            },
             ceiling: params.summit_elevation as f32,
             isostasy: Isostasy::new(params),
         }
@@ -287,7 +338,8 @@ impl Surge {
         y * y
     }
 
-    /// Raises what was reached, around the centroid `q`. Returns the gain of volume in km per steradian.
+    /// Raises what was reached, around the centroid `q`. Returns the gain of volume in km per
+    /// steradian.
     fn raise(&self, mesh: &SphereMesh, crust: &mut Crust, reached: &Reached, q: DVec3) -> f64 {
         let mut volume = 0.0;
         for (&i, &d) in reached.samples.iter().zip(&reached.distance) {
@@ -312,8 +364,9 @@ impl Surge {
     }
 }
 
-/// The smaller of two terranes, each the connected continental samples of one frame around its start: which of the two,
-/// and its samples in order. Both are flooded in turns of equal size until one is complete.
+/// The smaller of two terranes, each the connected continental samples of one frame around its
+/// start: which of the two, and its samples in order. Both are flooded in turns of equal size until
+/// one is complete.
 pub fn smaller_terrane(mesh: &SphereMesh, crust: &Crust, start: [u32; 2]) -> (usize, Vec<u32>) {
     const TURN: usize = 256;
     let mut seen = vec![false; mesh.len()];
@@ -346,7 +399,11 @@ pub fn smaller_terrane(mesh: &SphereMesh, crust: &Crust, start: [u32; 2]) -> (us
 fn reframe(crust: &mut Crust, frames: &mut Frames, samples: &[u32], from: FrameId, to: PlateId) {
     let id = frames.len() as FrameId;
     let rotation = frames[usize::from(from)].rotation;
-    frames.push(Frame { plate: to, rotation, terrane: true });
+    frames.push(Frame {
+        plate: to,
+        rotation,
+        terrane: true,
+    });
     for &i in samples {
         crust.frame[i as usize] = id;
     }
@@ -361,16 +418,23 @@ mod tests {
         let params = TectonicParams::default();
         let average = params.plate_share * 4.0 * crate::math::PI * 6370.0 * 6370.0;
         let full = Surge::new(&params, 6370.0, average, params.max_speed);
-        assert!((full.radius * 6370.0 - params.collision_distance * params.collision_reach).abs() < 1e-6);
+        assert!(
+            (full.radius * 6370.0 - params.collision_distance * params.collision_reach).abs()
+                < 1e-6
+        );
         let quarter = Surge::new(&params, 6370.0, 0.25 * average, params.max_speed);
         assert!((quarter.radius / full.radius - 0.5).abs() < 1e-12);
         let beyond = Surge::new(&params, 6370.0, 100.0 * average, params.max_speed);
         assert_eq!(beyond.radius, full.radius);
         assert!(
-            beyond.height < params.collision_surge_max && beyond.height > 0.9 * params.collision_surge_max
+            beyond.height < params.collision_surge_max
+                && beyond.height > 0.9 * params.collision_surge_max
         );
         let island = Surge::new(&params, 6370.0, 1e4, params.max_speed);
-        assert!((island.height / 0.13 - 1.0).abs() < 0.05, "small terranes surge by the printed coefficient");
+        assert!(
+            (island.height / 0.13 - 1.0).abs() < 0.05,
+            "small terranes surge by the printed coefficient"
+        );
         assert_eq!(full.profile(0.0), 1.0);
         assert_eq!(full.profile(full.radius), 0.0);
         assert!((full.profile(0.5 * full.radius) - 0.5625).abs() < 1e-12);

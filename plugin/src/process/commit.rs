@@ -35,11 +35,21 @@ pub fn commit(
     )>,
     mut commands: Commands,
 ) {
-    let Ok((input, (mut clock, mut ledger))) = planets.get_mut(current.0) else { return };
+    let Ok((input, (mut clock, mut ledger))) = planets.get_mut(current.0) else {
+        return;
+    };
     let (planet, lattice, params, crust, resampling) = input;
     ledger.check(measure(crust, lattice, planet.radius));
     clock.step += 1;
     clock.time += params.time_step;
-    clock.since_resample = if resampling.done { 0 } else { clock.since_resample + 1 };
-    commands.trigger(StepCompleted { planet: current.0, step: clock.step, time: clock.time });
+    clock.since_resample = if resampling.done {
+        0
+    } else {
+        clock.since_resample + 1
+    };
+    commands.trigger(StepCompleted {
+        planet: current.0,
+        step: clock.step,
+        time: clock.time,
+    });
 }

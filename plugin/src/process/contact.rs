@@ -18,7 +18,10 @@ pub struct ContactPlugin;
 
 impl Plugin for ContactPlugin {
     fn build(&self, app: &mut App) {
-        app.add_systems(TectonicStep, contact.in_set(TectonicSystems::Process(Stage::Contact)));
+        app.add_systems(
+            TectonicStep,
+            contact.in_set(TectonicSystems::Process(Stage::Contact)),
+        );
     }
 }
 
@@ -30,13 +33,20 @@ pub fn contact(
         (&mut CoverIndex, &mut Contacts, &mut PolarityMemory),
     )>,
 ) {
-    let Ok((input, (mut cover, mut contacts, mut polarity))) = planets.get_mut(plates.planet()) else {
+    let Ok((input, (mut cover, mut contacts, mut polarity))) = planets.get_mut(plates.planet())
+    else {
         return;
     };
     let (planet, lattice, params, crust, frames, rim) = input;
     cover.turn(frames);
     let table = plates.table();
-    let input =
-        ContactInput { mesh: lattice, crust, frames, cover: &cover, plates: &table, radius: planet.radius };
+    let input = ContactInput {
+        mesh: lattice,
+        crust,
+        frames,
+        cover: &cover,
+        plates: &table,
+        radius: planet.radius,
+    };
     *contacts = find_contacts(&input, rim, &mut polarity, params.polarity_hysteresis);
 }

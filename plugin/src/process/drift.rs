@@ -21,14 +21,18 @@ impl Plugin for DriftPlugin {
     fn build(&self, app: &mut App) {
         app.add_systems(
             TectonicStep,
-            (drift, drift_centroids).chain().in_set(TectonicSystems::Process(Stage::Drift)),
+            (drift, drift_centroids)
+                .chain()
+                .in_set(TectonicSystems::Process(Stage::Drift)),
         );
     }
 }
 
 /// Rotates the frames of the current planet by one time step.
 pub fn drift(plates: PlateAccess, mut planets: Query<(&TectonicParams, &mut Frames)>) {
-    let Ok((params, mut frames)) = planets.get_mut(plates.planet()) else { return };
+    let Ok((params, mut frames)) = planets.get_mut(plates.planet()) else {
+        return;
+    };
     if params.processes.drift {
         let table = plates.table();
         for frame in frames.iter_mut() {
@@ -43,7 +47,9 @@ fn drift_centroids(
     planets: Query<(&TectonicParams, &crate::plate::Plates)>,
     mut plates: Query<(&PlateMotion, &mut PlateStats), With<PlateId>>,
 ) {
-    let Ok((params, of_planet)) = planets.get(current.0) else { return };
+    let Ok((params, of_planet)) = planets.get(current.0) else {
+        return;
+    };
     if !params.processes.drift {
         return;
     }
@@ -56,7 +62,9 @@ fn drift_centroids(
 
 /// Rotates one frame with its plate for `dt` My.
 pub fn rotate_frame(frame: &mut Frame, plates: &PlateTable, dt: f64) {
-    let Some(plate) = plates.get(frame.plate) else { return };
+    let Some(plate) = plates.get(frame.plate) else {
+        return;
+    };
     if plate.motion.speed == 0.0 {
         return;
     }
@@ -73,13 +81,22 @@ mod tests {
 
     fn table(motion: PlateMotion) -> PlateTable {
         let stats = PlateStats::default();
-        PlateTable::new([PlateRow { id: PlateId(3), entity: Entity::PLACEHOLDER, motion, stats, born: 0.0 }])
+        PlateTable::new([PlateRow {
+            id: PlateId(3),
+            entity: Entity::PLACEHOLDER,
+            motion,
+            stats,
+            born: 0.0,
+        }])
     }
 
     #[test]
     fn a_plate_turned_by_a_full_circle_returns() {
         let axis = DVec3::new(1.0, -2.0, 0.5).normalize();
-        let plates = table(PlateMotion { axis, speed: TAU / 250.0 });
+        let plates = table(PlateMotion {
+            axis,
+            speed: TAU / 250.0,
+        });
         let mut frame = Frame::at_rest(PlateId(3));
         for _ in 0..125 {
             rotate_frame(&mut frame, &plates, 2.0);
@@ -91,7 +108,10 @@ mod tests {
 
     #[test]
     fn speed_is_the_surface_speed() {
-        let plates = table(PlateMotion { axis: DVec3::Z, speed: 0.01 });
+        let plates = table(PlateMotion {
+            axis: DVec3::Z,
+            speed: 0.01,
+        });
         let mut frame = Frame::at_rest(PlateId(3));
         rotate_frame(&mut frame, &plates, 2.0);
         let angle = crate::math::angle_between(DVec3::X, frame.to_world(DVec3::X));

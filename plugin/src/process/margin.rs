@@ -1,12 +1,13 @@
-//! Passive margins: sediment from the land fills the floor beside it up to a slope (paper 000 §4.5, sediment accretion;
-//! the paper names passive margins as missing, §7.5).
+//! Passive margins: sediment from the land fills the floor beside it up to a slope (paper 000 §4.5,
+//! sediment accretion; the paper names passive margins as missing, §7.5).
 //!
 //! ```text
 //! z' = min(z + eps_t dt, max over neighbours j of z_j - s |p - p_j|)      where that is higher than z
 //! ```
 //!
-//! s is the slope that falls from the sea to the abyss within the margin's width. Subsidence works against it, so a
-//! margin far from any land disappears again. Slopes change slowly: every [`EVERY`] steps are enough.
+//! s is the slope that falls from the sea to the abyss within the margin's width. Subsidence works
+//! against it, so a margin far from any land disappears again. Slopes change slowly: every
+//! [`EVERY`] steps are enough.
 //!
 //! Reads: elevation, kind. Writes: elevation of ocean crust.
 
@@ -27,16 +28,28 @@ pub struct MarginPlugin;
 impl Plugin for MarginPlugin {
     fn build(&self, app: &mut App) {
         let set = TectonicSystems::Process(Stage::Relief);
-        app.add_systems(TectonicStep, margin.in_set(set).after(super::relief::relief));
+        app.add_systems(
+            TectonicStep,
+            margin.in_set(set).after(super::relief::relief),
+        );
     }
 }
 
 /// Fills the margins of the current planet.
 pub fn margin(
     current: Res<CurrentPlanet>,
-    mut planets: Query<(&Planet, &Lattice, &TectonicParams, &GeologicClock, &StepCursor, &mut Crust)>,
+    mut planets: Query<(
+        &Planet,
+        &Lattice,
+        &TectonicParams,
+        &GeologicClock,
+        &StepCursor,
+        &mut Crust,
+    )>,
 ) {
-    let Ok((planet, lattice, params, clock, cursor, mut crust)) = planets.get_mut(current.0) else { return };
+    let Ok((planet, lattice, params, clock, cursor, mut crust)) = planets.get_mut(current.0) else {
+        return;
+    };
     let due = !cursor.is_held() && clock.step.is_multiple_of(EVERY) && params.margin_width > 0.0;
     if params.processes.sediment && due {
         fill(lattice, &mut crust, params, planet.radius);

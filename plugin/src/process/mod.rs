@@ -68,8 +68,17 @@ pub struct ProcessState {
 pub struct PlateAccess<'w, 's> {
     current: Res<'w, CurrentPlanet>,
     planets: Query<'w, 's, &'static Plates>,
-    plates:
-        Query<'w, 's, (Entity, &'static PlateId, &'static PlateMotion, &'static PlateStats, &'static Plate)>,
+    plates: Query<
+        'w,
+        's,
+        (
+            Entity,
+            &'static PlateId,
+            &'static PlateMotion,
+            &'static PlateStats,
+            &'static Plate,
+        ),
+    >,
 }
 
 impl PlateAccess<'_, '_> {
@@ -80,17 +89,27 @@ impl PlateAccess<'_, '_> {
 
     /// The plates in order of their numbers.
     pub fn table(&self) -> PlateTable {
-        let Ok(plates) = self.planets.get(self.current.0) else { return PlateTable::default() };
+        let Ok(plates) = self.planets.get(self.current.0) else {
+            return PlateTable::default();
+        };
         PlateTable::new(plates.iter().filter_map(|entity| {
             let (entity, id, motion, stats, plate) = self.plates.get(entity).ok()?;
-            Some(PlateRow { id: *id, entity, motion: *motion, stats: *stats, born: plate.born })
+            Some(PlateRow {
+                id: *id,
+                entity,
+                motion: *motion,
+                stats: *stats,
+                born: plate.born,
+            })
         }))
     }
 }
 
 /// The same for code that holds the whole world.
 pub fn plate_table(world: &World, planet: Entity) -> PlateTable {
-    let Some(plates) = world.get::<Plates>(planet) else { return PlateTable::default() };
+    let Some(plates) = world.get::<Plates>(planet) else {
+        return PlateTable::default();
+    };
     PlateTable::new(plates.iter().filter_map(|entity| {
         Some(PlateRow {
             entity,
@@ -104,11 +123,14 @@ pub fn plate_table(world: &World, planet: Entity) -> PlateTable {
 
 /// Radius of a planet in km; Earth's, as recipes have it, for what is none.
 pub(crate) fn planet_radius(world: &World, planet: Entity) -> f64 {
-    world.get::<crate::planet::Planet>(planet).map_or(6370.0, |planet| planet.radius)
+    world
+        .get::<crate::planet::Planet>(planet)
+        .map_or(6370.0, |planet| planet.radius)
 }
 
-/// Raises `z` by `dz` km so that it approaches `ceiling` smoothly and never passes it: slope 1 far below,
-/// all of the distance that is left for an endless `dz`. What is lowered (`dz` < 0) is lowered in full.
+/// Raises `z` by `dz` km so that it approaches `ceiling` smoothly and never passes it: slope 1 far
+/// below, all of the distance that is left for an endless `dz`. What is lowered (`dz` < 0) is
+/// lowered in full.
 #[inline]
 pub fn saturating_rise(z: f32, dz: f32, ceiling: f32) -> f32 {
     let room = ceiling - z;

@@ -1,10 +1,11 @@
 //! How ocean floor sinks and fills with age (paper 000 §4.5).
 //!
-//! *Relaxing* (default): floor above the elevation at which its crust floats sinks towards it by 1/e in 36 My, the
-//! cooling of Earth's plates (Stein and Stein 1992); floor below it is filled at most at eps_t. Old floor rests
-//! at z_a.
+//! *Relaxing* (default): floor above the elevation at which its crust floats sinks towards it by
+//! 1/e in 36 My, the cooling of Earth's plates (Stein and Stein 1992); floor below it is filled at
+//! most at eps_t. Old floor rests at z_a.
 //!
-//! *Paper*: the printed `z' = z - (1 - z/z_t) eps_o dt`, which ends at z_t, and `z' = z + eps_t dt` for floor below z_a.
+//! *Paper*: the printed `z' = z - (1 - z/z_t) eps_o dt`, which ends at z_t, and `z' = z + eps_t dt`
+//! for floor below z_a.
 
 use crate::params::{OceanFloor, TectonicParams};
 
@@ -59,9 +60,17 @@ impl Subsidence {
                 }
             }
             OceanFloor::Paper => {
-                let sunk = if self.subside { z - (1.0 - z / self.trench) * self.damping } else { z };
+                let sunk = if self.subside {
+                    z - (1.0 - z / self.trench) * self.damping
+                } else {
+                    z
+                };
                 let deep = self.fill && sunk < self.abyss;
-                if deep { (sunk + self.sediment).min(self.abyss) } else { sunk }
+                if deep {
+                    (sunk + self.sediment).min(self.abyss)
+                } else {
+                    sunk
+                }
             }
         }
     }
@@ -79,7 +88,10 @@ mod tests {
         for _ in 0..18 {
             z = law.step(z, -6.0);
         }
-        assert!((z + 6.0 - 5.0 * crate::math::exp(-1.0) as f32).abs() < 1e-4, "{z}");
+        assert!(
+            (z + 6.0 - 5.0 * crate::math::exp(-1.0) as f32).abs() < 1e-4,
+            "{z}"
+        );
         for _ in 0..500 {
             z = law.step(z, -6.0);
             assert!(z >= -6.0);
@@ -97,7 +109,10 @@ mod tests {
 
     #[test]
     fn the_printed_form_ends_in_the_trench() {
-        let mut params = TectonicParams { ocean_floor: OceanFloor::Paper, ..Default::default() };
+        let mut params = TectonicParams {
+            ocean_floor: OceanFloor::Paper,
+            ..Default::default()
+        };
         params.processes.sediment = false;
         let law = Subsidence::new(&params);
         assert!((law.step(0.0, -6.0) + 0.08).abs() < 1e-6);

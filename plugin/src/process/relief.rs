@@ -1,8 +1,9 @@
 //! The sweep that ages, wears and floats all crust once per step (paper 000 §4.5).
 //!
-//! One pass over the columns applies, in this order, coherent noise, [`erosion`](super::erosion) and isostatic
-//! adjustment to continents, and [`subsidence`](super::ocean_floor) to ocean floor. *Arcs become land*: ocean
-//! crust above sea level turns continental, with an Andean orogeny of age 0.
+//! One pass over the columns applies, in this order, coherent noise, [`erosion`](super::erosion)
+//! and isostatic adjustment to continents, and [`subsidence`](super::ocean_floor) to ocean floor.
+//! *Arcs become land*: ocean crust above sea level turns continental, with an Andean orogeny of age
+//! 0.
 //!
 //! Reads: crust. Writes: elevation, thickness, ages, kind, orogeny.
 
@@ -22,7 +23,8 @@ use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
 
-/// Period in My over which the noise wanders through its two patterns: what it raises it lowers again.
+/// Period in My over which the noise wanders through its two patterns: what it raises it lowers
+/// again.
 pub const NOISE_PERIOD: f64 = 160.0;
 
 /// Samples whose noise is evaluated between two looks at the clock.
@@ -33,11 +35,15 @@ pub struct ReliefPlugin;
 
 impl Plugin for ReliefPlugin {
     fn build(&self, app: &mut App) {
-        app.add_systems(TectonicStep, relief.in_set(TectonicSystems::Process(Stage::Relief)));
+        app.add_systems(
+            TectonicStep,
+            relief.in_set(TectonicSystems::Process(Stage::Relief)),
+        );
     }
 }
 
-/// Two patterns of low-frequency coherent noise, one value per sample; they depend on seed and wavelength only.
+/// Two patterns of low-frequency coherent noise, one value per sample; they depend on seed and
+/// wavelength only.
 #[derive(Component, Clone, Debug, Default)]
 pub struct ReliefNoise {
     wavelength: f64,
@@ -45,8 +51,8 @@ pub struct ReliefNoise {
 }
 
 impl ReliefNoise {
-    /// Evaluates the patterns, unless they are there already. Ends early where it should `stop`; called again it goes on.
-    /// Returns whether they are complete.
+    /// Evaluates the patterns, unless they are there already. Ends early where it should `stop`;
+    /// called again it goes on. Returns whether they are complete.
     pub fn prepare(
         &mut self,
         mesh: &SphereMesh,
@@ -55,7 +61,10 @@ impl ReliefNoise {
         stop: impl Fn() -> bool,
     ) -> bool {
         if self.wavelength != wavelength || self.patterns[0].len() > mesh.len() {
-            *self = Self { wavelength, ..default() };
+            *self = Self {
+                wavelength,
+                ..default()
+            };
         }
         let frequency = planet.radius / wavelength;
         let noise = [0, 1].map(|id| Noise::new(planet.seed, Purpose::Relief, id));
@@ -83,18 +92,30 @@ pub fn relief(
         (&mut Crust, &mut Ledger, &mut ReliefNoise, &mut StepCursor),
     )>,
 ) {
-    let Ok((input, (mut crust, mut ledger, mut noise, mut cursor))) = planets.get_mut(current.0) else {
+    let Ok((input, (mut crust, mut ledger, mut noise, mut cursor))) = planets.get_mut(current.0)
+    else {
         return;
     };
     let (planet, lattice, params, clock) = input;
     let wavelength = params.noise_wavelength;
-    if params.processes.noise && !noise.prepare(lattice, planet, wavelength, || cursor.out_of_time()) {
+    if params.processes.noise
+        && !noise.prepare(lattice, planet, wavelength, || cursor.out_of_time())
+    {
         cursor.hold();
         return;
     }
-    let booked = sweep(lattice, &mut crust, &noise, &ReliefLaw::new(params, clock.time));
+    let booked = sweep(
+        lattice,
+        &mut crust,
+        &noise,
+        &ReliefLaw::new(params, clock.time),
+    );
     let square = planet.radius * planet.radius;
-    ledger.book(Cause::ArcGrowth, booked.arc_area * square, booked.arc_volume * square);
+    ledger.book(
+        Cause::ArcGrowth,
+        booked.arc_area * square,
+        booked.arc_volume * square,
+    );
     ledger.book(Cause::Erosion, 0.0, booked.erosion * square);
     ledger.book(Cause::Noise, 0.0, booked.noise * square);
 }
@@ -125,7 +146,11 @@ struct ReliefLaw {
 impl ReliefLaw {
     fn new(params: &TectonicParams, time: f64) -> Self {
         let (s, c) = sin_cos(2.0 * PI * time / NOISE_PERIOD);
-        let amplitude = if params.processes.noise { params.noise_amplitude * params.time_step } else { 0.0 };
+        let amplitude = if params.processes.noise {
+            params.noise_amplitude * params.time_step
+        } else {
+            0.0
+        };
         Self {
             dt: params.time_step as f32,
             wear: params.processes.erosion.then(|| wear(params)),
@@ -150,42 +175,51 @@ fn sweep(mesh: &SphereMesh, crust: &mut Crust, noise: &ReliefNoise, law: &Relief
     )
         .into_par_iter()
         .enumerate()
-        .map(|(chunk, (kind, elevation, thickness, ocean_age, orogeny, orogeny_age))| {
-            let mut booked = Booked::default();
-            let start = chunk * CHUNK;
-            let areas = &mesh.areas()[start..start + kind.len()];
-            let patterns = noise.patterns.each_ref().map(|p| p.get(start..start + kind.len()));
-            for k in 0..kind.len() {
-                let area = areas[k];
-                let (z, e) = (&mut elevation[k], &mut thickness[k]);
-                orogeny_age[k] += law.dt;
-                if kind[k] == CrustKind::Continental {
-                    let wave = match patterns {
-                        [Some(a), Some(b)] if !silent => law.noise[0] * a[k] + law.noise[1] * b[k],
-                        _ => 0.0,
-                    };
-                    law.continent(z, e, wave, area, &mut booked);
-                } else {
-                    ocean_age[k] += law.dt;
-                    *z = law.subsidence.step(*z, law.isostasy.elevation(*e));
-                    if *z > 0.0 {
-                        kind[k] = CrustKind::Continental;
-                        orogeny[k] = Orogeny::Andean;
-                        orogeny_age[k] = 0.0;
-                        booked.arc_area += area;
-                        booked.arc_volume += f64::from(*e) * area;
+        .map(
+            |(chunk, (kind, elevation, thickness, ocean_age, orogeny, orogeny_age))| {
+                let mut booked = Booked::default();
+                let start = chunk * CHUNK;
+                let areas = &mesh.areas()[start..start + kind.len()];
+                let patterns = noise
+                    .patterns
+                    .each_ref()
+                    .map(|p| p.get(start..start + kind.len()));
+                for k in 0..kind.len() {
+                    let area = areas[k];
+                    let (z, e) = (&mut elevation[k], &mut thickness[k]);
+                    orogeny_age[k] += law.dt;
+                    if kind[k] == CrustKind::Continental {
+                        let wave = match patterns {
+                            [Some(a), Some(b)] if !silent => {
+                                law.noise[0] * a[k] + law.noise[1] * b[k]
+                            }
+                            _ => 0.0,
+                        };
+                        law.continent(z, e, wave, area, &mut booked);
+                    } else {
+                        ocean_age[k] += law.dt;
+                        *z = law.subsidence.step(*z, law.isostasy.elevation(*e));
+                        if *z > 0.0 {
+                            kind[k] = CrustKind::Continental;
+                            orogeny[k] = Orogeny::Andean;
+                            orogeny_age[k] = 0.0;
+                            booked.arc_area += area;
+                            booked.arc_volume += f64::from(*e) * area;
+                        }
                     }
                 }
-            }
-            booked
-        })
+                booked
+            },
+        )
         .collect();
-    parts.into_iter().fold(Booked::default(), |sum, part| Booked {
-        arc_area: sum.arc_area + part.arc_area,
-        arc_volume: sum.arc_volume + part.arc_volume,
-        erosion: sum.erosion + part.erosion,
-        noise: sum.noise + part.noise,
-    })
+    parts
+        .into_iter()
+        .fold(Booked::default(), |sum, part| Booked {
+            arc_area: sum.arc_area + part.arc_area,
+            arc_volume: sum.arc_volume + part.arc_volume,
+            erosion: sum.erosion + part.erosion,
+            noise: sum.noise + part.noise,
+        })
 }
 
 impl ReliefLaw {

@@ -1,17 +1,19 @@
 //! The shape of a rift and the motions that open it (paper 000 §4.4).
 //!
-//! *Two fragments* part along a great circle with a warp, and turn about a pole on the circle's extension
-//! outside of the plate: the gap opens like a pair of scissors, and nowhere do they meet again. *Three or four*
-//! are sectors around a junction and move away from it; the normal velocity along every line is
-//! `cos r` times that at the junction. *A user's line* is followed from its first point to its last and
-//! extended by great circles. *A plate wider than half the sphere* has no such circle: it sheds a bite, which a small
-//! circle about a point near its border cuts off; the same turn opens that, as long as the arc within the plate is
-//! less than half of the circle. *A plate that goes all the way round*, as the last one of a planet does, is torn along
-//! a whole great circle: one half of it opens, and along the other the fragments converge.
+//! *Two fragments* part along a great circle with a warp, and turn about a pole on the circle's
+//! extension outside of the plate: the gap opens like a pair of scissors, and nowhere do they meet
+//! again. *Three or four* are sectors around a junction and move away from it; the normal velocity
+//! along every line is `cos r` times that at the junction. *A user's line* is followed from its
+//! first point to its last and extended by great circles. *A plate wider than half the sphere* has
+//! no such circle: it sheds a bite, which a small circle about a point near its border cuts off;
+//! the same turn opens that, as long as the arc within the plate is less than half of the circle.
+//! *A plate that goes all the way round*, as the last one of a planet does, is torn along a whole
+//! great circle: one half of it opens, and along the other the fragments converge.
 //!
-//! A warp shifts a line by an amount that depends only on the position along it: the line stays a graph over the
-//! great circle, so that rigid fragments slide off each other without catching. Voronoi cells of random
-//! centroids, as printed, have lines that cannot all open; sectors are their neighbourhood of one junction.
+//! A warp shifts a line by an amount that depends only on the position along it: the line stays a
+//! graph over the great circle, so that rigid fragments slide off each other without catching.
+//! Voronoi cells of random centroids, as printed, have lines that cannot all open; sectors are
+//! their neighbourhood of one junction.
 
 use crate::math::{PI, TAU, angle_between, any_tangent, asin, atan2, sin, sin_cos};
 use crate::noise::Noise;
@@ -91,31 +93,62 @@ impl RiftShape {
             let (s, c) = sin_cos(PI * draw(2));
             let tangent = any_tangent(junction);
             let center = tangent * c + junction.cross(tangent) * s;
-            return Self::Line { center, radius: 0.5 * PI, origin: junction, all_round: false, warp };
+            return Self::Line {
+                center,
+                radius: 0.5 * PI,
+                origin: junction,
+                all_round: false,
+                warp,
+            };
         }
         let width = TAU / f64::from(fragments);
         let azimuths = (0..fragments)
             .map(|k| width * (f64::from(k) + 0.3 * draw(3 + u64::from(k))) + 0.5 * width * draw(9))
             .collect();
-        Self::Sectors { junction, azimuths, warp }
+        Self::Sectors {
+            junction,
+            azimuths,
+            warp,
+        }
     }
 
-    /// A bite out of a plate at the direction `at` on its border, where `outward` is the border's normal.
+    /// A bite out of a plate at the direction `at` on its border, where `outward` is the border's
+    /// normal.
     pub fn bite(stream: &Stream, counter: u64, at: DVec3, outward: DVec3, warp: Warp) -> Self {
         let draw = |k: u64| stream.unit(16 * counter + k);
         let radius = 0.5 + 0.7 * draw(10);
         // The farther its centre lies outside, the shorter is the arc within the plate.
         let (s, c) = sin_cos(radius * (0.2 + 0.5 * draw(11)));
         let (center, origin) = (at * c + outward * s, outward * c - at * s);
-        let warp = Warp { amplitude: warp.amplitude.min(0.08 * radius), frequency: 2.0 / radius, ..warp };
-        Self::Line { center, radius, origin: -origin, all_round: false, warp }
+        let warp = Warp {
+            amplitude: warp.amplitude.min(0.08 * radius),
+            frequency: 2.0 / radius,
+            ..warp
+        };
+        Self::Line {
+            center,
+            radius,
+            origin: -origin,
+            all_round: false,
+            warp,
+        }
     }
 
     /// Two halves of the sphere.
     pub fn halves(stream: &Stream, counter: u64, warp: Warp) -> Self {
         let center = stream.direction(16 * counter + 10);
-        let warp = Warp { amplitude: warp.amplitude.min(0.1), frequency: 2.0, ..warp };
-        Self::Line { center, radius: 0.5 * PI, origin: any_tangent(center), all_round: true, warp }
+        let warp = Warp {
+            amplitude: warp.amplitude.min(0.1),
+            frequency: 2.0,
+            ..warp
+        };
+        Self::Line {
+            center,
+            radius: 0.5 * PI,
+            origin: any_tangent(center),
+            all_round: true,
+            warp,
+        }
     }
 
     /// Number of fragments.
@@ -126,11 +159,17 @@ impl RiftShape {
         }
     }
 
-    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians; farther away than
-    /// `near` radians it is any number above that.
+    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians;
+    /// farther away than `near` radians it is any number above that.
     pub fn split(&self, p: DVec3, near: f64) -> (usize, f64) {
         match self {
-            Self::Line { center, radius, origin, warp, .. } => {
+            Self::Line {
+                center,
+                radius,
+                origin,
+                warp,
+                ..
+            } => {
                 // Noise is dear, and beyond its reach it decides nothing.
                 let reach = near + 2.0 * warp.amplitude;
                 let latitude = 0.5 * PI - radius;
@@ -148,32 +187,60 @@ impl RiftShape {
                 let side = side - warp.shift(along, 0);
                 (usize::from(side < 0.0), side.abs())
             }
-            Self::Sectors { junction, azimuths, warp } => sector(*junction, azimuths, warp, p),
+            Self::Sectors {
+                junction,
+                azimuths,
+                warp,
+            } => sector(*junction, azimuths, warp, p),
         }
     }
 
-    /// Angular velocities in rad/My that the fragments gain, for a relative speed of `speed` rad/My. `plate` are
-    /// directions all over the plate. `far_end` chooses at which end of a line the pole lies.
+    /// Angular velocities in rad/My that the fragments gain, for a relative speed of `speed`
+    /// rad/My. `plate` are directions all over the plate. `far_end` chooses at which end of a line
+    /// the pole lies.
     ///
     /// `None` if the plate reaches so far that no motion opens all of it.
     pub fn motions(&self, plate: &[DVec3], speed: f64, far_end: bool) -> Option<Vec<DVec3>> {
         match self {
-            Self::Line { origin, all_round: true, .. } => {
+            Self::Line {
+                origin,
+                all_round: true,
+                ..
+            } => {
                 let half = *origin * (0.5 * speed);
-                Some(if far_end { vec![half, -half] } else { vec![-half, half] })
+                Some(if far_end {
+                    vec![half, -half]
+                } else {
+                    vec![-half, half]
+                })
             }
-            Self::Line { center, radius, origin, warp, .. } => {
-                let beside =
-                    |p: &DVec3| (asin(p.dot(*center)) + radius - 0.5 * PI).abs() < BESIDE + warp.amplitude;
+            Self::Line {
+                center,
+                radius,
+                origin,
+                warp,
+                ..
+            } => {
+                let beside = |p: &DVec3| {
+                    (asin(p.dot(*center)) + radius - 0.5 * PI).abs() < BESIDE + warp.amplitude
+                };
                 let plate: Vec<DVec3> = plate.iter().copied().filter(beside).collect();
                 open_line(*center, *origin, &plate, speed, far_end)
             }
             Self::Path { points, .. } => {
                 let (first, last) = (points[0], points[points.len() - 1]);
                 let normal = first.cross(last).try_normalize()?;
-                open_line(normal, (first + last).try_normalize()?, plate, speed, far_end)
+                open_line(
+                    normal,
+                    (first + last).try_normalize()?,
+                    plate,
+                    speed,
+                    far_end,
+                )
             }
-            Self::Sectors { junction, azimuths, .. } => {
+            Self::Sectors {
+                junction, azimuths, ..
+            } => {
                 // Beyond a quarter of the circle fragments would close in on each other again.
                 let near = plate.iter().all(|p| p.dot(*junction) > 0.25);
                 near.then(|| open_sectors(*junction, azimuths, speed))
@@ -182,8 +249,8 @@ impl RiftShape {
     }
 }
 
-/// Signed distance of `p` from a polyline whose ends are extended, and the position along it, in radians.
-/// The first fragment lies to its left.
+/// Signed distance of `p` from a polyline whose ends are extended, and the position along it, in
+/// radians. The first fragment lies to its left.
 fn beside(points: &[DVec3], p: DVec3) -> (f64, f64) {
     let mut best = (f64::INFINITY, 0.0, 0.0);
     let mut travelled = 0.0;
@@ -201,7 +268,11 @@ fn beside(points: &[DVec3], p: DVec3) -> (f64, f64) {
         let foot = a * c + normal.cross(a) * s;
         let distance = angle_between(p, foot);
         if distance < best.0 {
-            let side = if p.dot(normal) >= 0.0 { distance } else { -distance };
+            let side = if p.dot(normal) >= 0.0 {
+                distance
+            } else {
+                -distance
+            };
             best = (distance, side, travelled + on);
         }
         travelled += length;
@@ -238,15 +309,27 @@ const BESIDE: f64 = 0.06;
 /// The ends of nothing.
 const NOWHERE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
-/// Two fragments turn about a pole on the line's extension beyond what of the plate lies beside it. Of a small circle
-/// it is the great circle with the same centre that carries the pole: normal velocities are the same.
-fn open_line(normal: DVec3, origin: DVec3, plate: &[DVec3], speed: f64, far_end: bool) -> Option<Vec<DVec3>> {
+/// Two fragments turn about a pole on the line's extension beyond what of the plate lies beside it.
+/// Of a small circle it is the great circle with the same centre that carries the pole: normal
+/// velocities are the same.
+fn open_line(
+    normal: DVec3,
+    origin: DVec3,
+    plate: &[DVec3],
+    speed: f64,
+    far_end: bool,
+) -> Option<Vec<DVec3>> {
     let tangent = normal.cross(origin);
     let ends = crate::parallel::map_chunks(plate.len(), |range| {
         let along = |p: &DVec3| atan2(p.dot(tangent), p.dot(origin));
-        plate[range].iter().map(along).fold(NOWHERE, |ends, x| (ends.0.min(x), ends.1.max(x)))
+        plate[range]
+            .iter()
+            .map(along)
+            .fold(NOWHERE, |ends, x| (ends.0.min(x), ends.1.max(x)))
     });
-    let (low, high) = ends.into_iter().fold(NOWHERE, |all, part| (all.0.min(part.0), all.1.max(part.1)));
+    let (low, high) = ends
+        .into_iter()
+        .fold(NOWHERE, |all, part| (all.0.min(part.0), all.1.max(part.1)));
     let margin = 0.15;
     if low > high || high - low + 2.0 * margin >= PI {
         return None;
@@ -257,9 +340,17 @@ fn open_line(normal: DVec3, origin: DVec3, plate: &[DVec3], speed: f64, far_end:
     // The first fragment must move to the side of the normal all along the line.
     let middle = 0.5 * (low + high);
     let (s, c) = sin_cos(middle);
-    let sign = if pole.cross(origin * c + tangent * s).dot(normal) >= 0.0 { 1.0 } else { -1.0 };
+    let sign = if pole.cross(origin * c + tangent * s).dot(normal) >= 0.0 {
+        1.0
+    } else {
+        -1.0
+    };
     let farthest = if far_end { at - low } else { high - at };
-    let fastest = if farthest > 0.5 * PI { 1.0 } else { sin(farthest) };
+    let fastest = if farthest > 0.5 * PI {
+        1.0
+    } else {
+        sin(farthest)
+    };
     let half = pole * (sign * 0.5 * speed / fastest.max(0.1));
     Some(vec![half, -half])
 }

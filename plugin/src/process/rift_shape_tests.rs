@@ -3,7 +3,11 @@ use crate::math::{direction, rotation};
 use crate::random::Purpose;
 
 fn warp(amplitude: f64) -> Warp {
-    Warp { noise: Noise::new(1, Purpose::RiftWarp, 0), amplitude, frequency: 6.0 }
+    Warp {
+        noise: Noise::new(1, Purpose::RiftWarp, 0),
+        amplitude,
+        frequency: 6.0,
+    }
 }
 
 fn cap(center: DVec3, reach: f64) -> Vec<DVec3> {
@@ -14,7 +18,8 @@ fn cap(center: DVec3, reach: f64) -> Vec<DVec3> {
         .collect()
 }
 
-/// Normal velocity across every line is positive: fragments move away from each other wherever they touch.
+/// Normal velocity across every line is positive: fragments move away from each other wherever they
+/// touch.
 fn opens(shape: &RiftShape, plate: &[DVec3], far_end: bool) {
     let motions = shape.motions(plate, 0.006, far_end).unwrap();
     let mut touching = 0;
@@ -57,8 +62,19 @@ fn all_shapes_open() {
         assert_eq!(shape.fragments(), fragments as usize);
         opens(&shape, &plate, false);
     }
-    let points = vec![direction(0.0, 40.0), direction(20.0, 48.0), direction(40.0, 60.0)];
-    opens(&RiftShape::Path { points, warp: warp(0.01) }, &plate, true);
+    let points = vec![
+        direction(0.0, 40.0),
+        direction(20.0, 48.0),
+        direction(40.0, 60.0),
+    ];
+    opens(
+        &RiftShape::Path {
+            points,
+            warp: warp(0.01),
+        },
+        &plate,
+        true,
+    );
 }
 
 #[test]
@@ -81,11 +97,23 @@ fn the_gap_grows_with_the_distance_from_the_pole() {
 
 #[test]
 fn a_path_is_followed_and_extended() {
-    let points = vec![direction(0.0, 0.0), direction(0.0, 10.0), direction(10.0, 20.0)];
-    let shape = RiftShape::Path { points, warp: warp(0.0) };
-    for (lat, lon, left) in
-        [(1.0, 5.0, 0), (-1.0, 5.0, 1), (1.0, -30.0, 0), (-1.0, -30.0, 1), (9.0, 14.0, 0), (1.0, 16.0, 1)]
-    {
+    let points = vec![
+        direction(0.0, 0.0),
+        direction(0.0, 10.0),
+        direction(10.0, 20.0),
+    ];
+    let shape = RiftShape::Path {
+        points,
+        warp: warp(0.0),
+    };
+    for (lat, lon, left) in [
+        (1.0, 5.0, 0),
+        (-1.0, 5.0, 1),
+        (1.0, -30.0, 0),
+        (-1.0, -30.0, 1),
+        (9.0, 14.0, 0),
+        (1.0, 16.0, 1),
+    ] {
         assert_eq!(shape.split(direction(lat, lon), 1.0).0, left, "{lat} {lon}");
     }
     assert!((shape.split(direction(2.0, 5.0), 1.0).1 - 2.0_f64.to_radians()).abs() < 1e-9);
@@ -99,12 +127,16 @@ fn plates_wider_than_half_the_sphere_shed_bites() {
         let all = (0..12_000).map(|i| Stream::new(2, Purpose::RiftShape, 0).direction(i));
         let plate: Vec<DVec3> = all.filter(|p| angle_between(*p, center) < extent).collect();
         let line = |counter| RiftShape::random(&stream, counter, center, 1.0, 2, warp(0.05));
-        assert!((0..8).all(|k| line(k).motions(&plate, 0.006, true).is_none()), "no great circle opens");
+        assert!(
+            (0..8).all(|k| line(k).motions(&plate, 0.006, true).is_none()),
+            "no great circle opens"
+        );
         let share = |bite: &RiftShape| {
             plate.iter().filter(|p| bite.split(**p, 0.0).0 == 0).count() as f64 / plate.len() as f64
         };
         let bites = (0..48).map(|k| {
-            let at = rotation(center, 0.7 * k as f64) * direction(-30.0 + extent.to_degrees(), 70.0);
+            let at =
+                rotation(center, 0.7 * k as f64) * direction(-30.0 + extent.to_degrees(), 70.0);
             let outward = (at * at.dot(center) - center).normalize();
             RiftShape::bite(&stream, k, at, outward, warp(0.05))
         });
@@ -130,7 +162,9 @@ fn a_plate_all_round_opens_along_half_of_a_circle() {
         let first = all.iter().filter(|p| shape.split(**p, 0.0).0 == 0).count();
         assert!((1900..2100).contains(&first), "{first}");
         let motions = shape.motions(&all, 0.006, counter % 2 == 0).unwrap();
-        let RiftShape::Line { center, .. } = shape else { panic!("a line") };
+        let RiftShape::Line { center, .. } = shape else {
+            panic!("a line")
+        };
         let (mut opening, mut closing) = (0, 0);
         for p in all.iter().filter(|p| p.dot(center).abs() < 0.05) {
             let apart = (motions[0] - motions[1]).cross(*p).dot(center);

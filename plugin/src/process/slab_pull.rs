@@ -4,8 +4,9 @@
 //! w' = w + eps sum_k  (c x q_k) / |c x q_k|  L_k / R  dt,   renormalised
 //! ```
 //!
-//! L_k is the length of front that q_k stands for, so that the pull does not depend on the resolution. The
-//! speed stays. Young fragments of a rift are left alone for [`GRACE`] My: pulled together, they would close the rift.
+//! L_k is the length of front that q_k stands for, so that the pull does not depend on the
+//! resolution. The speed stays. Young fragments of a rift are left alone for [`GRACE`] My: pulled
+//! together, they would close the rift.
 //!
 //! Reads: contacts. Writes: motions.
 
@@ -28,7 +29,10 @@ pub struct SlabPullPlugin;
 
 impl Plugin for SlabPullPlugin {
     fn build(&self, app: &mut App) {
-        app.add_systems(TectonicStep, slab_pull.in_set(TectonicSystems::Process(Stage::SlabPull)));
+        app.add_systems(
+            TectonicStep,
+            slab_pull.in_set(TectonicSystems::Process(Stage::SlabPull)),
+        );
     }
 }
 
@@ -41,7 +45,8 @@ pub fn slab_pull(
     )>,
     mut plates: Query<(&PlateId, &Plate, &PlateStats, &mut PlateMotion)>,
 ) {
-    let Ok(((lattice, params, clock), (crust, frames, rim, contacts, of_planet))) = planets.get(current.0)
+    let Ok(((lattice, params, clock), (crust, frames, rim, contacts, of_planet))) =
+        planets.get(current.0)
     else {
         return;
     };
@@ -54,7 +59,10 @@ pub fn slab_pull(
         if contact.role == Role::Overriding && !contact.other_continental {
             let i = rim.samples[k] as usize;
             let frame = &frames[usize::from(crust.frame[i])];
-            fronts.entry(contact.other).or_default().push(frame.to_world(lattice.points()[i]));
+            fronts
+                .entry(contact.other)
+                .or_default()
+                .push(frame.to_world(lattice.points()[i]));
         }
     }
     let mut plates = plates.iter_many_mut(of_planet.iter());
@@ -70,8 +78,13 @@ pub fn slab_pull(
 
 /// The axis after one step of pull by front points that each stand for `length` radians.
 pub fn pulled(axis: DVec3, centroid: DVec3, front: &[DVec3], length: f64, rate: f64) -> DVec3 {
-    let pull: DVec3 = front.iter().filter_map(|q| centroid.cross(*q).try_normalize()).sum();
-    (axis + pull * (rate * length)).try_normalize().unwrap_or(axis)
+    let pull: DVec3 = front
+        .iter()
+        .filter_map(|q| centroid.cross(*q).try_normalize())
+        .sum();
+    (axis + pull * (rate * length))
+        .try_normalize()
+        .unwrap_or(axis)
 }
 
 #[cfg(test)]
@@ -82,7 +95,9 @@ mod tests {
     #[test]
     fn the_plate_turns_towards_its_front() {
         let centroid = DVec3::X;
-        let front: Vec<_> = (-20..=20).map(|lat| direction(f64::from(lat), 40.0)).collect();
+        let front: Vec<_> = (-20..=20)
+            .map(|lat| direction(f64::from(lat), 40.0))
+            .collect();
         let mut axis = direction(30.0, 0.0);
         for _ in 0..10_000 {
             axis = pulled(axis, centroid, &front, 0.01, 0.01);
@@ -95,7 +110,9 @@ mod tests {
     #[test]
     fn the_pull_does_not_depend_on_the_resolution() {
         let line = |n: i32| -> Vec<_> {
-            (0..n).map(|k| direction(-20.0 + 40.0 * (f64::from(k) + 0.5) / f64::from(n), 50.0)).collect()
+            (0..n)
+                .map(|k| direction(-20.0 + 40.0 * (f64::from(k) + 0.5) / f64::from(n), 50.0))
+                .collect()
         };
         let coarse = pulled(DVec3::Y, DVec3::X, &line(40), 1.0 / 40.0, 0.1);
         let fine = pulled(DVec3::Y, DVec3::X, &line(400), 1.0 / 400.0, 0.1);

@@ -7,11 +7,12 @@
 //! h(z_i) = ((z_i - z_t) / (z_c - z_t))²  of the crust going under, unbent
 //! ```
 //!
-//! The printed h lacks its square and bounds; the cubic of paper 004 is negative at the front. A weight w
-//! turns each factor x into 1 + w (x - 1). Every uplift saturates towards z_c. Orogeny becomes Andean where
-//! continental crust rises faster than `orogeny_rate`, unless a collision folded it in the last
-//! [`HIMALAYAN_MEMORY`] My. Thickness follows by isostasy; on continents it is booked as subduction uplift.
-//! *Forced subduction*: where the crust going under is continental, h is large and so is the uplift.
+//! The printed h lacks its square and bounds; the cubic of paper 004 is negative at the front. A
+//! weight w turns each factor x into 1 + w (x - 1). Every uplift saturates towards z_c. Orogeny
+//! becomes Andean where continental crust rises faster than `orogeny_rate`, unless a collision
+//! folded it in the last [`HIMALAYAN_MEMORY`] My. Thickness follows by isostasy; on continents it
+//! is booked as subduction uplift. *Forced subduction*: where the crust going under is continental,
+//! h is large and so is the uplift.
 //!
 //! Reads: contacts, distances. Writes: elevation, thickness, fold, orogeny type and age.
 
@@ -38,7 +39,10 @@ pub struct SubductionPlugin;
 
 impl Plugin for SubductionPlugin {
     fn build(&self, app: &mut App) {
-        app.add_systems(TectonicStep, subduction.in_set(TectonicSystems::Process(Stage::Subduction)));
+        app.add_systems(
+            TectonicStep,
+            subduction.in_set(TectonicSystems::Process(Stage::Subduction)),
+        );
     }
 }
 
@@ -50,7 +54,8 @@ pub fn subduction(
         (&mut Crust, &mut FrontField, &mut Ledger, &mut StepCursor),
     )>,
 ) {
-    let Ok((input, (mut crust, mut field, mut ledger, mut cursor))) = planets.get_mut(current.0) else {
+    let Ok((input, (mut crust, mut field, mut ledger, mut cursor))) = planets.get_mut(current.0)
+    else {
         return;
     };
     let (planet, lattice, params, rim, contacts) = input;
@@ -59,12 +64,25 @@ pub fn subduction(
         return;
     }
     let reach = (params.uplift_end() / planet.radius).min(2.0);
-    let front = FrontInput { mesh: lattice, frame: &crust.frame, rim, contacts, reach };
+    let front = FrontInput {
+        mesh: lattice,
+        frame: &crust.frame,
+        rim,
+        contacts,
+        reach,
+    };
     if !field.refresh(&front, || cursor.out_of_time()) {
         cursor.hold();
         return;
     }
-    let volume = rise(lattice, &mut crust, &field, rim, contacts, &Uplift::new(params, planet.radius));
+    let volume = rise(
+        lattice,
+        &mut crust,
+        &field,
+        rim,
+        contacts,
+        &Uplift::new(params, planet.radius),
+    );
     ledger.book(Cause::SubductionUplift, 0.0, volume);
 }
 
@@ -78,13 +96,21 @@ pub struct Uplift<'a> {
 impl<'a> Uplift<'a> {
     /// The law on a planet of `radius` km.
     pub fn new(params: &'a TectonicParams, radius: f64) -> Self {
-        Self { params, isostasy: Isostasy::new(params), radius }
+        Self {
+            params,
+            isostasy: Isostasy::new(params),
+            radius,
+        }
     }
 
     /// f: the profile over the distance `d` from the front in km, 0..1.
     pub fn distance_profile(&self, d: f64) -> f64 {
         let (peak, end) = (self.params.uplift_peak, self.params.uplift_end());
-        if d < peak { smoothstep(d / peak) } else { smoothstep((end - d) / (end - peak).max(1.0)) }
+        if d < peak {
+            smoothstep(d / peak)
+        } else {
+            smoothstep((end - d) / (end - peak).max(1.0))
+        }
     }
 
     /// g: the influence of the relative speed `v` in km/My.
@@ -163,12 +189,16 @@ impl Sweep {
         }
     }
 
-    /// Rate of uplift in km/My at the direction `n`, `angle` radians from the front, and the turn of the fold
-    /// direction.
+    /// Rate of uplift in km/My at the direction `n`, `angle` radians from the front, and the turn
+    /// of the fold direction.
     #[inline]
     fn at(&self, push: &Push, n: Vec3, angle: f32) -> (f32, Vec3) {
         let d = angle * self.radius;
-        let x = if d < self.peak { d * self.rising } else { (self.end - d) * self.falling };
+        let x = if d < self.peak {
+            d * self.rising
+        } else {
+            (self.end - d) * self.falling
+        };
         let x = x.clamp(0.0, 1.0);
         let profile = x * x * (3.0 - 2.0 * x);
         let velocity = push.spin.cross(n);
@@ -182,9 +212,15 @@ impl Sweep {
 fn pushes(law: &Uplift, contacts: &Contacts) -> Vec<Option<Push>> {
     let push = |contact: &Contact| {
         let rate = law.params.uplift
-            * weigh(law.params.weight_relief, law.relief_profile(f64::from(contact.other_elevation)));
+            * weigh(
+                law.params.weight_relief,
+                law.relief_profile(f64::from(contact.other_elevation)),
+            );
         let spin = (contact.relative * law.radius).as_vec3();
-        (contact.role == Role::Overriding).then_some(Push { spin, rate: rate as f32 })
+        (contact.role == Role::Overriding).then_some(Push {
+            spin,
+            rate: rate as f32,
+        })
     };
     contacts.0.iter().map(push).collect()
 }
@@ -209,46 +245,58 @@ fn rise(
     )
         .into_par_iter()
         .enumerate()
-        .map(|(chunk, (elevation, thickness, fold, orogeny, orogeny_age))| {
-            let start = chunk * CHUNK;
-            let mut volume = 0.0;
-            for k in 0..elevation.len() {
-                let i = start + k;
-                let Some((source, distance)) = field.nearest(i as u32) else { continue };
-                // A sample stays on the front for a while after it overrode.
-                let Some(Some(push)) = pushes.get(rim.index[source as usize] as usize) else { continue };
-                let n = mesh.points()[i].as_vec3();
-                let (rate, drag) = sweep.at(push, n, distance);
-                let z = elevation[k];
-                let raised = saturating_rise(z, rate * sweep.dt, sweep.ceiling);
-                let thicker = thickness[k] + sweep.isostasy.thickening(z, raised - z);
-                let continental = kind[i] == crate::crust::CrustKind::Continental;
-                if continental {
-                    volume += f64::from(thicker - thickness[k]) * mesh.areas()[i];
-                }
-                elevation[k] = raised;
-                thickness[k] = thicker;
-                fold[k] = turned(fold[k], drag, n);
-                if continental && rate > sweep.folding {
-                    let himalayan = orogeny[k] == Orogeny::Himalayan && orogeny_age[k] < HIMALAYAN_MEMORY;
-                    if !himalayan {
-                        orogeny[k] = Orogeny::Andean;
-                        orogeny_age[k] = 0.0;
+        .map(
+            |(chunk, (elevation, thickness, fold, orogeny, orogeny_age))| {
+                let start = chunk * CHUNK;
+                let mut volume = 0.0;
+                for k in 0..elevation.len() {
+                    let i = start + k;
+                    let Some((source, distance)) = field.nearest(i as u32) else {
+                        continue;
+                    };
+                    // A sample stays on the front for a while after it overrode.
+                    let Some(Some(push)) = pushes.get(rim.index[source as usize] as usize) else {
+                        continue;
+                    };
+                    let n = mesh.points()[i].as_vec3();
+                    let (rate, drag) = sweep.at(push, n, distance);
+                    let z = elevation[k];
+                    let raised = saturating_rise(z, rate * sweep.dt, sweep.ceiling);
+                    let thicker = thickness[k] + sweep.isostasy.thickening(z, raised - z);
+                    let continental = kind[i] == crate::crust::CrustKind::Continental;
+                    if continental {
+                        volume += f64::from(thicker - thickness[k]) * mesh.areas()[i];
+                    }
+                    elevation[k] = raised;
+                    thickness[k] = thicker;
+                    fold[k] = turned(fold[k], drag, n);
+                    if continental && rate > sweep.folding {
+                        let himalayan =
+                            orogeny[k] == Orogeny::Himalayan && orogeny_age[k] < HIMALAYAN_MEMORY;
+                        if !himalayan {
+                            orogeny[k] = Orogeny::Andean;
+                            orogeny_age[k] = 0.0;
+                        }
                     }
                 }
-            }
-            volume
-        })
+                volume
+            },
+        )
         .collect();
     volumes.into_iter().sum::<f64>() * law.radius * law.radius
 }
 
-/// A fold direction after it was dragged by `drag`: a tangent vector at the direction `n`, at most of unit length.
+/// A fold direction after it was dragged by `drag`: a tangent vector at the direction `n`, at most
+/// of unit length.
 fn turned(fold: Vec3, drag: Vec3, n: Vec3) -> Vec3 {
     let sum = fold + drag;
     let tangent = sum - n * sum.dot(n);
     let length = tangent.length();
-    if length > 1.0 { tangent / length } else { tangent }
+    if length > 1.0 {
+        tangent / length
+    } else {
+        tangent
+    }
 }
 
 #[cfg(test)]
@@ -276,15 +324,26 @@ mod tests {
 
     #[test]
     fn the_sweep_follows_the_law() {
-        let params = TectonicParams { weight_speed: 0.7, weight_relief: 0.4, ..default() };
+        let params = TectonicParams {
+            weight_speed: 0.7,
+            weight_relief: 0.4,
+            ..default()
+        };
         let law = Uplift::new(&params, 6370.0);
         let sweep = Sweep::new(&law);
-        for (km, speed, z) in
-            [(0.0, 30.0, -6.0), (120.0, 80.0, -2.0), (700.0, 10.0, 0.5), (1799.0, 99.0, -8.0)]
-        {
+        for (km, speed, z) in [
+            (0.0, 30.0, -6.0),
+            (120.0, 80.0, -2.0),
+            (700.0, 10.0, 0.5),
+            (1799.0, 99.0, -8.0),
+        ] {
             let relative = DVec3::Z * (speed / 6370.0);
-            let contact =
-                Contact { role: Role::Overriding, relative, other_elevation: z as f32, ..default() };
+            let contact = Contact {
+                role: Role::Overriding,
+                relative,
+                other_elevation: z as f32,
+                ..default()
+            };
             let push = pushes(&law, &Contacts(vec![contact]))[0].unwrap();
             let (rate, drag) = sweep.at(&push, Vec3::X, (km / 6370.0) as f32);
             assert!((f64::from(rate) - law.rate(km, speed, z)).abs() < 1e-5 * params.uplift);
@@ -295,7 +354,11 @@ mod tests {
 
     #[test]
     fn a_weight_of_zero_takes_a_factor_out() {
-        let params = TectonicParams { weight_distance: 0.0, weight_speed: 0.0, ..default() };
+        let params = TectonicParams {
+            weight_distance: 0.0,
+            weight_speed: 0.0,
+            ..default()
+        };
         let law = Uplift::new(&params, 6370.0);
         assert_eq!(law.rate(0.0, 3.0, 0.0), law.rate(1000.0, 90.0, 0.0));
         assert!((law.rate(0.0, 3.0, 0.0) - 0.25 * params.uplift).abs() < 1e-12);

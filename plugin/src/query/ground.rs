@@ -1,7 +1,8 @@
 //! What a ground answers, and the levels of its detail.
 //!
-//! Level 0 is the control mesh with edges of about 52 km on an Earth-sized planet (paper 002 §4); every level halves
-//! them. Rules go by level, not by length: a planet of any radius has the same levels.
+//! Level 0 is the control mesh with edges of about 52 km on an Earth-sized planet (paper 002 §4);
+//! every level halves them. Rules go by level, not by length: a planet of any radius has the same
+//! levels.
 
 use super::{Climate, GroundError};
 use crate::math;
@@ -18,7 +19,8 @@ pub trait Ground: Sync {
     /// Radius of the sea level in m.
     fn radius_m(&self) -> f64;
 
-    /// Height of the ground above sea level in m, at a direction of any length and a level up to [`LEVELS`].
+    /// Height of the ground above sea level in m, at a direction of any length and a level up to
+    /// [`LEVELS`].
     ///
     /// # Errors
     /// [`GroundError::NotADirection`], [`GroundError::Level`].
@@ -27,9 +29,14 @@ pub trait Ground: Sync {
     /// Heights at many directions, faster where the ground can share work between neighbours.
     ///
     /// # Errors
-    /// As [`height`](Self::height), for the first refused direction; [`GroundError::Count`] if `heights` is
-    /// not as long as `directions`.
-    fn heights(&self, directions: &[DVec3], level: u8, heights: &mut [f32]) -> Result<(), GroundError> {
+    /// As [`height`](Self::height), for the first refused direction; [`GroundError::Count`] if
+    /// `heights` is not as long as `directions`.
+    fn heights(
+        &self,
+        directions: &[DVec3],
+        level: u8,
+        heights: &mut [f32],
+    ) -> Result<(), GroundError> {
         same_length(directions, heights)?;
         for (direction, height) in directions.iter().zip(heights) {
             *height = self.height(*direction, level)?;
@@ -37,8 +44,8 @@ pub trait Ground: Sync {
         Ok(())
     }
 
-    /// Level of the water surface in m; the height of the ground where it is dry. Without a better answer there is
-    /// a sea at level 0 and no other water.
+    /// Level of the water surface in m; the height of the ground where it is dry. Without a better
+    /// answer there is a sea at level 0 and no other water.
     ///
     /// # Errors
     /// As [`height`](Self::height).
@@ -46,8 +53,8 @@ pub trait Ground: Sync {
         Ok(self.height(direction, level)?.max(0.0))
     }
 
-    /// Warmth and wetness at a direction, for a ground that is `height_m` above the sea. Without a better answer
-    /// it is that of the latitude.
+    /// Warmth and wetness at a direction, for a ground that is `height_m` above the sea. Without a
+    /// better answer it is that of the latitude.
     ///
     /// # Errors
     /// As [`height`](Self::height).
@@ -68,7 +75,12 @@ pub(super) fn same_length(directions: &[DVec3], heights: &[f32]) -> Result<(), G
         return Ok(());
     }
     let n = directions.len();
-    Err(GroundError::Count { what: "the number of heights", value: heights.len(), min: n, max: n })
+    Err(GroundError::Count {
+        what: "the number of heights",
+        value: heights.len(),
+        min: n,
+        max: n,
+    })
 }
 
 /// The unit vector along `direction`, which may have any length, if it and the level are good.
@@ -106,16 +118,23 @@ pub fn spacing(radius_m: f64, level: u8) -> f64 {
     radius_m * BASE_EDGE / (1_u64 << level.min(63)) as f64
 }
 
-/// The coarsest level whose edges are not longer than `spacing_m`; the finest where none is short enough.
+/// The coarsest level whose edges are not longer than `spacing_m`; the finest where none is short
+/// enough.
 pub fn level_for(radius_m: f64, spacing_m: f64) -> u8 {
-    (0..LEVELS).find(|&level| spacing(radius_m, level) <= spacing_m).unwrap_or(LEVELS)
+    (0..LEVELS)
+        .find(|&level| spacing(radius_m, level) <= spacing_m)
+        .unwrap_or(LEVELS)
 }
 
-/// The directions to the east and to the north at the unit vector `up`. At a pole, where there is neither, north is
-/// where it is along the meridian 0.
+/// The directions to the east and to the north at the unit vector `up`. At a pole, where there is
+/// neither, north is where it is along the meridian 0.
 pub(super) fn east_north(up: DVec3) -> (DVec3, DVec3) {
     let flat = DVec3::new(-up.y, up.x, 0.0);
-    let east = if flat.length_squared() > 1e-24 { flat.normalize() } else { DVec3::Y };
+    let east = if flat.length_squared() > 1e-24 {
+        flat.normalize()
+    } else {
+        DVec3::Y
+    };
     (east, up.cross(east))
 }
 
@@ -130,16 +149,26 @@ mod tests {
         assert!((spacing(earth, LEVELS) - 0.397).abs() < 1e-3);
         assert_eq!(level_for(earth, 92.6), 10);
         assert_eq!(level_for(earth, 1e9), 0);
-        assert_eq!((level_for(earth, 0.5), level_for(earth, 1e-9), level_for(earth, f64::NAN)), (17, 17, 17));
+        assert_eq!(
+            (
+                level_for(earth, 0.5),
+                level_for(earth, 1e-9),
+                level_for(earth, f64::NAN)
+            ),
+            (17, 17, 17)
+        );
         // A planet of a hundredth of the size has the same levels.
         assert_eq!(level_for(63_700.0, 0.926), level_for(earth, 92.6));
     }
 
     #[test]
     fn bad_directions_levels_and_coordinates_are_refused() {
-        for bad in
-            [DVec3::ZERO, DVec3::NAN, DVec3::new(f64::INFINITY, 0.0, 1.0), DVec3::new(0.0, f64::NAN, 1.0)]
-        {
+        for bad in [
+            DVec3::ZERO,
+            DVec3::NAN,
+            DVec3::new(f64::INFINITY, 0.0, 1.0),
+            DVec3::new(0.0, f64::NAN, 1.0),
+        ] {
             assert_eq!(checked(bad, 0), Err(GroundError::NotADirection));
         }
         assert_eq!(checked(DVec3::X, 18), Err(GroundError::Level(18)));
@@ -147,10 +176,16 @@ mod tests {
             assert!((checked(DVec3::new(far, far, 0.0), 17).unwrap().length() - 1.0).abs() < 1e-15);
         }
         for bad in [90.1, -91.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(direction_at(bad, 0.0), Err(GroundError::Latitude(_))));
+            assert!(matches!(
+                direction_at(bad, 0.0),
+                Err(GroundError::Latitude(_))
+            ));
         }
         for bad in [360.5, f64::NAN, f64::NEG_INFINITY] {
-            assert!(matches!(direction_at(0.0, bad), Err(GroundError::Longitude(_))));
+            assert!(matches!(
+                direction_at(0.0, bad),
+                Err(GroundError::Longitude(_))
+            ));
         }
         assert!((direction_at(0.0, 270.0).unwrap() + DVec3::Y).length() < 1e-15);
     }

@@ -1,4 +1,5 @@
-//! The ground for games and tools: heights, water, normals, what the ground is made of, rays, colliders, rasters.
+//! The ground for games and tools: heights, water, normals, what the ground is made of, rays,
+//! colliders, rasters.
 //!
 //! ```text
 //! ground       Ground: what every reader asks for; levels and their lengths
@@ -14,8 +15,8 @@
 //! tree         many rays against one patch
 //! ```
 //!
-//! Positions are in metres from the planet's centre, +z to the north pole, +x to 0° E; heights are above sea
-//! level. Nothing here panics on its input: what makes no sense is a [`GroundError`].
+//! Positions are in metres from the planet's centre, +z to the north pole, +x to 0° E; heights are
+//! above sea level. Nothing here panics on its input: what makes no sense is a [`GroundError`].
 
 mod ground;
 

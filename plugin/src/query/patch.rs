@@ -1,4 +1,5 @@
-//! A patch of triangles around a point, as colliders want it: an origin in f64, positions near it in f32.
+//! A patch of triangles around a point, as colliders want it: an origin in f64, positions near it
+//! in f32.
 
 use super::{AzimuthalEquidistant, Ground, GroundError, Square, checked};
 use bevy::math::{DVec3, Vec3};
@@ -7,21 +8,22 @@ use rayon::prelude::*;
 /// A square patch of the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Patch {
-    /// The point that positions count from: at the middle of the patch on the ground; m from the planet's centre.
+    /// The point that positions count from: at the middle of the patch on the ground; m from the
+    /// planet's centre.
     pub origin: DVec3,
-    /// Corners in m from `origin`, in the planet's axes; those of [`collider_patch`] in rows from the
-    /// north.
+    /// Corners in m from `origin`, in the planet's axes; those of [`collider_patch`] in rows from
+    /// the north.
     pub positions: Vec<Vec3>,
     /// Triangles, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// The ground around a direction of any length: a square of `side_m` with corners every `spacing_m` (a little less, so
-/// that whole steps fill the side), at `level`.
+/// The ground around a direction of any length: a square of `side_m` with corners every `spacing_m`
+/// (a little less, so that whole steps fill the side), at `level`.
 ///
 /// # Errors
-/// [`GroundError::Length`] for a side or spacing that makes no patch, [`GroundError::Count`] for more than
-/// 16,383 steps to a side, else as [`Ground::height`].
+/// [`GroundError::Length`] for a side or spacing that makes no patch, [`GroundError::Count`] for
+/// more than 16,383 steps to a side, else as [`Ground::height`].
 pub fn collider_patch(
     ground: &(impl Ground + ?Sized),
     direction: DVec3,
@@ -36,26 +38,49 @@ pub fn collider_patch(
     }
     let (min, max) = (1e-3, AzimuthalEquidistant::largest_square(radius));
     if !(min..=max).contains(&side_m) {
-        return Err(GroundError::Length { what: "the side of the patch", value: side_m, min, max });
+        return Err(GroundError::Length {
+            what: "the side of the patch",
+            value: side_m,
+            min,
+            max,
+        });
     }
     if !(min..=side_m).contains(&spacing_m) {
-        return Err(GroundError::Length { what: "the spacing", value: spacing_m, min, max: side_m });
+        return Err(GroundError::Length {
+            what: "the spacing",
+            value: spacing_m,
+            min,
+            max: side_m,
+        });
     }
     // A hair less, so that 64 m at 0.1 m are 640 steps.
     let steps = (side_m / spacing_m - 1e-9).ceil().max(1.0) as usize;
     // Corners are the pixel centres of a square that is half a step larger all around.
     let corners = steps.saturating_add(1);
     let whole = side_m * (corners as f64 / steps as f64);
-    let square = Square::new(AzimuthalEquidistant::about(up, radius), whole.min(max), corners)?;
+    let square = Square::new(
+        AzimuthalEquidistant::about(up, radius),
+        whole.min(max),
+        corners,
+    )?;
     let grid = square.heights(ground, level)?;
     let origin = up * (radius + f64::from(ground.height(up, level)?));
-    let place = |i: usize| square.direction(i % corners, i / corners) * (radius + f64::from(grid.values[i]));
-    let positions = (0..grid.values.len()).into_par_iter().map(|i| (place(i) - origin).as_vec3()).collect();
-    Ok(Patch { origin, positions, triangles: grid_triangles(corners) })
+    let place = |i: usize| {
+        square.direction(i % corners, i / corners) * (radius + f64::from(grid.values[i]))
+    };
+    let positions = (0..grid.values.len())
+        .into_par_iter()
+        .map(|i| (place(i) - origin).as_vec3())
+        .collect();
+    Ok(Patch {
+        origin,
+        positions,
+        triangles: grid_triangles(corners),
+    })
 }
 
-/// Two triangles for each cell of a square grid of `n` by `n` corners whose rows begin in the north west,
-/// counter-clockwise seen from outside.
+/// Two triangles for each cell of a square grid of `n` by `n` corners whose rows begin in the north
+/// west, counter-clockwise seen from outside.
 pub(crate) fn grid_triangles(n: usize) -> Vec<[u32; 3]> {
     let cell = |i: usize| {
         let (x, y) = (i % (n - 1), i / (n - 1));
@@ -89,8 +114,14 @@ mod tests {
     fn corners_lie_on_the_ground_around_the_origin() {
         for up in [DVec3::X, DVec3::Z, -DVec3::Z, math::direction(0.01, 0.02)] {
             let patch = collider_patch(&Bump, up, 64.0, 0.5, 17).unwrap();
-            assert_eq!((patch.positions.len(), patch.triangles.len()), (129 * 129, 2 * 128 * 128));
-            assert!(patch.positions[64 * 129 + 64].length() < 1e-5, "the middle is the origin");
+            assert_eq!(
+                (patch.positions.len(), patch.triangles.len()),
+                (129 * 129, 2 * 128 * 128)
+            );
+            assert!(
+                patch.positions[64 * 129 + 64].length() < 1e-5,
+                "the middle is the origin"
+            );
             for p in patch.positions.iter().step_by(97) {
                 let place = patch.origin + p.as_dvec3();
                 let height = f64::from(Bump.height(place, 17).unwrap());
@@ -119,13 +150,26 @@ mod tests {
 
     #[test]
     fn bad_patches_are_refused() {
-        let patch = |side, spacing, level| collider_patch(&Bump, DVec3::X, side, spacing, level).map(|_| ());
-        for (side, spacing) in
-            [(0.0, 0.5), (f64::NAN, 0.5), (64.0, 0.0), (64.0, f64::NAN), (64.0, 65.0), (1e9, 1e5)]
-        {
-            assert!(matches!(patch(side, spacing, 17), Err(GroundError::Length { .. })), "{side} {spacing}");
+        let patch = |side, spacing, level| {
+            collider_patch(&Bump, DVec3::X, side, spacing, level).map(|_| ())
+        };
+        for (side, spacing) in [
+            (0.0, 0.5),
+            (f64::NAN, 0.5),
+            (64.0, 0.0),
+            (64.0, f64::NAN),
+            (64.0, 65.0),
+            (1e9, 1e5),
+        ] {
+            assert!(
+                matches!(patch(side, spacing, 17), Err(GroundError::Length { .. })),
+                "{side} {spacing}"
+            );
         }
-        assert!(matches!(patch(1e5, 1e-3, 17), Err(GroundError::Count { .. })));
+        assert!(matches!(
+            patch(1e5, 1e-3, 17),
+            Err(GroundError::Count { .. })
+        ));
         assert_eq!(patch(64.0, 1.0, 18), Err(GroundError::Level(18)));
         let nowhere = collider_patch(&Bump, DVec3::ZERO, 64.0, 1.0, 17).map(|_| ());
         assert_eq!(nowhere, Err(GroundError::NotADirection));

@@ -1,8 +1,8 @@
 //! The ground of a planet, amplified from its control mesh: what the player sees, on the CPU.
 //!
-//! Every answer has the bits of any other way to refine the ground there (DESIGN: twins). Engines keep the patches of
-//! their last question, so questions that lie close together are asked of the same one: a batch is cut into runs, and
-//! each run has an engine to itself.
+//! Every answer has the bits of any other way to refine the ground there (DESIGN: twins). Engines
+//! keep the patches of their last question, so questions that lie close together are asked of the
+//! same one: a batch is cut into runs, and each run has an engine to itself.
 
 use super::ground::same_length;
 use super::{Climate, Ground, GroundError, LAPSE, checked};
@@ -39,14 +39,32 @@ impl PlanetGround {
     /// # Errors
     /// [`GroundError::Unavailable`] if the control mesh is not whole.
     pub fn new(control: &ControlMesh, rules: Rules) -> Result<Self, GroundError> {
-        let base = Base::new(control).map_err(|error| GroundError::Unavailable(error.to_string()))?;
+        let base =
+            Base::new(control).map_err(|error| GroundError::Unavailable(error.to_string()))?;
         let metres = |grains: i32| f64::from(grains) / f64::from(GRAINS);
-        let lowest = control.vertices.iter().map(|v| v.height.min(v.bed)).min().unwrap_or(0);
-        let highest = control.vertices.iter().map(|v| v.height.max(v.crust)).max().unwrap_or(0);
-        // Rules add to what the control mesh says: crests over summits, beds under rivers, seamounts.
+        let lowest = control
+            .vertices
+            .iter()
+            .map(|v| v.height.min(v.bed))
+            .min()
+            .unwrap_or(0);
+        let highest = control
+            .vertices
+            .iter()
+            .map(|v| v.height.max(v.crust))
+            .max()
+            .unwrap_or(0);
+        // Rules add to what the control mesh says: crests over summits, beds under rivers,
+        // seamounts.
         let bounds_m = [metres(lowest) - 3000.0, metres(highest) + 3000.0];
         let (temperature, engines) = (Arc::default(), Mutex::default());
-        Ok(Self { base: Arc::new(base), rules, temperature, bounds_m, engines })
+        Ok(Self {
+            base: Arc::new(base),
+            rules,
+            temperature,
+            bounds_m,
+            engines,
+        })
     }
 
     /// The ground of a baked planet, with its climate.
@@ -57,8 +75,8 @@ impl PlanetGround {
         Self::new(&bake.control, rules)?.with_temperature(&bake.control, &bake.climate.temperature)
     }
 
-    /// The same with the temperature at the ground in °C of every vertex of its `control` mesh, from which that of all
-    /// other heights follows.
+    /// The same with the temperature at the ground in °C of every vertex of its `control` mesh,
+    /// from which that of all other heights follows.
     ///
     /// # Errors
     /// [`GroundError::Count`] if there is not one temperature per vertex.
@@ -70,10 +88,22 @@ impl PlanetGround {
         let n = self.base.vertices.len();
         if temperature.len() != n || control.vertices.len() != n {
             let what = "the number of temperatures";
-            return Err(GroundError::Count { what, value: temperature.len(), min: n, max: n });
+            return Err(GroundError::Count {
+                what,
+                value: temperature.len(),
+                min: n,
+                max: n,
+            });
         }
-        let at_sea_level = |(t, v): (&f32, &ControlVertex)| t + LAPSE * (v.height.max(0) / GRAINS) as f32;
-        self.temperature = Arc::new(temperature.iter().zip(&control.vertices).map(at_sea_level).collect());
+        let at_sea_level =
+            |(t, v): (&f32, &ControlVertex)| t + LAPSE * (v.height.max(0) / GRAINS) as f32;
+        self.temperature = Arc::new(
+            temperature
+                .iter()
+                .zip(&control.vertices)
+                .map(at_sea_level)
+                .collect(),
+        );
         Ok(self)
     }
 
@@ -102,8 +132,10 @@ impl PlanetGround {
 
     /// Lends an engine at rest, or a new one.
     fn with_engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
-        let resting = |engines: &Mutex<Vec<Engine>>| engines.lock().ok().and_then(|mut all| all.pop());
-        let mut engine = resting(&self.engines).unwrap_or_else(|| Local::new(self.base.clone(), &self.rules));
+        let resting =
+            |engines: &Mutex<Vec<Engine>>| engines.lock().ok().and_then(|mut all| all.pop());
+        let mut engine =
+            resting(&self.engines).unwrap_or_else(|| Local::new(self.base.clone(), &self.rules));
         let answer = work(&mut engine);
         if let Ok(mut all) = self.engines.lock() {
             all.push(engine);
@@ -140,7 +172,12 @@ impl Ground for PlanetGround {
         Ok(height[0])
     }
 
-    fn heights(&self, directions: &[DVec3], level: u8, heights: &mut [f32]) -> Result<(), GroundError> {
+    fn heights(
+        &self,
+        directions: &[DVec3],
+        level: u8,
+        heights: &mut [f32],
+    ) -> Result<(), GroundError> {
         same_length(directions, heights)?;
         let run = |directions: &[DVec3], heights: &mut [f32]| {
             self.with_engine(|engine| {
@@ -155,7 +192,9 @@ impl Ground for PlanetGround {
             return run(directions, heights);
         }
         let runs = directions.par_chunks(RUN).zip(heights.par_chunks_mut(RUN));
-        let results: Vec<_> = runs.map(|(directions, heights)| run(directions, heights)).collect();
+        let results: Vec<_> = runs
+            .map(|(directions, heights)| run(directions, heights))
+            .collect();
         results.into_iter().collect()
     }
 
@@ -173,7 +212,10 @@ impl Ground for PlanetGround {
         let mean = |value: [f64; 3]| (0..3).map(|k| weights[k] * value[k]).sum::<f64>() as f32;
         let wetness = mean(leaf.vertices.map(|v| f64::from(v.wetness) / 65_536.0));
         let corners = self.base.level.faces[leaf.base_face as usize].vertices;
-        let mut climate = Climate { wetness, ..Climate::of_latitude(unit.z, height_m) };
+        let mut climate = Climate {
+            wetness,
+            ..Climate::of_latitude(unit.z, height_m)
+        };
         if !self.temperature.is_empty() {
             let sea_level = mean(corners.map(|v| f64::from(self.temperature[v as usize])));
             climate.temperature_c = sea_level - LAPSE * height_m.max(0.0);
@@ -189,7 +231,9 @@ impl Ground for PlanetGround {
 /// Level of the water at a direction in a leaf in m: below the ground where it is dry.
 fn water_m(leaf: &Leaf, at: [i32; 3]) -> f64 {
     let weights = leaf.weights(at);
-    let sum: f64 = (0..3).map(|k| weights[k] * f64::from(leaf.carved[k].water)).sum();
+    let sum: f64 = (0..3)
+        .map(|k| weights[k] * f64::from(leaf.carved[k].water))
+        .sum();
     sum / f64::from(GRAINS)
 }
 
@@ -216,9 +260,15 @@ mod tests {
         let mut heights = vec![0.0; directions.len()];
         batch.heights(&directions, 6, &mut heights).unwrap();
         for (direction, height) in directions.iter().zip(&heights).rev().step_by(7) {
-            assert_eq!(single.height(*direction * 3.5, 6).unwrap().to_bits(), height.to_bits());
+            assert_eq!(
+                single.height(*direction * 3.5, 6).unwrap().to_bits(),
+                height.to_bits()
+            );
         }
-        assert_eq!(single.clone().height(directions[0], 6), batch.height(directions[0], 6));
+        assert_eq!(
+            single.clone().height(directions[0], 6),
+            batch.height(directions[0], 6)
+        );
     }
 
     #[test]
@@ -228,7 +278,11 @@ mod tests {
         for direction in directions(300) {
             let here = sample(&ground, direction, 9).unwrap();
             assert!(here.water_m >= here.height_m);
-            assert!((low..=high).contains(&f64::from(here.height_m)), "{} m", here.height_m);
+            assert!(
+                (low..=high).contains(&f64::from(here.height_m)),
+                "{} m",
+                here.height_m
+            );
             assert!(here.normal.dot(direction) > 0.0);
         }
     }
@@ -237,21 +291,30 @@ mod tests {
     fn fine_levels_refine_what_coarse_ones_say() {
         let ground = ground();
         for direction in directions(40) {
-            let [coarse, fine, finest] = [12, 15, 17].map(|level| ground.height(direction, level).unwrap());
+            let [coarse, fine, finest] =
+                [12, 15, 17].map(|level| ground.height(direction, level).unwrap());
             // Triangles of 13 m and of 0.4 m on the same slope.
-            assert!((coarse - fine).abs() < 30.0 && (fine - finest).abs() < 5.0, "{coarse} {fine} {finest}");
+            assert!(
+                (coarse - fine).abs() < 30.0 && (fine - finest).abs() < 5.0,
+                "{coarse} {fine} {finest}"
+            );
         }
     }
 
     #[test]
     fn temperature_follows_height_from_what_the_control_mesh_has() {
         let control = control_mesh(6_370_000, 3, 7);
-        let heights = control.vertices.iter().map(|v| (v.height.max(0) / GRAINS) as f32);
+        let heights = control
+            .vertices
+            .iter()
+            .map(|v| (v.height.max(0) / GRAINS) as f32);
         let temperature: Vec<f32> = heights.map(|height| 20.0 - LAPSE * height).collect();
         let ground = ground().with_temperature(&control, &temperature).unwrap();
         for direction in directions(20) {
             let found = ground.climate(direction, 1000.0).unwrap();
-            assert!((found.temperature_c - 13.5).abs() < 1e-3 && (0.0..=1.0).contains(&found.wetness));
+            assert!(
+                (found.temperature_c - 13.5).abs() < 1e-3 && (0.0..=1.0).contains(&found.wetness)
+            );
         }
         assert!(matches!(
             ground.with_temperature(&control, &temperature[1..]),
@@ -262,28 +325,49 @@ mod tests {
     #[test]
     fn a_collider_is_the_ground_and_covers_its_square() {
         let ground = ground();
-        for (direction, side, level) in [(DVec3::X, 300.0, 17), (DVec3::new(0.3, -0.2, 0.9), 40_000.0, 10)] {
+        for (direction, side, level) in [
+            (DVec3::X, 300.0, 17),
+            (DVec3::new(0.3, -0.2, 0.9), 40_000.0, 10),
+        ] {
             let patch = ground.collider(direction, side, level).unwrap();
             // The test's control mesh is some sixteen times coarser than a planet's.
-            assert!(patch.triangles.len() > 100, "{} triangles", patch.triangles.len());
+            assert!(
+                patch.triangles.len() > 100,
+                "{} triangles",
+                patch.triangles.len()
+            );
             let mut area = 0.0;
             for triangle in &patch.triangles {
-                let [a, b, c] = triangle.map(|i| patch.origin + patch.positions[i as usize].as_dvec3());
+                let [a, b, c] =
+                    triangle.map(|i| patch.origin + patch.positions[i as usize].as_dvec3());
                 let normal = (b - a).cross(c - a);
                 area += 0.5 * normal.dot(direction.normalize());
                 assert!(normal.dot(a) > 0.0, "a face is flipped");
                 let middle = (a + b + c) / 3.0;
                 let height = f64::from(ground.height(middle, level).unwrap());
                 let error = middle.length() - 6_370_000.0 - height;
-                // A flat triangle sinks below the ball by its edge squared over twice the radius; 5 mm are those of f32.
+                // A flat triangle sinks below the ball by its edge squared over twice the radius; 5
+                // mm are those of f32.
                 let edge = (b - a).length().max((c - b).length()).max((a - c).length());
                 let sag = edge * edge / (2.0 * 6_370_000.0);
-                assert!(error.abs() < sag + 0.005, "{error} m beside an edge of {edge} m");
+                assert!(
+                    error.abs() < sag + 0.005,
+                    "{error} m beside an edge of {edge} m"
+                );
             }
-            assert!(area > side * side, "{area} m² in triangles for a square of {side} m");
+            assert!(
+                area > side * side,
+                "{area} m² in triangles for a square of {side} m"
+            );
         }
-        assert!(matches!(ground.collider(DVec3::X, 1e6, 17), Err(GroundError::Length { .. })));
-        assert!(matches!(ground.collider(DVec3::X, f64::NAN, 17), Err(GroundError::Length { .. })));
+        assert!(matches!(
+            ground.collider(DVec3::X, 1e6, 17),
+            Err(GroundError::Length { .. })
+        ));
+        assert!(matches!(
+            ground.collider(DVec3::X, f64::NAN, 17),
+            Err(GroundError::Length { .. })
+        ));
     }
 
     #[test]
@@ -296,8 +380,17 @@ mod tests {
         );
         let mut broken = control_mesh(6_370_000, 2, 7);
         broken.faces.pop();
-        assert!(matches!(PlanetGround::new(&broken, Rules::default()), Err(GroundError::Unavailable(_))));
-        let none = ControlMesh { radius_m: 0, ..broken };
-        assert!(matches!(PlanetGround::new(&none, Rules::default()), Err(GroundError::Unavailable(_))));
+        assert!(matches!(
+            PlanetGround::new(&broken, Rules::default()),
+            Err(GroundError::Unavailable(_))
+        ));
+        let none = ControlMesh {
+            radius_m: 0,
+            ..broken
+        };
+        assert!(matches!(
+            PlanetGround::new(&none, Rules::default()),
+            Err(GroundError::Unavailable(_))
+        ));
     }
 }

@@ -1,7 +1,9 @@
-//! Azimuthal equidistant projection of the sphere (Snyder 1987, "Map projections: a working manual", p. 191-202).
+//! Azimuthal equidistant projection of the sphere (Snyder 1987, "Map projections: a working
+//! manual", p. 191-202).
 //!
-//! Distances and bearings from the centre are true. Everything is done with vectors: there is no pole and no
-//! antimeridian to except. The plane's x points east, y north, in metres along the sea level.
+//! Distances and bearings from the centre are true. Everything is done with vectors: there is no
+//! pole and no antimeridian to except. The plane's x points east, y north, in metres along the sea
+//! level.
 
 use super::GroundError;
 use super::ground::{direction_at, east_north};
@@ -19,8 +21,8 @@ pub struct AzimuthalEquidistant {
 }
 
 impl AzimuthalEquidistant {
-    /// The projection about a latitude and a longitude in degrees on a sphere of `radius_m`. At a pole north is up
-    /// along the meridian `longitude`.
+    /// The projection about a latitude and a longitude in degrees on a sphere of `radius_m`. At a
+    /// pole north is up along the meridian `longitude`.
     ///
     /// # Errors
     /// [`GroundError::Latitude`], [`GroundError::Longitude`], [`GroundError::Radius`].
@@ -31,13 +33,25 @@ impl AzimuthalEquidistant {
         let centre = direction_at(latitude, longitude)?;
         let (sin, cos) = math::sin_cos(longitude.to_radians());
         let east = DVec3::new(-sin, cos, 0.0);
-        Ok(Self { centre, east, north: centre.cross(east), lat_lon: (latitude, longitude), radius_m })
+        Ok(Self {
+            centre,
+            east,
+            north: centre.cross(east),
+            lat_lon: (latitude, longitude),
+            radius_m,
+        })
     }
 
     /// The projection about a unit vector.
     pub(super) fn about(centre: DVec3, radius_m: f64) -> Self {
         let (east, north) = east_north(centre);
-        Self { centre, east, north, lat_lon: math::lat_lon(centre), radius_m }
+        Self {
+            centre,
+            east,
+            north,
+            lat_lon: math::lat_lon(centre),
+            radius_m,
+        }
     }
 
     /// Unit vector of the centre.
@@ -60,7 +74,8 @@ impl AzimuthalEquidistant {
         self.radius_m
     }
 
-    /// The unit vector at `x` m to the east and `y` m to the north, at most half a great circle away.
+    /// The unit vector at `x` m to the east and `y` m to the north, at most half a great circle
+    /// away.
     pub fn direction(&self, plane: DVec2) -> DVec3 {
         let distance = plane.length();
         if distance == 0.0 {
@@ -71,16 +86,21 @@ impl AzimuthalEquidistant {
         (self.centre * cos + bearing * sin).normalize()
     }
 
-    /// Where a unit vector lies in the plane, in m; the inverse of [`direction`](Self::direction). The point opposite
-    /// to the centre, whose bearing is not defined, lies in the north.
+    /// Where a unit vector lies in the plane, in m; the inverse of [`direction`](Self::direction).
+    /// The point opposite to the centre, whose bearing is not defined, lies in the north.
     pub fn plane(&self, direction: DVec3) -> DVec2 {
         let flat = DVec2::new(direction.dot(self.east), direction.dot(self.north));
         let sin = flat.length();
         let distance = self.radius_m * math::atan2(sin, direction.dot(self.centre));
-        if sin == 0.0 { DVec2::new(0.0, distance) } else { flat * (distance / sin) }
+        if sin == 0.0 {
+            DVec2::new(0.0, distance)
+        } else {
+            flat * (distance / sin)
+        }
     }
 
-    /// Side of the largest square in m whose corners are not beyond the point opposite to the centre.
+    /// Side of the largest square in m whose corners are not beyond the point opposite to the
+    /// centre.
     pub fn largest_square(radius_m: f64) -> f64 {
         core::f64::consts::SQRT_2 * PI * radius_m
     }
@@ -101,8 +121,14 @@ mod tests {
     fn north_is_up_and_degrees_are_equally_long_from_the_centre() {
         let map = about(0.0, 0.0);
         let degree = R * PI / 180.0;
-        assert!((map.plane(math::direction(0.0, 10.0)) - DVec2::new(10.0 * degree, 0.0)).length() < 1e-6);
-        assert!((map.plane(math::direction(-20.0, 0.0)) - DVec2::new(0.0, -20.0 * degree)).length() < 1e-6);
+        assert!(
+            (map.plane(math::direction(0.0, 10.0)) - DVec2::new(10.0 * degree, 0.0)).length()
+                < 1e-6
+        );
+        assert!(
+            (map.plane(math::direction(-20.0, 0.0)) - DVec2::new(0.0, -20.0 * degree)).length()
+                < 1e-6
+        );
         let map = about(45.0, 100.0);
         assert!((map.plane(DVec3::Z) - DVec2::new(0.0, 45.0 * degree)).length() < 1e-6);
     }
@@ -118,16 +144,32 @@ mod tests {
         let c = math::acos(sin0 * sin + cos0 * cos * cos_l);
         let k = c / math::sin(c);
         let (x, y) = (k * cos * sin_l, k * (cos0 * sin - sin0 * cos * cos_l));
-        assert!((found - DVec2::new(x, y)).length() < 1e-12, "{found} {x} {y}");
+        assert!(
+            (found - DVec2::new(x, y)).length() < 1e-12,
+            "{found} {x} {y}"
+        );
     }
 
     #[test]
     fn poles_and_the_antimeridian_are_points_like_any_other() {
-        for (lat, lon) in [(90.0, 0.0), (-90.0, 77.0), (0.0, 180.0), (10.0, -180.0), (-89.999_999, 12.0)] {
+        for (lat, lon) in [
+            (90.0, 0.0),
+            (-90.0, 77.0),
+            (0.0, 180.0),
+            (10.0, -180.0),
+            (-89.999_999, 12.0),
+        ] {
             let map = about(lat, lon);
             assert!(map.plane(map.centre()).length() < 1e-9);
-            for plane in [DVec2::new(3e5, -2e5), DVec2::new(-1e6, 1e-3), DVec2::new(0.0, 1.0)] {
-                assert!((map.plane(map.direction(plane)) - plane).length() < 1e-7, "{lat} {lon} {plane}");
+            for plane in [
+                DVec2::new(3e5, -2e5),
+                DVec2::new(-1e6, 1e-3),
+                DVec2::new(0.0, 1.0),
+            ] {
+                assert!(
+                    (map.plane(map.direction(plane)) - plane).length() < 1e-7,
+                    "{lat} {lon} {plane}"
+                );
             }
         }
         // At the north pole, up is along the meridian opposite to the given one.
@@ -160,8 +202,17 @@ mod tests {
 
     #[test]
     fn bad_centres_are_refused() {
-        assert!(matches!(AzimuthalEquidistant::new(91.0, 0.0, R), Err(GroundError::Latitude(_))));
-        assert!(matches!(AzimuthalEquidistant::new(0.0, f64::NAN, R), Err(GroundError::Longitude(_))));
-        assert!(matches!(AzimuthalEquidistant::new(0.0, 0.0, -1.0), Err(GroundError::Radius(_))));
+        assert!(matches!(
+            AzimuthalEquidistant::new(91.0, 0.0, R),
+            Err(GroundError::Latitude(_))
+        ));
+        assert!(matches!(
+            AzimuthalEquidistant::new(0.0, f64::NAN, R),
+            Err(GroundError::Longitude(_))
+        ));
+        assert!(matches!(
+            AzimuthalEquidistant::new(0.0, 0.0, -1.0),
+            Err(GroundError::Radius(_))
+        ));
     }
 }

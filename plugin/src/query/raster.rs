@@ -23,7 +23,11 @@ impl HeightGrid {
     /// Lowest and highest value; `None` of an empty grid.
     pub fn range(&self) -> Option<[f32; 2]> {
         let first = *self.values.first()?;
-        Some(self.values.iter().fold([first; 2], |[low, high], &z| [low.min(z), high.max(z)]))
+        Some(
+            self.values
+                .iter()
+                .fold([first; 2], |[low, high], &z| [low.min(z), high.max(z)]),
+        )
     }
 
     /// A row, from the west.
@@ -48,18 +52,40 @@ impl Square {
     /// A square of `side_m` with `pixels` to a side about the middle of `projection`.
     ///
     /// # Errors
-    /// [`GroundError::Length`] if the square is larger than the sphere, or smaller than a millimetre to a pixel;
-    /// [`GroundError::Count`] outside of 2..=16,384 pixels.
-    pub fn new(projection: AzimuthalEquidistant, side_m: f64, pixels: usize) -> Result<Self, GroundError> {
+    /// [`GroundError::Length`] if the square is larger than the sphere, or smaller than a
+    /// millimetre to a pixel; [`GroundError::Count`] outside of 2..=16,384 pixels.
+    pub fn new(
+        projection: AzimuthalEquidistant,
+        side_m: f64,
+        pixels: usize,
+    ) -> Result<Self, GroundError> {
         let (min, max) = (2, Self::MAX_PIXELS);
         if !(min..=max).contains(&pixels) {
-            return Err(GroundError::Count { what: "the number of pixels", value: pixels, min, max });
+            return Err(GroundError::Count {
+                what: "the number of pixels",
+                value: pixels,
+                min,
+                max,
+            });
         }
-        let (min, max) = (pixels as f64 * 1e-3, AzimuthalEquidistant::largest_square(projection.radius_m()));
+        let (min, max) = (
+            pixels as f64 * 1e-3,
+            AzimuthalEquidistant::largest_square(projection.radius_m()),
+        );
         if !(min..=max).contains(&side_m) {
-            return Err(GroundError::Length { what: "the side of the square", value: side_m, min, max });
+            return Err(GroundError::Length {
+                what: "the side of the square",
+                value: side_m,
+                min,
+                max,
+            });
         }
-        Ok(Self { projection, side_m, pixels, level: None })
+        Ok(Self {
+            projection,
+            side_m,
+            pixels,
+            level: None,
+        })
     }
 
     /// The same at a level of its own, whatever its pixels are.
@@ -67,7 +93,14 @@ impl Square {
     /// # Errors
     /// [`GroundError::Level`] beyond the finest.
     pub fn at_level(self, level: u8) -> Result<Self, GroundError> {
-        if level > LEVELS { Err(GroundError::Level(level)) } else { Ok(Self { level: Some(level), ..self }) }
+        if level > LEVELS {
+            Err(GroundError::Level(level))
+        } else {
+            Ok(Self {
+                level: Some(level),
+                ..self
+            })
+        }
     }
 
     /// The projection.
@@ -93,24 +126,30 @@ impl Square {
     /// Unit vector of the centre of pixel (`column`, `row`), rows from the north.
     pub fn direction(&self, column: usize, row: usize) -> DVec3 {
         let from_middle = |k: usize| (k as f64 + 0.5 - 0.5 * self.pixels as f64) * self.pixel_m();
-        self.projection.direction(DVec2::new(from_middle(column), -from_middle(row)))
+        self.projection
+            .direction(DVec2::new(from_middle(column), -from_middle(row)))
     }
 
     /// Its own level, or the one whose edges are not longer than a pixel.
     pub fn level(&self) -> u8 {
-        self.level.unwrap_or_else(|| level_for(self.projection.radius_m(), self.pixel_m()))
+        self.level
+            .unwrap_or_else(|| level_for(self.projection.radius_m(), self.pixel_m()))
     }
 
     /// Heights at all pixels, in batches on all threads.
     ///
     /// # Errors
     /// As [`Ground::height`]: the error of the first batch that has one.
-    pub fn heights(&self, ground: &(impl Ground + ?Sized), level: u8) -> Result<HeightGrid, GroundError> {
+    pub fn heights(
+        &self,
+        ground: &(impl Ground + ?Sized),
+        level: u8,
+    ) -> Result<HeightGrid, GroundError> {
         self.heights_while(ground, level, |_| true)
     }
 
-    /// The same for as long as `go_on` says so. It is told the number of pixels that are known before each batch,
-    /// from any thread.
+    /// The same for as long as `go_on` says so. It is told the number of pixels that are known
+    /// before each batch, from any thread.
     ///
     /// # Errors
     /// As [`heights`](Self::heights), and [`GroundError::Stopped`].
@@ -123,22 +162,31 @@ impl Square {
         let count = self.pixels * self.pixels;
         let mut values = vec![0.0_f32; count];
         let known = AtomicUsize::new(0);
-        let batches = values.par_chunks_mut(parallel::CHUNK).enumerate().map(|(batch, heights)| {
-            if !go_on(known.load(Ordering::Relaxed)) {
-                return Err(GroundError::Stopped);
-            }
-            let first = batch * parallel::CHUNK;
-            let pixels = first..first + heights.len();
-            let directions: Vec<DVec3> =
-                pixels.map(|i| self.direction(i % self.pixels, i / self.pixels)).collect();
-            ground.heights(&directions, level, heights)?;
-            known.fetch_add(heights.len(), Ordering::Relaxed);
-            Ok(())
-        });
+        let batches = values
+            .par_chunks_mut(parallel::CHUNK)
+            .enumerate()
+            .map(|(batch, heights)| {
+                if !go_on(known.load(Ordering::Relaxed)) {
+                    return Err(GroundError::Stopped);
+                }
+                let first = batch * parallel::CHUNK;
+                let pixels = first..first + heights.len();
+                let directions: Vec<DVec3> = pixels
+                    .map(|i| self.direction(i % self.pixels, i / self.pixels))
+                    .collect();
+                ground.heights(&directions, level, heights)?;
+                known.fetch_add(heights.len(), Ordering::Relaxed);
+                Ok(())
+            });
         // Collected first: which of several errors is told must not depend on the threads.
         let results: Vec<Result<(), GroundError>> = batches.collect();
         results.into_iter().collect::<Result<(), GroundError>>()?;
-        Ok(HeightGrid { width: self.pixels, height: self.pixels, values, pixel_m: [self.pixel_m(); 2] })
+        Ok(HeightGrid {
+            width: self.pixels,
+            height: self.pixels,
+            values,
+            pixel_m: [self.pixel_m(); 2],
+        })
     }
 }
 
@@ -163,7 +211,12 @@ mod tests {
     }
 
     fn square(lat: f64, lon: f64, side_m: f64, pixels: usize) -> Square {
-        Square::new(AzimuthalEquidistant::new(lat, lon, 6_370_000.0).unwrap(), side_m, pixels).unwrap()
+        Square::new(
+            AzimuthalEquidistant::new(lat, lon, 6_370_000.0).unwrap(),
+            side_m,
+            pixels,
+        )
+        .unwrap()
     }
 
     #[test]
@@ -172,7 +225,8 @@ mod tests {
         let square = square(30.0, 40.0, 8.0 * degree, 8);
         let lat = square.heights(&Degrees(false), 5).unwrap();
         assert_eq!((lat.width, lat.height, lat.values.len()), (8, 8, 64));
-        // The middle column is half a pixel off the meridian; latitudes differ by a few hundredths of a degree there.
+        // The middle column is half a pixel off the meridian; latitudes differ by a few hundredths
+        // of a degree there.
         for (y, expected) in (0..8).map(|y| (y, 33.5 - y as f32)) {
             assert!((lat.row(y)[4] / 10.0 - expected).abs() < 0.02, "{y}");
         }
@@ -202,18 +256,33 @@ mod tests {
         assert_eq!(square(0.0, 0.0, 60_004.8, 648).level(), 10);
         assert_eq!(square(0.0, 0.0, 64.0, 128).level(), 17);
         assert_eq!(square(0.0, 0.0, 64.0, 128).at_level(9).unwrap().level(), 9);
-        assert_eq!(square(0.0, 0.0, 64.0, 128).at_level(18), Err(GroundError::Level(18)));
+        assert_eq!(
+            square(0.0, 0.0, 64.0, 128).at_level(18),
+            Err(GroundError::Level(18))
+        );
     }
 
     #[test]
     fn bad_squares_and_levels_are_refused() {
         let map = AzimuthalEquidistant::new(0.0, 0.0, 50_000.0).unwrap();
         for side in [0.0, -1.0, f64::NAN, f64::INFINITY, 300_000.0] {
-            assert!(matches!(Square::new(map, side, 16), Err(GroundError::Length { .. })), "{side}");
+            assert!(
+                matches!(Square::new(map, side, 16), Err(GroundError::Length { .. })),
+                "{side}"
+            );
         }
         for pixels in [0, 1, 20_000, usize::MAX] {
-            assert!(matches!(Square::new(map, 1000.0, pixels), Err(GroundError::Count { .. })), "{pixels}");
+            assert!(
+                matches!(
+                    Square::new(map, 1000.0, pixels),
+                    Err(GroundError::Count { .. })
+                ),
+                "{pixels}"
+            );
         }
-        assert_eq!(square(0.0, 0.0, 1e5, 9).heights(&Degrees(true), 18), Err(GroundError::Level(18)));
+        assert_eq!(
+            square(0.0, 0.0, 1e5, 9).heights(&Degrees(true), 18),
+            Err(GroundError::Level(18))
+        );
     }
 }

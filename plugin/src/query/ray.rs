@@ -1,10 +1,10 @@
 //! Where a ray meets the ground.
 //!
-//! The ray is followed between the spheres that the ground lies between. A step is a third of the height above the
-//! ground, which no slope below 70° can overtake, but at least a quarter of an edge: what is thinner than that at the
-//! asked level may be passed. The crossing is then bisected. A tree
-//! of triangles would have to be built for every place that a ray might come to; for many rays against one place there
-//! is [`PatchTree`](super::PatchTree).
+//! The ray is followed between the spheres that the ground lies between. A step is a third of the
+//! height above the ground, which no slope below 70° can overtake, but at least a quarter of an
+//! edge: what is thinner than that at the asked level may be passed. The crossing is then bisected.
+//! A tree of triangles would have to be built for every place that a ray might come to; for many
+//! rays against one place there is [`PatchTree`](super::PatchTree).
 
 use super::{Ground, GroundError, checked, normal, spacing};
 use bevy::math::DVec3;
@@ -29,12 +29,14 @@ const SHORTEST: f64 = 0.25;
 /// Most steps: a ray that skims the finest ground for 40 km gives up.
 const MAX_STEPS: usize = 400_000;
 
-/// The first point of the ground on the ray from `origin`, in m from the planet's centre, along `direction` (of any
-/// length), at most `max_m` away. A ray that begins below the ground hits it at once. `None` if it meets none.
+/// The first point of the ground on the ray from `origin`, in m from the planet's centre, along
+/// `direction` (of any length), at most `max_m` away. A ray that begins below the ground hits it at
+/// once. `None` if it meets none.
 ///
 /// # Errors
-/// As [`Ground::height`]; [`GroundError::Length`] for a negative `max_m`, or one that is not a number;
-/// [`GroundError::Radius`]; [`GroundError::Unavailable`] for a ray that skims the ground for too long.
+/// As [`Ground::height`]; [`GroundError::Length`] for a negative `max_m`, or one that is not a
+/// number; [`GroundError::Radius`]; [`GroundError::Unavailable`] for a ray that skims the ground
+/// for too long.
 pub fn cast_ray(
     ground: &(impl Ground + ?Sized),
     origin: DVec3,
@@ -51,13 +53,27 @@ pub fn cast_ray(
         return Err(GroundError::Radius(radius));
     }
     if max_m.is_nan() || max_m < 0.0 {
-        return Err(GroundError::Length { what: "the ray", value: max_m, min: 0.0, max: f64::INFINITY });
+        return Err(GroundError::Length {
+            what: "the ray",
+            value: max_m,
+            min: 0.0,
+            max: f64::INFINITY,
+        });
     }
-    let ray = Ray { ground, origin, along, radius, level };
+    let ray = Ray {
+        ground,
+        origin,
+        along,
+        radius,
+        level,
+    };
     let [low, high] = ground.bounds_m();
-    let Some((start, end)) = within(origin, along, radius + high) else { return Ok(None) };
+    let Some((start, end)) = within(origin, along, radius + high) else {
+        return Ok(None);
+    };
     // Below the lowest ground, the ray has met it.
-    let end = within(origin, along, radius + low).map_or(end, |(deep, _)| end.min(deep.max(start) + 1.0));
+    let end =
+        within(origin, along, radius + low).map_or(end, |(deep, _)| end.min(deep.max(start) + 1.0));
     match ray.crossing(start, end.min(max_m))? {
         Some(distance_m) => ray.hit(distance_m).map(Some),
         None => Ok(None),
@@ -102,14 +118,18 @@ impl<G: Ground + ?Sized> Ray<'_, G> {
                 return Ok(None);
             }
             // A step that rounding would swallow still goes on.
-            let next = (t + (CAUTION * clearance).max(shortest)).max(t.next_up()).min(end);
+            let next = (t + (CAUTION * clearance).max(shortest))
+                .max(t.next_up())
+                .min(end);
             let ahead = self.clearance(next)?;
             if ahead <= 0.0 {
                 return self.bisect(t, next).map(Some);
             }
             (t, clearance) = (next, ahead);
         }
-        Err(GroundError::Unavailable("the ray skims the ground for too long".into()))
+        Err(GroundError::Unavailable(
+            "the ray skims the ground for too long".into(),
+        ))
     }
 
     /// Where between `above` and `below` the ray meets the ground, to a tenth of a millimetre.
@@ -119,7 +139,11 @@ impl<G: Ground + ?Sized> Ray<'_, G> {
             if middle <= above || middle >= below {
                 break;
             }
-            if self.clearance(middle)? > 0.0 { above = middle } else { below = middle }
+            if self.clearance(middle)? > 0.0 {
+                above = middle
+            } else {
+                below = middle
+            }
         }
         Ok(below)
     }
@@ -127,12 +151,21 @@ impl<G: Ground + ?Sized> Ray<'_, G> {
     fn hit(&self, distance_m: f64) -> Result<RayHit, GroundError> {
         let point = self.point(distance_m);
         // At the centre every direction is up.
-        let up = if point.length_squared() > 0.0 { point } else { -self.along };
-        Ok(RayHit { distance_m, point, normal: normal(self.ground, up, self.level)? })
+        let up = if point.length_squared() > 0.0 {
+            point
+        } else {
+            -self.along
+        };
+        Ok(RayHit {
+            distance_m,
+            point,
+            normal: normal(self.ground, up, self.level)?,
+        })
     }
 }
 
-/// Where on the ray, from 0 on, the ball of `radius` about the centre begins and ends; `None` if it is missed.
+/// Where on the ray, from 0 on, the ball of `radius` about the centre begins and ends; `None` if it
+/// is missed.
 fn within(origin: DVec3, along: DVec3, radius: f64) -> Option<(f64, f64)> {
     let middle = -origin.dot(along);
     let closest = origin + along * middle;
@@ -164,7 +197,8 @@ mod tests {
         }
     }
 
-    /// A cone of exact flanks: its surface is where the angle at an apex 5000 m above the north pole is 60°.
+    /// A cone of exact flanks: its surface is where the angle at an apex 5000 m above the north
+    /// pole is 60°.
     struct Cone;
 
     /// Height of the apex, and tangent and cosine of the flank's angle from the axis.
@@ -180,7 +214,11 @@ mod tests {
             let away = (up.x * up.x + up.y * up.y).sqrt();
             let tan = 3.0_f64.sqrt();
             let flank = APEX * tan / (away + up.z * tan);
-            Ok(if up.z > 0.9 { (flank - R).max(0.0) as f32 } else { 0.0 })
+            Ok(if up.z > 0.9 {
+                (flank - R).max(0.0) as f32
+            } else {
+                0.0
+            })
         }
     }
 
@@ -216,9 +254,15 @@ mod tests {
             let toward = DVec3::new(-away, 0.0, 0.0);
             let hit = cast_ray(&Cone, origin, toward, 1e6, 14).unwrap().unwrap();
             let flank = (5000.0 - height) * 3.0_f64.sqrt();
-            assert!((hit.distance_m - (away.abs() - flank)).abs() < 0.02, "{}", hit.distance_m);
-            let slope =
-                math::angle_between(hit.normal, DVec3::new(0.5 * away.signum(), 0.0, 0.75_f64.sqrt()));
+            assert!(
+                (hit.distance_m - (away.abs() - flank)).abs() < 0.02,
+                "{}",
+                hit.distance_m
+            );
+            let slope = math::angle_between(
+                hit.normal,
+                DVec3::new(0.5 * away.signum(), 0.0, 0.75_f64.sqrt()),
+            );
             assert!(slope < 1e-3, "{slope}");
         }
     }
@@ -230,19 +274,39 @@ mod tests {
         assert_eq!(down(99.0), None);
         assert!((down(101.0).unwrap().distance_m - 100.0).abs() < 1e-3);
         assert_eq!(cast_ray(&Ball, origin, DVec3::Z, 1e9, 17).unwrap(), None);
-        let inside = cast_ray(&Ball, DVec3::new(0.0, 10.0, 20.0), DVec3::Z, 1e9, 3).unwrap().unwrap();
+        let inside = cast_ray(&Ball, DVec3::new(0.0, 10.0, 20.0), DVec3::Z, 1e9, 3)
+            .unwrap()
+            .unwrap();
         assert_eq!(inside.distance_m, 0.0);
-        assert!(cast_ray(&Ball, DVec3::ZERO, DVec3::Z, 1e9, 3).unwrap().is_some());
+        assert!(
+            cast_ray(&Ball, DVec3::ZERO, DVec3::Z, 1e9, 3)
+                .unwrap()
+                .is_some()
+        );
     }
 
     #[test]
     fn bad_rays_are_refused() {
-        let cast = |origin, direction, max, level| cast_ray(&Ball, origin, direction, max, level).map(|_| ());
-        assert_eq!(cast(DVec3::NAN, DVec3::X, 1.0, 3), Err(GroundError::NotADirection));
-        assert_eq!(cast(DVec3::X, DVec3::ZERO, 1.0, 3), Err(GroundError::NotADirection));
-        assert_eq!(cast(DVec3::X, DVec3::X, 1.0, 18), Err(GroundError::Level(18)));
+        let cast = |origin, direction, max, level| {
+            cast_ray(&Ball, origin, direction, max, level).map(|_| ())
+        };
+        assert_eq!(
+            cast(DVec3::NAN, DVec3::X, 1.0, 3),
+            Err(GroundError::NotADirection)
+        );
+        assert_eq!(
+            cast(DVec3::X, DVec3::ZERO, 1.0, 3),
+            Err(GroundError::NotADirection)
+        );
+        assert_eq!(
+            cast(DVec3::X, DVec3::X, 1.0, 18),
+            Err(GroundError::Level(18))
+        );
         for max in [-1.0, f64::NAN] {
-            assert!(matches!(cast(DVec3::X, DVec3::X, max, 3), Err(GroundError::Length { .. })));
+            assert!(matches!(
+                cast(DVec3::X, DVec3::X, max, 3),
+                Err(GroundError::Length { .. })
+            ));
         }
     }
 }

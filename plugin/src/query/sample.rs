@@ -26,15 +26,29 @@ pub struct Sample {
 ///
 /// # Errors
 /// As [`Ground::height`].
-pub fn sample(ground: &(impl Ground + ?Sized), direction: DVec3, level: u8) -> Result<Sample, GroundError> {
+pub fn sample(
+    ground: &(impl Ground + ?Sized),
+    direction: DVec3,
+    level: u8,
+) -> Result<Sample, GroundError> {
     let up = checked(direction, level)?;
     let height_m = ground.height(up, level)?;
     let water_m = ground.water(up, level)?;
     let normal = normal(ground, up, level)?;
     let slope_deg = math::angle_between(up, normal).to_degrees() as f32;
     let climate = ground.climate(up, height_m)?;
-    let surface = classify(&Site { height_m, water_m, slope_deg, climate });
-    Ok(Sample { height_m, water_m, normal, surface })
+    let surface = classify(&Site {
+        height_m,
+        water_m,
+        slope_deg,
+        climate,
+    });
+    Ok(Sample {
+        height_m,
+        water_m,
+        normal,
+        surface,
+    })
 }
 
 /// The ground at many directions, in their order and with the bits of [`sample`], on all threads.
@@ -47,19 +61,26 @@ pub fn samples(
     level: u8,
 ) -> Result<Vec<Sample>, GroundError> {
     let run = |directions: &[DVec3]| -> Vec<_> {
-        directions.iter().map(|&direction| sample(ground, direction, level)).collect()
+        directions
+            .iter()
+            .map(|&direction| sample(ground, direction, level))
+            .collect()
     };
     // Collected first: which of several errors is told must not depend on the threads.
     let runs: Vec<Vec<_>> = directions.par_chunks(RUN).map(run).collect();
     runs.into_iter().flatten().collect()
 }
 
-/// Unit normal of the ground in the planet's axes: of the surface through the four points that lie one
-/// edge of the level to the east, west, north and south.
+/// Unit normal of the ground in the planet's axes: of the surface through the four points that lie
+/// one edge of the level to the east, west, north and south.
 ///
 /// # Errors
 /// As [`Ground::height`]; [`GroundError::Radius`].
-pub fn normal(ground: &(impl Ground + ?Sized), direction: DVec3, level: u8) -> Result<DVec3, GroundError> {
+pub fn normal(
+    ground: &(impl Ground + ?Sized),
+    direction: DVec3,
+    level: u8,
+) -> Result<DVec3, GroundError> {
     let up = checked(direction, level)?;
     let radius = ground.radius_m();
     if !(radius > 0.0 && radius.is_finite()) {
@@ -97,7 +118,10 @@ mod tests {
         }
 
         fn climate(&self, _: DVec3, _: f32) -> Result<Climate, GroundError> {
-            Ok(Climate { temperature_c: 10.0, wetness: 0.3 })
+            Ok(Climate {
+                temperature_c: 10.0,
+                wetness: 0.3,
+            })
         }
     }
 
@@ -109,7 +133,10 @@ mod tests {
             let n = normal(&ground, up, 12).unwrap();
             let slope = math::angle_between(up, n);
             // The radius at that height is 1e6 + 3255 m.
-            assert!((math::sin(slope) / math::cos(slope) - 0.5).abs() < 4e-3, "{slope}");
+            assert!(
+                (math::sin(slope) / math::cos(slope) - 0.5).abs() < 4e-3,
+                "{slope}"
+            );
             assert!((n - up * n.dot(up)).dot(DVec3::Z) < 0.0);
         }
         let flat = normal(&ground, math::direction(12.0, 5.0), 9).unwrap();
@@ -121,25 +148,41 @@ mod tests {
     fn a_sample_knows_water_and_surface() {
         let steep = Cone { slope: 1.0 };
         let flank = sample(&steep, math::direction(89.9, 0.0) * 7.0, 14).unwrap();
-        assert_eq!((flank.surface, flank.water_m), (GroundSurface::Rock, flank.height_m));
+        assert_eq!(
+            (flank.surface, flank.water_m),
+            (GroundSurface::Rock, flank.height_m)
+        );
         let sea = sample(&steep, DVec3::X, 14).unwrap();
-        assert_eq!((sea.height_m, sea.water_m, sea.surface), (-100.0, 0.0, GroundSurface::SeaFloor));
+        assert_eq!(
+            (sea.height_m, sea.water_m, sea.surface),
+            (-100.0, 0.0, GroundSurface::SeaFloor)
+        );
         assert_eq!(sample(&steep, DVec3::X, 18), Err(GroundError::Level(18)));
-        assert_eq!(sample(&steep, DVec3::ZERO, 3), Err(GroundError::NotADirection));
+        assert_eq!(
+            sample(&steep, DVec3::ZERO, 3),
+            Err(GroundError::NotADirection)
+        );
     }
 
     #[test]
     fn a_batch_has_the_samples_of_single_questions_and_tells_the_first_error() {
         let cone = Cone { slope: 0.7 };
-        let mut directions: Vec<DVec3> =
-            (0..1000).map(|i| math::direction(89.0 + 1e-3 * f64::from(i), f64::from(i))).collect();
+        let mut directions: Vec<DVec3> = (0..1000)
+            .map(|i| math::direction(89.0 + 1e-3 * f64::from(i), f64::from(i)))
+            .collect();
         let batch = samples(&cone, &directions, 14).unwrap();
-        let single: Vec<_> = directions.iter().map(|&p| sample(&cone, p, 14).unwrap()).collect();
+        let single: Vec<_> = directions
+            .iter()
+            .map(|&p| sample(&cone, p, 14).unwrap())
+            .collect();
         assert!(batch == single && batch[0] != batch[999]);
         assert_eq!(samples(&cone, &[], 14), Ok(vec![]));
         assert_eq!(samples(&cone, &directions, 18), Err(GroundError::Level(18)));
         directions[990] = DVec3::NAN;
-        assert_eq!(samples(&cone, &directions, 14), Err(GroundError::NotADirection));
+        assert_eq!(
+            samples(&cone, &directions, 14),
+            Err(GroundError::NotADirection)
+        );
     }
 
     #[test]
@@ -160,6 +203,13 @@ mod tests {
     fn batches_must_fit() {
         let mut heights = [0.0; 2];
         let result = Cone { slope: 1.0 }.heights(&[DVec3::X; 3], 3, &mut heights);
-        assert!(matches!(result, Err(GroundError::Count { value: 2, min: 3, .. })));
+        assert!(matches!(
+            result,
+            Err(GroundError::Count {
+                value: 2,
+                min: 3,
+                ..
+            })
+        ));
     }
 }

@@ -1,8 +1,8 @@
 //! What the ground is made of: a rule of thumb for footsteps, materials and plants.
 //!
-//! Angles and temperatures are those of the field: loose rock comes to rest at 33 to 38°, snow does not hold on walls
-//! steeper than about 50°, trees end where the year's mean falls below about 0 °C, glaciers live where it is far
-//! below. Not modelled: seasons, soil, fire, what people do.
+//! Angles and temperatures are those of the field: loose rock comes to rest at 33 to 38°, snow does
+//! not hold on walls steeper than about 50°, trees end where the year's mean falls below about 0
+//! °C, glaciers live where it is far below. Not modelled: seasons, soil, fire, what people do.
 
 use crate::climate::temperature::{LAPSE_RATE, temperature};
 
@@ -19,10 +19,13 @@ pub struct Climate {
 pub(super) const LAPSE: f32 = (LAPSE_RATE / 1000.0) as f32;
 
 impl Climate {
-    /// The climate of a latitude, given by its sine, at `height_m` above the sea: as warm as bakes have it
-    /// ([`temperature`]), and half wet everywhere.
+    /// The climate of a latitude, given by its sine, at `height_m` above the sea: as warm as bakes
+    /// have it ([`temperature`]), and half wet everywhere.
     pub fn of_latitude(sin_latitude: f64, height_m: f32) -> Self {
-        Self { temperature_c: temperature(sin_latitude, height_m / 1000.0), wetness: 0.5 }
+        Self {
+            temperature_c: temperature(sin_latitude, height_m / 1000.0),
+            wetness: 0.5,
+        }
     }
 }
 
@@ -65,7 +68,8 @@ impl GroundSurface {
         Self::SeaFloor,
     ];
 
-    /// Its name in files: `rock`, `scree`, `sand`, `mud`, `grass`, `forest`, `snow`, `ice`, `sea_floor`.
+    /// Its name in files: `rock`, `scree`, `sand`, `mud`, `grass`, `forest`, `snow`, `ice`,
+    /// `sea_floor`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rock => "rock",
@@ -116,7 +120,8 @@ const BEACH: f32 = 3.0;
 
 /// What the ground is made of. The first rule that fits wins:
 ///
-/// 1. under water: the sea's floor where the water is at sea level or below; else mud, or scree on slopes over 6°;
+/// 1. under water: the sea's floor where the water is at sea level or below; else mud, or scree on
+/// slopes over 6°;
 /// 2. below -3 °C: ice on slopes under 33° below -10 °C, snow on slopes under 50°;
 /// 3. rock on slopes over 38°; scree over 33°;
 /// 4. sand within 3 m above the sea on slopes under 6°;
@@ -127,7 +132,15 @@ const BEACH: f32 = 3.0;
 ///
 /// What is not a number fits no rule.
 pub fn classify(site: &Site) -> GroundSurface {
-    let Site { height_m, water_m, slope_deg: slope, climate: Climate { temperature_c, wetness } } = *site;
+    let Site {
+        height_m,
+        water_m,
+        slope_deg: slope,
+        climate: Climate {
+            temperature_c,
+            wetness,
+        },
+    } = *site;
     if water_m > height_m {
         return match () {
             () if water_m <= 0.0 => GroundSurface::SeaFloor,
@@ -153,8 +166,22 @@ pub fn classify(site: &Site) -> GroundSurface {
 mod tests {
     use super::*;
 
-    fn kind(height_m: f32, water_m: f32, slope_deg: f32, temperature_c: f32, wetness: f32) -> GroundSurface {
-        classify(&Site { height_m, water_m, slope_deg, climate: Climate { temperature_c, wetness } })
+    fn kind(
+        height_m: f32,
+        water_m: f32,
+        slope_deg: f32,
+        temperature_c: f32,
+        wetness: f32,
+    ) -> GroundSurface {
+        classify(&Site {
+            height_m,
+            water_m,
+            slope_deg,
+            climate: Climate {
+                temperature_c,
+                wetness,
+            },
+        })
     }
 
     #[test]
@@ -185,7 +212,11 @@ mod tests {
         let t = |sin, height| Climate::of_latitude(sin, height).temperature_c;
         assert!(t(0.0, 0.0) > 25.0 && t(1.0, 0.0) < -10.0);
         assert!((t(0.0, 0.0) - t(0.0, 1000.0) - 6.5).abs() < 1e-4);
-        assert_eq!(t(0.3, 2500.0), temperature(0.3, 2.5), "one law for bakes and for questions");
+        assert_eq!(
+            t(0.3, 2500.0),
+            temperature(0.3, 2.5),
+            "one law for bakes and for questions"
+        );
         assert_eq!(t(0.5, -4000.0), t(-0.5, 0.0));
     }
 
@@ -193,8 +224,17 @@ mod tests {
     fn names_and_numbers_are_unique_and_nonsense_does_not_panic() {
         for (i, surface) in GroundSurface::ALL.into_iter().enumerate() {
             assert_eq!(surface as usize, i);
-            assert!(GroundSurface::ALL.iter().filter(|other| other.name() == surface.name()).count() == 1);
+            assert!(
+                GroundSurface::ALL
+                    .iter()
+                    .filter(|other| other.name() == surface.name())
+                    .count()
+                    == 1
+            );
         }
-        assert_eq!(kind(f32::NAN, f32::NAN, f32::NAN, f32::NAN, f32::NAN), GroundSurface::Grass);
+        assert_eq!(
+            kind(f32::NAN, f32::NAN, f32::NAN, f32::NAN, f32::NAN),
+            GroundSurface::Grass
+        );
     }
 }

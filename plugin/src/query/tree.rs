@@ -1,8 +1,8 @@
 //! Many rays against one patch: a tree over its triangles.
 //!
-//! obvhs keeps the tree, in f32 relative to the patch's origin, and only prunes; the triangles are tested in f64
-//! (Möller and Trumbore 1997). The nearest hit wins, of equally near ones the first triangle. Both sides of a
-//! triangle are hit.
+//! obvhs keeps the tree, in f32 relative to the patch's origin, and only prunes; the triangles are
+//! tested in f64 (Möller and Trumbore 1997). The nearest hit wins, of equally near ones the first
+//! triangle. Both sides of a triangle are hit.
 
 use super::{GroundError, Patch, RayHit, checked};
 use bevy::math::{DVec3, Vec3};
@@ -38,19 +38,40 @@ impl PatchTree {
     /// [`GroundError::Count`] for a patch without triangles, or with one that has no such corner.
     pub fn new(patch: Patch) -> Result<Self, GroundError> {
         let corners = patch.positions.len();
-        let highest = patch.triangles.as_flattened().iter().max().map(|&i| i as usize);
+        let highest = patch
+            .triangles
+            .as_flattened()
+            .iter()
+            .max()
+            .map(|&i| i as usize);
         match highest {
             Some(value) if value < corners => {}
             value => {
                 let (value, max) = (value.unwrap_or(0), corners.saturating_sub(1));
-                return Err(GroundError::Count { what: "the corners of the patch", value, min: 0, max });
+                return Err(GroundError::Count {
+                    what: "the corners of the patch",
+                    value,
+                    min: 0,
+                    max,
+                });
             }
         }
-        let reach = patch.positions.iter().map(|p| p.abs().max_element()).fold(0.0, f32::max);
+        let reach = patch
+            .positions
+            .iter()
+            .map(|p| p.abs().max_element())
+            .fold(0.0, f32::max);
         let slack = SLACK * reach;
-        let boxes: Vec<TriangleBox> =
-            patch.triangles.iter().map(|t| triangle_box(&patch, *t, slack)).collect();
-        let tree = build_bvh2(&boxes, BvhBuildParams::fastest_build(), &mut core::time::Duration::default());
+        let boxes: Vec<TriangleBox> = patch
+            .triangles
+            .iter()
+            .map(|t| triangle_box(&patch, *t, slack))
+            .collect();
+        let tree = build_bvh2(
+            &boxes,
+            BvhBuildParams::fastest_build(),
+            &mut core::time::Duration::default(),
+        );
         Ok(Self { patch, tree, slack })
     }
 
@@ -59,19 +80,29 @@ impl PatchTree {
         &self.patch
     }
 
-    /// The first point of the patch on the ray from `origin`, in m from the planet's centre, along `direction` (of any
-    /// length), at most `max_m` away.
+    /// The first point of the patch on the ray from `origin`, in m from the planet's centre, along
+    /// `direction` (of any length), at most `max_m` away.
     ///
     /// # Errors
-    /// [`GroundError::NotADirection`] for a ray that is none; [`GroundError::Length`] for a `max_m` that is negative
-    /// or not a number.
-    pub fn cast(&self, origin: DVec3, direction: DVec3, max_m: f64) -> Result<Option<RayHit>, GroundError> {
+    /// [`GroundError::NotADirection`] for a ray that is none; [`GroundError::Length`] for a `max_m`
+    /// that is negative or not a number.
+    pub fn cast(
+        &self,
+        origin: DVec3,
+        direction: DVec3,
+        max_m: f64,
+    ) -> Result<Option<RayHit>, GroundError> {
         let along = checked(direction, 0)?;
         if !origin.is_finite() {
             return Err(GroundError::NotADirection);
         }
         if max_m.is_nan() || max_m < 0.0 {
-            return Err(GroundError::Length { what: "the ray", value: max_m, min: 0.0, max: f64::INFINITY });
+            return Err(GroundError::Length {
+                what: "the ray",
+                value: max_m,
+                min: 0.0,
+                max: f64::INFINITY,
+            });
         }
         // From where the ray is nearest to the middle, f32 is as fine as the patch is small.
         let local = origin - self.patch.origin;
@@ -81,28 +112,33 @@ impl PatchTree {
         let mut best: Option<(f64, usize)> = None;
         for (direction, sign) in [(along, 1.0), (-along, -1.0)] {
             let pruning = Ray::new_inf(single(start), single(direction));
-            self.tree.ray_traverse(pruning, &mut Nearest::none(), |_, slot| {
-                let k = self.tree.primitive_indices[slot] as usize;
-                if let Some(t) = self.hit(k, start, direction) {
-                    let found = (shift + sign * t, k);
-                    let within = (0.0..=max_m).contains(&found.0);
-                    if within && best.is_none_or(|best| found < best) {
-                        best = Some(found);
+            self.tree
+                .ray_traverse(pruning, &mut Nearest::none(), |_, slot| {
+                    let k = self.tree.primitive_indices[slot] as usize;
+                    if let Some(t) = self.hit(k, start, direction) {
+                        let found = (shift + sign * t, k);
+                        let within = (0.0..=max_m).contains(&found.0);
+                        if within && best.is_none_or(|best| found < best) {
+                            best = Some(found);
+                        }
                     }
-                }
-                // Backwards the nearest hit is the last one met: nothing is pruned.
-                match best {
-                    Some((distance, _)) if sign > 0.0 => (distance - shift) as f32 + self.slack,
-                    _ => f32::INFINITY,
-                }
-            });
+                    // Backwards the nearest hit is the last one met: nothing is pruned.
+                    match best {
+                        Some((distance, _)) if sign > 0.0 => (distance - shift) as f32 + self.slack,
+                        _ => f32::INFINITY,
+                    }
+                });
         }
         Ok(best.map(|(distance_m, k)| self.found(origin + along * distance_m, distance_m, k)))
     }
 
     fn found(&self, point: DVec3, distance_m: f64, k: usize) -> RayHit {
         let [a, b, c] = self.corners(k);
-        RayHit { distance_m, point, normal: (b - a).cross(c - a).try_normalize().unwrap_or(DVec3::Z) }
+        RayHit {
+            distance_m,
+            point,
+            normal: (b - a).cross(c - a).try_normalize().unwrap_or(DVec3::Z),
+        }
     }
 
     fn corners(&self, k: usize) -> [DVec3; 3] {
@@ -131,7 +167,10 @@ fn triangle_box(patch: &Patch, triangle: [u32; 3], slack: f32) -> TriangleBox {
     let corners = triangle.map(|i| patch.positions[i as usize]);
     let low = corners.into_iter().fold(Vec3::INFINITY, Vec3::min) - Vec3::splat(slack);
     let high = corners.into_iter().fold(Vec3::NEG_INFINITY, Vec3::max) + Vec3::splat(slack);
-    TriangleBox(Aabb { min: low.to_array().into(), max: high.to_array().into() })
+    TriangleBox(Aabb {
+        min: low.to_array().into(),
+        max: high.to_array().into(),
+    })
 }
 
 #[cfg(test)]
@@ -152,7 +191,10 @@ mod tests {
 
         fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
             let up = checked(direction, level)?;
-            Ok((20.0 * math::sin(math::TAU * up.y * 5e3) * math::sin(math::TAU * up.z * 5e3)) as f32)
+            Ok(
+                (20.0 * math::sin(math::TAU * up.y * 5e3) * math::sin(math::TAU * up.z * 5e3))
+                    as f32,
+            )
         }
 
         fn bounds_m(&self) -> [f64; 2] {
@@ -201,21 +243,50 @@ mod tests {
             assert!((ground.distance_m - patch.distance_m).abs() < 0.1);
             assert!(math::angle_between(ground.normal, patch.normal) < 0.1);
         }
-        assert_eq!(tree.cast(DVec3::new(1e6 + 500.0, 0.0, 0.0), DVec3::X, 1e6).unwrap(), None);
-        assert_eq!(tree.cast(DVec3::new(1e6 + 500.0, 0.0, 0.0), -DVec3::X, 400.0).unwrap(), None);
+        assert_eq!(
+            tree.cast(DVec3::new(1e6 + 500.0, 0.0, 0.0), DVec3::X, 1e6)
+                .unwrap(),
+            None
+        );
+        assert_eq!(
+            tree.cast(DVec3::new(1e6 + 500.0, 0.0, 0.0), -DVec3::X, 400.0)
+                .unwrap(),
+            None
+        );
     }
 
     #[test]
     fn bad_patches_and_rays_are_refused() {
         let patch = tree().patch().clone();
-        let empty = Patch { triangles: Vec::new(), ..patch.clone() };
-        assert!(matches!(PatchTree::new(empty).map(|_| ()), Err(GroundError::Count { .. })));
-        let torn = Patch { triangles: vec![[0, 1, 1_000_000]], ..patch };
-        assert!(matches!(PatchTree::new(torn).map(|_| ()), Err(GroundError::Count { .. })));
+        let empty = Patch {
+            triangles: Vec::new(),
+            ..patch.clone()
+        };
+        assert!(matches!(
+            PatchTree::new(empty).map(|_| ()),
+            Err(GroundError::Count { .. })
+        ));
+        let torn = Patch {
+            triangles: vec![[0, 1, 1_000_000]],
+            ..patch
+        };
+        assert!(matches!(
+            PatchTree::new(torn).map(|_| ()),
+            Err(GroundError::Count { .. })
+        ));
         let tree = tree();
         let cast = |origin, direction, max| tree.cast(origin, direction, max).map(|_| ());
-        assert_eq!(cast(DVec3::NAN, DVec3::X, 1.0), Err(GroundError::NotADirection));
-        assert_eq!(cast(DVec3::X, DVec3::ZERO, 1.0), Err(GroundError::NotADirection));
-        assert!(matches!(cast(DVec3::X, DVec3::X, f64::NAN), Err(GroundError::Length { .. })));
+        assert_eq!(
+            cast(DVec3::NAN, DVec3::X, 1.0),
+            Err(GroundError::NotADirection)
+        );
+        assert_eq!(
+            cast(DVec3::X, DVec3::ZERO, 1.0),
+            Err(GroundError::NotADirection)
+        );
+        assert!(matches!(
+            cast(DVec3::X, DVec3::X, f64::NAN),
+            Err(GroundError::Length { .. })
+        ));
     }
 }

@@ -1,4 +1,5 @@
-//! Slope: the angle of the steepest descent, by differences over two pixels (over one at the edges of the tile).
+//! Slope: the angle of the steepest descent, by differences over two pixels (over one at the edges
+//! of the tile).
 
 use crate::math;
 use crate::query::HeightGrid;
@@ -20,7 +21,10 @@ pub fn slope(tile: &HeightGrid) -> Slope {
         .flat_map_iter(|y| (0..tile.width).map(move |x| at(tile, x, y)))
         .collect();
     let mean_deg = degrees.iter().map(|&s| f64::from(s)).sum::<f64>() / degrees.len().max(1) as f64;
-    Slope { mean_deg, p90_deg: percentile(&mut degrees, 0.9) }
+    Slope {
+        mean_deg,
+        p90_deg: percentile(&mut degrees, 0.9),
+    }
 }
 
 fn at(tile: &HeightGrid, x: usize, y: usize) -> f32 {
@@ -29,8 +33,18 @@ fn at(tile: &HeightGrid, x: usize, y: usize) -> f32 {
     let rise = |a: f32, b: f32, steps: usize, pixel: f64| {
         (f64::from(b) - f64::from(a)) / (steps.max(1) as f64 * pixel)
     };
-    let to_east = rise(tile.row(y)[west], tile.row(y)[east], east - west, tile.pixel_m[0]);
-    let to_south = rise(tile.row(north)[x], tile.row(south)[x], south - north, tile.pixel_m[1]);
+    let to_east = rise(
+        tile.row(y)[west],
+        tile.row(y)[east],
+        east - west,
+        tile.pixel_m[0],
+    );
+    let to_south = rise(
+        tile.row(north)[x],
+        tile.row(south)[x],
+        south - north,
+        tile.pixel_m[1],
+    );
     math::atan2((to_east * to_east + to_south * to_south).sqrt(), 1.0).to_degrees() as f32
 }
 

@@ -1,10 +1,10 @@
 //! The exponent β of the power spectrum, S(k) ~ k^-β, of wavelengths from 1.5 to 24 km.
 //!
-//! The plane of least squares is taken off the tile, a Hann window is laid over it both ways, and its power
-//! is averaged over rings of the wave vector's length, a third of an octave wide; β is the slope of the line of
-//! least squares through the logarithms of the rings (Turcotte 1997, "Fractals and chaos in geology", §7). Only
-//! wave numbers of that range are transformed: long waves are few, and a plain sum over a row is cheaper for
-//! them than the fast transform of all.
+//! The plane of least squares is taken off the tile, a Hann window is laid over it both ways, and
+//! its power is averaged over rings of the wave vector's length, a third of an octave wide; β is
+//! the slope of the line of least squares through the logarithms of the rings (Turcotte 1997,
+//! "Fractals and chaos in geology", §7). Only wave numbers of that range are transformed: long
+//! waves are few, and a plain sum over a row is cheaper for them than the fast transform of all.
 
 use crate::math::{self, PI, TAU};
 use crate::query::HeightGrid;
@@ -20,16 +20,22 @@ const PER_OCTAVE: f64 = 3.0;
 /// Fewest rings that a line is drawn through.
 const FEWEST: usize = 4;
 
-/// The spectral exponent of a tile; `None` of level ground, and of a tile that has fewer than four rings: one that is
-/// too small or too coarse.
+/// The spectral exponent of a tile; `None` of level ground, and of a tile that has fewer than four
+/// rings: one that is too small or too coarse.
 pub fn spectral_exponent(tile: &HeightGrid) -> Option<f64> {
-    let size = [tile.width as f64 * tile.pixel_m[0], tile.height as f64 * tile.pixel_m[1]];
+    let size = [
+        tile.width as f64 * tile.pixel_m[0],
+        tile.height as f64 * tile.pixel_m[1],
+    ];
     // Wave numbers that the tile has and its pixels resolve.
-    let reach = |side: f64, pixels: usize| ((side / SHORTEST) as usize).min((pixels.max(1) - 1) / 2);
+    let reach =
+        |side: f64, pixels: usize| ((side / SHORTEST) as usize).min((pixels.max(1) - 1) / 2);
     let waves = [reach(size[0], tile.width), reach(size[1], tile.height)];
     let plane = fitted_plane(tile);
-    let rows: Vec<Vec<[f64; 2]>> =
-        (0..tile.height).into_par_iter().map(|y| row_transform(tile, y, plane, waves[0])).collect();
+    let rows: Vec<Vec<[f64; 2]>> = (0..tile.height)
+        .into_par_iter()
+        .map(|y| row_transform(tile, y, plane, waves[0]))
+        .collect();
     let mut rings = Rings::default();
     let south = Turn::new(tile.height);
     for kx in 0..=waves[0] {
@@ -48,7 +54,8 @@ pub fn spectral_exponent(tile: &HeightGrid) -> Option<f64> {
     rings.exponent()
 }
 
-/// Mean, slope per column and slope per row of the plane of least squares, counted from the middle of the tile.
+/// Mean, slope per column and slope per row of the plane of least squares, counted from the middle
+/// of the tile.
 fn fitted_plane(tile: &HeightGrid) -> [f64; 3] {
     let (w, h) = (tile.width as f64, tile.height as f64);
     let mut sums = [0.0; 3];
@@ -63,7 +70,11 @@ fn fitted_plane(tile: &HeightGrid) -> [f64; 3] {
     }
     // Sums of squares of the positions; the three functions are orthogonal on the grid.
     let squares = |n: f64, other: f64| (n * (n * n - 1.0) / 12.0 * other).max(1.0);
-    [sums[0] / (w * h), sums[1] / squares(w, h), sums[2] / squares(h, w)]
+    [
+        sums[0] / (w * h),
+        sums[1] / squares(w, h),
+        sums[2] / squares(h, w),
+    ]
 }
 
 /// One turn of the unit circle in equal steps.
@@ -71,7 +82,11 @@ struct Turn(Vec<(f64, f64)>);
 
 impl Turn {
     fn new(n: usize) -> Self {
-        Self((0..n).map(|i| math::sin_cos(TAU * i as f64 / n as f64)).collect())
+        Self(
+            (0..n)
+                .map(|i| math::sin_cos(TAU * i as f64 / n as f64))
+                .collect(),
+        )
     }
 
     /// Sum of `values(i)` e^(-2πi k/n).
@@ -92,7 +107,12 @@ impl Turn {
 }
 
 /// Coefficients 0..=`waves` of a windowed row.
-fn row_transform(tile: &HeightGrid, y: usize, [mean, across, down]: [f64; 3], waves: usize) -> Vec<[f64; 2]> {
+fn row_transform(
+    tile: &HeightGrid,
+    y: usize,
+    [mean, across, down]: [f64; 3],
+    waves: usize,
+) -> Vec<[f64; 2]> {
     let (w, h) = (tile.width, tile.height);
     let v = y as f64 - 0.5 * (h as f64 - 1.0);
     let vertical = hann(y, h);
@@ -106,7 +126,9 @@ fn row_transform(tile: &HeightGrid, y: usize, [mean, across, down]: [f64; 3], wa
         })
         .collect();
     let turn = Turn::new(w);
-    (0..=waves).map(|k| turn.transform(k, windowed.iter().map(|&z| [z, 0.0]))).collect()
+    (0..=waves)
+        .map(|k| turn.transform(k, windowed.iter().map(|&z| [z, 0.0])))
+        .collect()
 }
 
 fn power(column: &[[f64; 2]], turn: &Turn, k: usize) -> f64 {

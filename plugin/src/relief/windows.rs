@@ -1,7 +1,7 @@
 //! Relief in windows of 10 km: highest less lowest elevation.
 //!
-//! Windows are rectangles of whole pixels that do not exceed 10 km, placed every half window from the north west
-//! corner, all within the tile.
+//! Windows are rectangles of whole pixels that do not exceed 10 km, placed every half window from
+//! the north west corner, all within the tile.
 
 use super::median;
 use crate::query::HeightGrid;
@@ -19,22 +19,28 @@ pub struct WindowRelief {
     pub max_m: f64,
 }
 
-/// The relief in windows 10 km across; `None` if the tile is smaller, or a pixel larger than half a window.
+/// The relief in windows 10 km across; `None` if the tile is smaller, or a pixel larger than half a
+/// window.
 pub fn window_relief(tile: &HeightGrid) -> Option<WindowRelief> {
     let [columns, rows] = tile.pixel_m.map(|pixel| (WINDOW_M / pixel) as usize);
     if columns < 2 || rows < 2 || columns > tile.width || rows > tile.height {
         return None;
     }
-    let starts = |size: usize, window: usize| (0..=size - window).step_by(window / 2).collect::<Vec<_>>();
+    let starts =
+        |size: usize, window: usize| (0..=size - window).step_by(window / 2).collect::<Vec<_>>();
     let west = starts(tile.width, columns);
     let ranges: Vec<f64> = starts(tile.height, rows)
         .into_par_iter()
         .flat_map_iter(|north| {
-            west.iter().map(move |&west| f64::from(range(tile, [west, north], [columns, rows])))
+            west.iter()
+                .map(move |&west| f64::from(range(tile, [west, north], [columns, rows])))
         })
         .collect();
     let max_m = ranges.iter().copied().fold(0.0, f64::max);
-    Some(WindowRelief { median_m: median(ranges)?, max_m })
+    Some(WindowRelief {
+        median_m: median(ranges)?,
+        max_m,
+    })
 }
 
 fn range(tile: &HeightGrid, [west, north]: [usize; 2], [columns, rows]: [usize; 2]) -> f32 {

@@ -1,7 +1,8 @@
 //! Is there a GPU to draw with?
 //!
-//! Bevy's renderer panics where it finds none. A program that wants to say so calmly asks here first, and
-//! hands what it gets to [`RenderPlugin`](bevy::render::RenderPlugin), so nothing is opened twice.
+//! Bevy's renderer panics where it finds none. A program that wants to say so calmly asks here
+//! first, and hands what it gets to [`RenderPlugin`](bevy::render::RenderPlugin), so nothing is
+//! opened twice.
 
 use bevy::render::renderer::initialize_renderer;
 use bevy::render::settings::{RenderCreation, WgpuSettings};
@@ -26,14 +27,17 @@ pub const CURE: &str = if cfg!(target_os = "linux") {
 
 /// Opens the adapter that Bevy would open, without a window.
 ///
-/// Panics of the renderer are caught, and not printed while this runs: call it before other threads are busy.
+/// Panics of the renderer are caught, and not printed while this runs: call it before other threads
+/// are busy.
 ///
 /// # Errors
 /// [`NoAdapter`], which names the reason and the cure.
 pub fn open_adapter() -> Result<RenderCreation, NoAdapter> {
     let settings = WgpuSettings::default();
     let Some(backends) = settings.backends else {
-        return Err(NoAdapter { reason: "all backends are switched off".into() });
+        return Err(NoAdapter {
+            reason: "all backends are switched off".into(),
+        });
     };
     let hook = take_hook();
     set_hook(Box::new(|_| {}));
@@ -45,9 +49,13 @@ pub fn open_adapter() -> Result<RenderCreation, NoAdapter> {
         Ok(resources) => Ok(RenderCreation::Manual(resources)),
         Err(panic) => {
             let text = panic.downcast_ref::<String>().map(String::as_str);
-            let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("it would not open");
+            let text = text
+                .or_else(|| panic.downcast_ref::<&str>().copied())
+                .unwrap_or("it would not open");
             let reason = text.split(['!', '\n']).next().unwrap_or(text).trim();
-            Err(NoAdapter { reason: reason.into() })
+            Err(NoAdapter {
+                reason: reason.into(),
+            })
         }
     }
 }

@@ -1,8 +1,9 @@
 //! What is uploaded per sample: four words of 32 bits (see the README of `pangaea_shaders`).
 //!
-//! The picture should show the planet, not its lattice. Land and sea floor are two surfaces, each a little smoothed and
-//! each continued for one sample beyond the coast, so that neither leans towards the other. Which of the two is seen says
-//! a third quantity, the side of the coast, whose contour runs between the samples of land and those of the sea.
+//! The picture should show the planet, not its lattice. Land and sea floor are two surfaces, each a
+//! little smoothed and each continued for one sample beyond the coast, so that neither leans
+//! towards the other. Which of the two is seen says a third quantity, the side of the coast, whose
+//! contour runs between the samples of land and those of the sea.
 
 use super::to_bevy;
 use crate::crust::Surface;
@@ -14,7 +15,8 @@ use bevy::math::{DVec3, Vec3};
 /// Bytes per sample.
 const STRIDE: usize = 16;
 
-/// Largest elevation (km) and steepest gradient (km per radian) that can be packed; the same as in `sample.wgsl`.
+/// Largest elevation (km) and steepest gradient (km per radian) that can be packed; the same as in
+/// `sample.wgsl`.
 const MAX_ELEVATION: f32 = 32.0;
 const MAX_GRADIENT: f32 = 8192.0;
 
@@ -31,8 +33,8 @@ pub(super) struct Shape {
     land: Vec<f32>,
     /// Elevation of the sea floor in km; the same as that of the land where there is no sea.
     floor: Vec<f32>,
-    /// Side of the coast: 1 on land, -1 in the sea, between them where they mix. It is smoothed without bias, so land
-    /// keeps its area.
+    /// Side of the coast: 1 on land, -1 in the sea, between them where they mix. It is smoothed
+    /// without bias, so land keeps its area.
     coast: Vec<f32>,
     /// How much the side changes towards the neighbours, 0..=1: how far a coast may be moved.
     rough: Vec<f32>,
@@ -46,7 +48,10 @@ impl Shape {
         let raw: Vec<f32> = (0..mesh.len()).map(|i| surface.elevation(i)).collect();
         let is_land = |i: u32| !sea || raw[i as usize] > 0.0;
         let (land, floor) = if sea {
-            (one_side(mesh, &raw, is_land, BEACH), one_side(mesh, &raw, |i| !is_land(i), SHOAL))
+            (
+                one_side(mesh, &raw, is_land, BEACH),
+                one_side(mesh, &raw, |i| !is_land(i), SHOAL),
+            )
         } else {
             let all = one_side(mesh, &raw, |_| true, 0.0);
             (all.clone(), all)
@@ -58,24 +63,47 @@ impl Shape {
             0.5 * (side(i) + mean)
         });
         let rough = per_sample(mesh, |i| {
-            mesh.ring(i).iter().map(|&j| (side(j) - side(i)).abs()).fold(0.0, f32::max).min(1.0)
+            mesh.ring(i)
+                .iter()
+                .map(|&j| (side(j) - side(i)).abs())
+                .fold(0.0, f32::max)
+                .min(1.0)
         });
         let gradient = per_sample(mesh, |i| {
-            let seen = if coast[i as usize] > 0.0 { &land } else { &floor };
+            let seen = if coast[i as usize] > 0.0 {
+                &land
+            } else {
+                &floor
+            };
             fit(mesh, i, |j| f64::from(seen[j as usize])).0
         });
-        Self { land, floor, coast, rough, gradient }
+        Self {
+            land,
+            floor,
+            coast,
+            rough,
+            gradient,
+        }
     }
 
     /// Elevation in km that is drawn at a sample. The vertex shader does the same.
     pub(super) fn elevation(&self, i: usize) -> f32 {
-        if self.coast[i] > 0.0 { self.land[i] } else { self.floor[i] }
+        if self.coast[i] > 0.0 {
+            self.land[i]
+        } else {
+            self.floor[i]
+        }
     }
 }
 
-/// Elevation on one side of the coast: halfway between a sample and the mean of its neighbours on that side, for samples
-/// of the other side that mean alone, or `none` where there are none.
-fn one_side(mesh: &SphereMesh, raw: &[f32], inside: impl Fn(u32) -> bool + Sync, none: f32) -> Vec<f32> {
+/// Elevation on one side of the coast: halfway between a sample and the mean of its neighbours on
+/// that side, for samples of the other side that mean alone, or `none` where there are none.
+fn one_side(
+    mesh: &SphereMesh,
+    raw: &[f32],
+    inside: impl Fn(u32) -> bool + Sync,
+    none: f32,
+) -> Vec<f32> {
     per_sample(mesh, |i| {
         let (mut sum, mut count) = (0.0, 0.0);
         for &j in mesh.ring(i).iter().filter(|&&j| inside(j)) {
@@ -103,7 +131,11 @@ pub(super) fn pack(
         let heights = [shape.land[i], shape.floor[i]].map(|z| snorm16(z / MAX_ELEVATION));
         let [r, g, b, _] = colors.get(i).copied().unwrap_or_default();
         bytes.extend_from_slice(&heights.map(i16::to_le_bytes).concat());
-        bytes.extend_from_slice(&gradient_words(point, shape.gradient[i]).map(i16::to_le_bytes).concat());
+        bytes.extend_from_slice(
+            &gradient_words(point, shape.gradient[i])
+                .map(i16::to_le_bytes)
+                .concat(),
+        );
         bytes.extend_from_slice(&[r, g, b, if marked(i) { 255 } else { 0 }]);
         bytes.extend_from_slice(&snorm16(shape.coast[i]).to_le_bytes());
         bytes.extend_from_slice(&snorm16(shape.rough[i]).to_le_bytes());
@@ -122,12 +154,16 @@ fn gradient_words(point: DVec3, gradient: DVec3) -> [i16; 2] {
     [u, v].map(|axis| snorm16(gradient.dot(axis)))
 }
 
-/// Two unit vectors perpendicular to the unit vector `n` (Duff et al. 2017). The twin of the one in `sample.wgsl`.
+/// Two unit vectors perpendicular to the unit vector `n` (Duff et al. 2017). The twin of the one in
+/// `sample.wgsl`.
 fn tangent_basis(n: Vec3) -> (Vec3, Vec3) {
     let s = if n.z >= 0.0 { 1.0 } else { -1.0 };
     let a = -1.0 / (s + n.z);
     let b = n.x * n.y * a;
-    (Vec3::new(1.0 + s * n.x * n.x * a, s * b, -s * n.x), Vec3::new(b, s + n.y * n.y * a, -n.y))
+    (
+        Vec3::new(1.0 + s * n.x * n.x * a, s * b, -s * n.x),
+        Vec3::new(b, s + n.y * n.y * a, -n.y),
+    )
 }
 
 #[cfg(test)]

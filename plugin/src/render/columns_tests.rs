@@ -7,7 +7,11 @@ fn surface(elevation: impl Fn(DVec3) -> f32) -> (SphereMesh, Surface) {
     let mesh = SphereMesh::fibonacci(2000).unwrap();
     let mut crust = Crust::ocean(mesh.len(), &TectonicParams::default());
     crust.elevation = mesh.points().iter().map(|&p| elevation(p)).collect();
-    let surface = Surface { crust, trench: vec![0.0; mesh.len()], ..Default::default() };
+    let surface = Surface {
+        crust,
+        trench: vec![0.0; mesh.len()],
+        ..Default::default()
+    };
     (mesh, surface)
 }
 
@@ -20,8 +24,12 @@ fn the_basis_is_orthonormal_and_gradients_survive_packing() {
         assert!(u.dot(v).abs() < 1e-5 && (u.cross(v) - to_bevy(p)).length() < 1e-5);
         let any = random.direction(2 * i + 1);
         let gradient = 3000.0 * (any - p * p.dot(any));
-        let [a, b] = gradient_words(p, gradient).map(|word| f32::from(word) / 32767.0 * MAX_GRADIENT);
-        assert!((u * a + v * b - to_bevy(gradient)).length() < 0.5, "{a} {b} {gradient}");
+        let [a, b] =
+            gradient_words(p, gradient).map(|word| f32::from(word) / 32767.0 * MAX_GRADIENT);
+        assert!(
+            (u * a + v * b - to_bevy(gradient)).length() < 0.5,
+            "{a} {b} {gradient}"
+        );
     }
 }
 
@@ -47,7 +55,10 @@ fn a_cliff_is_a_coast_that_keeps_its_place_and_tilts_nothing() {
     let shape = Shape::new(&mesh, &surface, true);
     for (i, p) in mesh.points().iter().enumerate() {
         assert!((shape.coast[i] > 0.0) == (p.x > 0.0) || p.x.abs() < mesh.spacing());
-        assert_eq!(shape.elevation(i), if shape.coast[i] > 0.0 { 0.5 } else { -5.0 });
+        assert_eq!(
+            shape.elevation(i),
+            if shape.coast[i] > 0.0 { 0.5 } else { -5.0 }
+        );
         // One sample beyond the coast each side goes on as it was.
         if p.x.abs() < 0.5 * mesh.spacing() {
             assert_eq!((shape.land[i], shape.floor[i]), (0.5, -5.0));
@@ -55,7 +66,10 @@ fn a_cliff_is_a_coast_that_keeps_its_place_and_tilts_nothing() {
         }
     }
     let area = |on: &dyn Fn(usize) -> bool| (0..mesh.len()).filter(|&i| on(i)).count() as f64;
-    let (raw, drawn) = (area(&|i| surface.elevation(i) > 0.0), area(&|i| shape.coast[i] > 0.0));
+    let (raw, drawn) = (
+        area(&|i| surface.elevation(i) > 0.0),
+        area(&|i| shape.coast[i] > 0.0),
+    );
     assert!((drawn / raw - 1.0).abs() < 0.01, "{raw} {drawn}");
 }
 
@@ -64,8 +78,15 @@ fn without_a_sea_there_is_one_surface() {
     let (mesh, surface) = surface(|p| if p.x > 0.0 { 0.5 } else { -5.0 });
     let shape = Shape::new(&mesh, &surface, false);
     assert_eq!(shape.land, shape.floor);
-    let steepest = shape.gradient.iter().map(|g| g.length()).fold(0.0, f64::max);
-    assert!(steepest > 1.5 / mesh.spacing(), "the cliff is seen: {steepest}");
+    let steepest = shape
+        .gradient
+        .iter()
+        .map(|g| g.length())
+        .fold(0.0, f64::max);
+    assert!(
+        steepest > 1.5 / mesh.spacing(),
+        "the cliff is seen: {steepest}"
+    );
 }
 
 #[test]
@@ -75,6 +96,9 @@ fn a_smooth_slope_keeps_its_gradient() {
     let shape = Shape::new(&mesh, &surface, true);
     for (&p, &gradient) in mesh.points().iter().zip(&shape.gradient) {
         let expected = 3.0 * (along - p * along.dot(p));
-        assert!((gradient - expected).length() < 0.3, "{gradient} {expected}");
+        assert!(
+            (gradient - expected).length() < 0.3,
+            "{gradient} {expected}"
+        );
     }
 }

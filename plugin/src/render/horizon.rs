@@ -1,7 +1,9 @@
-//! Patches of ground behind the horizon are not drawn: half of a globe from afar, most of it from near.
+//! Patches of ground behind the horizon are not drawn: half of a globe from afar, most of it from
+//! near.
 //!
-//! A point at distance r from the centre, under the angle a from the camera's direction, is hidden by a ball of radius b
-//! if a > acos(b / d) + acos(b / r), d the camera's distance: the ray to it must pass the ball first.
+//! A point at distance r from the centre, under the angle a from the camera's direction, is hidden
+//! by a ball of radius b if a > acos(b / d) + acos(b / r), d the camera's distance: the ray to it
+//! must pass the ball first.
 
 use super::from_bevy;
 use super::painter::Easel;
@@ -25,13 +27,19 @@ pub(super) struct Cap {
 impl Cap {
     /// A circle around some unit vectors.
     pub(super) fn around(points: impl Iterator<Item = DVec3> + Clone) -> Self {
-        let axis = points.clone().sum::<DVec3>().try_normalize().unwrap_or(DVec3::Z);
-        let angle = points.map(|p| math::angle_between(axis, p)).fold(0.0, f64::max);
+        let axis = points
+            .clone()
+            .sum::<DVec3>()
+            .try_normalize()
+            .unwrap_or(DVec3::Z);
+        let angle = points
+            .map(|p| math::angle_between(axis, p))
+            .fold(0.0, f64::max);
         Self { axis, angle }
     }
 
-    /// Whether a camera at `camera` (planet coordinates, planet radii) may see ground between the radii `lowest` and
-    /// `highest` on this patch.
+    /// Whether a camera at `camera` (planet coordinates, planet radii) may see ground between the
+    /// radii `lowest` and `highest` on this patch.
     pub(super) fn seen_from(&self, camera: DVec3, lowest: f64, highest: f64) -> bool {
         let distance = camera.length();
         if distance.is_nan() || distance <= lowest {
@@ -50,13 +58,22 @@ pub(super) fn hide_far_side(
 ) {
     for (parts, easel, place) in &globes {
         let local = place.affine().inverse();
-        let eyes: Vec<DVec3> =
-            cameras.iter().map(|eye| from_bevy(local.transform_point3(eye.translation()))).collect();
+        let eyes: Vec<DVec3> = cameras
+            .iter()
+            .map(|eye| from_bevy(local.transform_point3(eye.translation())))
+            .collect();
         let (lowest, highest) = easel.radii;
         for &patch in &parts.ground {
-            let Ok((cap, mut visibility)) = patches.get_mut(patch) else { continue };
-            let seen = eyes.is_empty() || eyes.iter().any(|&eye| cap.seen_from(eye, lowest, highest));
-            visibility.set_if_neq(if seen { Visibility::Inherited } else { Visibility::Hidden });
+            let Ok((cap, mut visibility)) = patches.get_mut(patch) else {
+                continue;
+            };
+            let seen =
+                eyes.is_empty() || eyes.iter().any(|&eye| cap.seen_from(eye, lowest, highest));
+            visibility.set_if_neq(if seen {
+                Visibility::Inherited
+            } else {
+                Visibility::Hidden
+            });
         }
     }
 }
@@ -91,9 +108,19 @@ mod tests {
     #[test]
     fn a_cap_holds_its_points() {
         let random = Stream::new(6, Purpose::Relief, 0);
-        let points: Vec<_> = (0..50).map(|i| (DVec3::X + 0.3 * random.direction(i)).normalize()).collect();
+        let points: Vec<_> = (0..50)
+            .map(|i| (DVec3::X + 0.3 * random.direction(i)).normalize())
+            .collect();
         let cap = Cap::around(points.iter().copied());
-        assert!(cap.angle < 0.7 && points.iter().all(|&p| math::angle_between(cap.axis, p) <= cap.angle));
-        assert_eq!(Cap::around([DVec3::X, -DVec3::X].into_iter()).axis, DVec3::Z);
+        assert!(
+            cap.angle < 0.7
+                && points
+                    .iter()
+                    .all(|&p| math::angle_between(cap.axis, p) <= cap.angle)
+        );
+        assert_eq!(
+            Cap::around([DVec3::X, -DVec3::X].into_iter()).axis,
+            DVec3::Z
+        );
     }
 }

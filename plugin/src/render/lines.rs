@@ -1,9 +1,9 @@
-//! Lines on a globe: plate boundaries by kind, the outline of the selected plate, arrows of velocity,
-//! axes of folding and of ridges, rivers of a bake.
+//! Lines on a globe: plate boundaries by kind, the outline of the selected plate, arrows of
+//! velocity, axes of folding and of ridges, rivers of a bake.
 //!
-//! A boundary runs through the middles of the edges whose ends belong to different plates, and through the
-//! centres of triangles where three plates meet. Arrows stand on an even, sparse subset of the samples: those
-//! nearest to the points of a small Fibonacci lattice.
+//! A boundary runs through the middles of the edges whose ends belong to different plates, and
+//! through the centres of triangles where three plates meet. Arrows stand on an even, sparse subset
+//! of the samples: those nearest to the points of a small Fibonacci lattice.
 
 use super::{Globe, to_bevy};
 use crate::control::Bake;
@@ -16,17 +16,29 @@ use bevy::mesh::{Indices, MeshVertexAttribute, PrimitiveTopology, VertexFormat};
 use bevy::prelude::*;
 
 /// The other end of a line, a direction.
-pub(super) const OTHER: MeshVertexAttribute =
-    MeshVertexAttribute::new("PangaeaOtherEnd", 0x70a9_6ae5_0000_0002, VertexFormat::Float32x3);
+pub(super) const OTHER: MeshVertexAttribute = MeshVertexAttribute::new(
+    "PangaeaOtherEnd",
+    0x70a9_6ae5_0000_0002,
+    VertexFormat::Float32x3,
+);
 /// Elevations of both ends in km.
-pub(super) const HEIGHTS: MeshVertexAttribute =
-    MeshVertexAttribute::new("PangaeaHeights", 0x70a9_6ae5_0000_0003, VertexFormat::Float32x2);
+pub(super) const HEIGHTS: MeshVertexAttribute = MeshVertexAttribute::new(
+    "PangaeaHeights",
+    0x70a9_6ae5_0000_0003,
+    VertexFormat::Float32x2,
+);
 /// Side of the line, and half its width in pixels.
-pub(super) const SIDE: MeshVertexAttribute =
-    MeshVertexAttribute::new("PangaeaSide", 0x70a9_6ae5_0000_0004, VertexFormat::Float32x2);
+pub(super) const SIDE: MeshVertexAttribute = MeshVertexAttribute::new(
+    "PangaeaSide",
+    0x70a9_6ae5_0000_0004,
+    VertexFormat::Float32x2,
+);
 /// Colour in sRGB.
-pub(super) const COLOR: MeshVertexAttribute =
-    MeshVertexAttribute::new("PangaeaLineColor", 0x70a9_6ae5_0000_0005, VertexFormat::Unorm8x4);
+pub(super) const COLOR: MeshVertexAttribute = MeshVertexAttribute::new(
+    "PangaeaLineColor",
+    0x70a9_6ae5_0000_0005,
+    VertexFormat::Unorm8x4,
+);
 
 /// Half widths in pixels of a picture of 720 lines.
 const BOUNDARY_WIDTH: f32 = 1.1;
@@ -79,7 +91,8 @@ impl Lines {
         self.here.len() / 4
     }
 
-    /// Two triangles a line. Never empty: without lines there is one of no length in the planet's centre.
+    /// Two triangles a line. Never empty: without lines there is one of no length in the planet's
+    /// centre.
     pub(super) fn into_mesh(mut self) -> Mesh {
         if self.len() == 0 {
             self.add((DVec3::ZERO, 0.0), (DVec3::ZERO, 0.0), 0.0, DARK);
@@ -87,22 +100,36 @@ impl Lines {
         // The ends look at each other, so side -1 of one is opposite to side 1 of the other.
         let quad = |k: u32| [0, 1, 2, 0, 2, 3].map(|corner| 4 * k + corner);
         let indices = (0..self.len() as u32).flat_map(quad).collect();
-        Mesh::new(PrimitiveTopology::TriangleList, RenderAssetUsages::RENDER_WORLD)
-            .with_inserted_attribute(Mesh::ATTRIBUTE_POSITION, self.here)
-            .with_inserted_attribute(OTHER, self.there)
-            .with_inserted_attribute(HEIGHTS, self.heights)
-            .with_inserted_attribute(SIDE, self.sides)
-            .with_inserted_attribute(COLOR, bevy::mesh::VertexAttributeValues::Unorm8x4(self.colors))
-            .with_inserted_indices(Indices::U32(indices))
+        Mesh::new(
+            PrimitiveTopology::TriangleList,
+            RenderAssetUsages::RENDER_WORLD,
+        )
+        .with_inserted_attribute(Mesh::ATTRIBUTE_POSITION, self.here)
+        .with_inserted_attribute(OTHER, self.there)
+        .with_inserted_attribute(HEIGHTS, self.heights)
+        .with_inserted_attribute(SIDE, self.sides)
+        .with_inserted_attribute(
+            COLOR,
+            bevy::mesh::VertexAttributeValues::Unorm8x4(self.colors),
+        )
+        .with_inserted_indices(Indices::U32(indices))
     }
 }
 
 /// All lines that `globe` asks for, on ground of the `elevation` in km at which samples are drawn.
-pub(super) fn collect(input: &OverlayInput, globe: &Globe, elevation: impl Fn(usize) -> f32) -> Lines {
+pub(super) fn collect(
+    input: &OverlayInput,
+    globe: &Globe,
+    elevation: impl Fn(usize) -> f32,
+) -> Lines {
     let mut lines = Lines::default();
     let drawn = |i: u32| {
         let elevation = elevation(i as usize);
-        if globe.sea { elevation.max(0.0) } else { elevation }
+        if globe.sea {
+            elevation.max(0.0)
+        } else {
+            elevation
+        }
     };
     if globe.boundaries || globe.overlay == Overlay::Plates || globe.selected.is_some() {
         add_boundaries(&mut lines, input, globe, &drawn);
@@ -111,20 +138,30 @@ pub(super) fn collect(input: &OverlayInput, globe: &Globe, elevation: impl Fn(us
         Overlay::Velocity => add_velocities(&mut lines, input, &drawn),
         Overlay::FoldDirection => add_axes(&mut lines, input, &input.surface.crust.fold, &drawn),
         Overlay::RidgeDirection => add_axes(&mut lines, input, &input.surface.crust.ridge, &drawn),
-        overlay => {
-            input.bake.into_iter().for_each(|bake| add_rivers(&mut lines, input, overlay, bake, &drawn))
-        }
+        overlay => input
+            .bake
+            .into_iter()
+            .for_each(|bake| add_rivers(&mut lines, input, overlay, bake, &drawn)),
     }
     lines
 }
 
-fn add_boundaries(lines: &mut Lines, input: &OverlayInput, globe: &Globe, drawn: &dyn Fn(u32) -> f32) {
+fn add_boundaries(
+    lines: &mut Lines,
+    input: &OverlayInput,
+    globe: &Globe,
+    drawn: &dyn Fn(u32) -> f32,
+) {
     let kinds = boundaries(input);
     let all = globe.boundaries || globe.overlay == Overlay::Plates;
     let plate = |i: u32| input.surface.plate[i as usize];
     let style = |i: u32, j: u32| {
-        let selected = globe.selected.is_some_and(|s| (plate(i) == s) != (plate(j) == s));
-        let kind = [kinds[i as usize], kinds[j as usize]].into_iter().find(|&k| k != BoundaryKind::None);
+        let selected = globe
+            .selected
+            .is_some_and(|s| (plate(i) == s) != (plate(j) == s));
+        let kind = [kinds[i as usize], kinds[j as usize]]
+            .into_iter()
+            .find(|&k| k != BoundaryKind::None);
         match (selected, kind) {
             (true, _) => Some((OUTLINE_WIDTH, OUTLINE)),
             (false, Some(kind)) if all => Some((BOUNDARY_WIDTH, kind.color())),
@@ -136,12 +173,18 @@ fn add_boundaries(lines: &mut Lines, input: &OverlayInput, globe: &Globe, drawn:
         (p, 0.5 * (drawn(i) + drawn(j)))
     };
     for &[a, b, c] in input.mesh.triangles() {
-        let crossed = [(a, b), (b, c), (c, a)].map(|(i, j)| (plate(i) != plate(j)).then_some((i, j)));
+        let crossed =
+            [(a, b), (b, c), (c, a)].map(|(i, j)| (plate(i) != plate(j)).then_some((i, j)));
         let mut ends = crossed.into_iter().flatten();
         match (ends.next(), ends.next(), ends.next()) {
             (Some(first), Some(second), None) => {
                 if let Some((width, color)) = style(first.0, first.1) {
-                    lines.add(middle(first.0, first.1), middle(second.0, second.1), width, color);
+                    lines.add(
+                        middle(first.0, first.1),
+                        middle(second.0, second.1),
+                        width,
+                        color,
+                    );
                 }
             }
             (Some(_), Some(_), Some(_)) => {
@@ -162,7 +205,10 @@ fn add_velocities(lines: &mut Lines, input: &OverlayInput, drawn: &dyn Fn(u32) -
     let fastest = input.params.max_speed;
     for i in sites(input, ARROWS) {
         let p = input.mesh.point(i);
-        let velocity = input.plates.angular_velocity(input.surface.plate[i as usize]).cross(p);
+        let velocity = input
+            .plates
+            .angular_velocity(input.surface.plate[i as usize])
+            .cross(p);
         let share = velocity.length() * input.planet.radius / fastest;
         if !share.is_finite() || share < 0.01 {
             continue;
@@ -174,10 +220,16 @@ fn add_velocities(lines: &mut Lines, input: &OverlayInput, drawn: &dyn Fn(u32) -
         let length = ARROW_LENGTH * share.min(1.5);
         let barb = (0.35 * length).min(0.012);
         let height = drawn(i);
-        let on = |forward: f64, aside: f64| ((p + forward * along + aside * across).normalize(), height);
+        let on =
+            |forward: f64, aside: f64| ((p + forward * along + aside * across).normalize(), height);
         lines.add(on(0.0, 0.0), on(length, 0.0), ARROW_WIDTH, color);
         for side in [-0.6, 0.6] {
-            lines.add(on(length, 0.0), on(length - barb, side * barb), ARROW_WIDTH, color);
+            lines.add(
+                on(length, 0.0),
+                on(length - barb, side * barb),
+                ARROW_WIDTH,
+                color,
+            );
         }
     }
 }
@@ -191,7 +243,10 @@ fn add_rivers(
 ) {
     let end = |i: u32| -> End {
         let p = bake.mesh().point(i);
-        (p, input.mesh.locate(p).interpolate(|k| f64::from(drawn(k))) as f32)
+        (
+            p,
+            input.mesh.locate(p).interpolate(|k| f64::from(drawn(k))) as f32,
+        )
     };
     for stretch in rivers::stretches(overlay, bake) {
         let [from, to] = stretch.ends.map(end);

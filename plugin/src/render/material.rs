@@ -34,7 +34,8 @@ const AIR_TOP: f32 = 1.07;
 /// How much nearer lines are drawn than they are, as a share of their distance.
 const LINE_LIFT: f32 = 0.006;
 
-/// Share of light that remains at night: little for the planet itself, more for data that must be read.
+/// Share of light that remains at night: little for the planet itself, more for data that must be
+/// read.
 const NIGHT: f32 = 0.035;
 const NIGHT_OF_DATA: f32 = 0.3;
 
@@ -125,7 +126,9 @@ pub(super) struct GroundKey {
 
 impl From<&GroundMaterial> for GroundKey {
     fn from(material: &GroundMaterial) -> Self {
-        Self { wire: material.wire }
+        Self {
+            wire: material.wire,
+        }
     }
 }
 
@@ -152,7 +155,10 @@ impl Material for GroundMaterial {
         layout: &MeshVertexBufferLayoutRef,
         key: MaterialPipelineKey<Self>,
     ) -> Result<(), SpecializedMeshPipelineError> {
-        let attributes = [Mesh::ATTRIBUTE_POSITION.at_shader_location(0), mesh::SAMPLE.at_shader_location(1)];
+        let attributes = [
+            Mesh::ATTRIBUTE_POSITION.at_shader_location(0),
+            mesh::SAMPLE.at_shader_location(1),
+        ];
         descriptor.vertex.buffers = vec![layout.0.get_layout(&attributes)?];
         if key.bind_group_data.wire {
             descriptor.vertex.shader_defs.push("WIREFRAME".into());
@@ -175,10 +181,23 @@ pub(super) struct AirUniform {
 
 impl AirUniform {
     pub(super) fn new(globe: &Globe) -> Self {
-        let strength = if globe.air.is_finite() { globe.air.clamp(0.0, 1.0) } else { 0.0 };
+        let strength = if globe.air.is_finite() {
+            globe.air.clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
         // Data stays readable under a thin veil.
-        let veil = if globe.overlay == Overlay::Elevation { 1.0 } else { 0.45 };
-        Self { sun: sun(globe).extend(AIR_HEIGHT), top: AIR_TOP, strength: veil * strength, pad: Vec2::ZERO }
+        let veil = if globe.overlay == Overlay::Elevation {
+            1.0
+        } else {
+            0.45
+        };
+        Self {
+            sun: sun(globe).extend(AIR_HEIGHT),
+            top: AIR_TOP,
+            strength: veil * strength,
+            pad: Vec2::ZERO,
+        }
     }
 }
 
@@ -233,7 +252,11 @@ pub(super) struct LineUniform {
 
 impl LineUniform {
     pub(super) fn new(globe: &Globe, radius: f64) -> Self {
-        Self { relief: globe.relief(radius), lift: LINE_LIFT, pad: Vec2::ZERO }
+        Self {
+            relief: globe.relief(radius),
+            lift: LINE_LIFT,
+            pad: Vec2::ZERO,
+        }
     }
 }
 

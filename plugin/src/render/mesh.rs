@@ -1,7 +1,7 @@
 //! The meshes of a globe that never change: triangles in patches, their edges, the shell of air.
 //!
-//! Vertices carry a direction and the number of their sample. Heights and colours come from the buffer
-//! of samples, so neither directions nor indices are uploaded again.
+//! Vertices carry a direction and the number of their sample. Heights and colours come from the
+//! buffer of samples, so neither directions nor indices are uploaded again.
 
 use super::horizon::Cap;
 use super::to_bevy;
@@ -45,7 +45,10 @@ fn patch(mesh: &SphereMesh, triangles: &[[u32; 3]]) -> Patch {
     let local = |i: &u32| samples.binary_search(i).unwrap_or_default() as u32;
     let indices = corners.iter().map(local).collect();
     let cap = Cap::around(samples.iter().map(|&i| mesh.point(i)));
-    Patch { mesh: with_samples(mesh, PrimitiveTopology::TriangleList, samples, indices), cap }
+    Patch {
+        mesh: with_samples(mesh, PrimitiveTopology::TriangleList, samples, indices),
+        cap,
+    }
 }
 
 /// All edges of the lattice, each once.
@@ -55,7 +58,12 @@ pub(super) fn edges(mesh: &SphereMesh) -> Mesh {
         let longer = mesh.ring(i).iter().filter(|&&j| j > i);
         indices.extend(longer.flat_map(|&j| [i, j]));
     }
-    with_samples(mesh, PrimitiveTopology::LineList, (0..mesh.len() as u32).collect(), indices)
+    with_samples(
+        mesh,
+        PrimitiveTopology::LineList,
+        (0..mesh.len() as u32).collect(),
+        indices,
+    )
 }
 
 fn with_samples(
@@ -64,7 +72,10 @@ fn with_samples(
     samples: Vec<u32>,
     indices: Vec<u32>,
 ) -> Mesh {
-    let directions: Vec<[f32; 3]> = samples.iter().map(|&i| to_bevy(mesh.point(i)).to_array()).collect();
+    let directions: Vec<[f32; 3]> = samples
+        .iter()
+        .map(|&i| to_bevy(mesh.point(i)).to_array())
+        .collect();
     Mesh::new(topology, RenderAssetUsages::RENDER_WORLD)
         .with_inserted_attribute(Mesh::ATTRIBUTE_POSITION, directions)
         .with_inserted_attribute(SAMPLE, samples)
@@ -93,12 +104,18 @@ mod tests {
     fn patches_hold_every_triangle_once() {
         let lattice = SphereMesh::fibonacci(100_000).unwrap();
         let patches = ground(&lattice);
-        let triangles = patches.iter().filter_map(|patch| patch.mesh.indices()).map(Indices::len);
+        let triangles = patches
+            .iter()
+            .filter_map(|patch| patch.mesh.indices())
+            .map(Indices::len);
         assert_eq!(triangles.sum::<usize>(), 3 * (2 * 100_000 - 4));
         // Most patches are compact, so that they lie before or behind the horizon as a whole.
         let mut angles: Vec<f64> = patches.iter().map(|patch| patch.cap.angle).collect();
         angles.sort_by(f64::total_cmp);
-        assert!(angles.len() == PATCHES && angles[PATCHES / 2] < 0.45, "{angles:?}");
+        assert!(
+            angles.len() == PATCHES && angles[PATCHES / 2] < 0.45,
+            "{angles:?}"
+        );
         assert_eq!(ground(&SphereMesh::fibonacci(100).unwrap()).len(), 1);
     }
 }

@@ -12,14 +12,18 @@
 //! adapter    whether there is a GPU to draw with
 //! ```
 //!
-//! In: [`Surface`](crate::crust::Surface) and [`Globe`]. Out: child entities of the planet that Bevy draws.
+//! In: [`Surface`](crate::crust::Surface) and [`Globe`]. Out: child entities of the planet that
+//! Bevy draws.
 //!
 //! Policies:
-//! - The planet's entity may be moved, turned and scaled evenly like any other; one unit is one planet radius.
+//! - The planet's entity may be moved, turned and scaled evenly like any other; one unit is one
+//!   planet radius.
 //! - The planet's axis (+z) is Bevy's +y: [`to_bevy`] and [`from_bevy`] convert.
-//! - Painting runs on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), one picture at a time; a
+//! - Painting runs on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), one picture at a
+//!   time; a
 //!   picture that is out of date when it is ready is shown and the next one begun.
-//! - The picture hides the lattice: relief is drawn a little smoothed, coasts ragged below the spacing of samples.
+//! - The picture hides the lattice: relief is drawn a little smoothed, coasts ragged below the
+//!   spacing of samples.
 //!   Numbers are never read from the picture; ask [`Surface`](crate::crust::Surface).
 //! - The light is the globe's own ([`Globe::sun`]); lights of the scene do not touch it.
 
@@ -50,7 +54,8 @@ use bevy::math::DVec3;
 use bevy::pbr::PbrPlugin;
 use bevy::prelude::*;
 
-/// How a planet is drawn. On the planet's entity; [`PangaeaRenderPlugin`] gives one to planets that have none.
+/// How a planet is drawn. On the planet's entity; [`PangaeaRenderPlugin`] gives one to planets that
+/// have none.
 #[derive(Component, Clone, Debug, PartialEq, Reflect)]
 #[reflect(Component)]
 #[require(Transform, Visibility)]
@@ -95,12 +100,22 @@ impl Globe {
     /// Planet radii per km of elevation; values out of range or not a number are tamed.
     fn relief(&self, radius: f64) -> f32 {
         let factor = self.exaggeration.clamp(0.0, Self::MAX_EXAGGERATION);
-        if factor.is_finite() { (f64::from(factor) / radius) as f32 } else { 0.0 }
+        if factor.is_finite() {
+            (f64::from(factor) / radius) as f32
+        } else {
+            0.0
+        }
     }
 
-    /// Distance from the centre of a point at `elevation` km, in planet radii. The vertex shader does the same.
+    /// Distance from the centre of a point at `elevation` km, in planet radii. The vertex shader
+    /// does the same.
     fn drawn_radius(&self, elevation: f32, relief: f32) -> f32 {
-        1.0 + relief * if self.sea { elevation.max(0.0) } else { elevation }
+        1.0 + relief
+            * if self.sea {
+                elevation.max(0.0)
+            } else {
+                elevation
+            }
     }
 }
 
@@ -145,7 +160,13 @@ mod tests {
 
     #[test]
     fn absurd_exaggerations_are_tamed() {
-        let relief = |exaggeration| Globe { exaggeration, ..default() }.relief(1000.0);
+        let relief = |exaggeration| {
+            Globe {
+                exaggeration,
+                ..default()
+            }
+            .relief(1000.0)
+        };
         assert_eq!(relief(f32::NAN), 0.0);
         assert_eq!(relief(-3.0), 0.0);
         assert_eq!(relief(f32::INFINITY), 0.2);

@@ -1,8 +1,8 @@
 //! Keeps globes up to date with their planets.
 //!
-//! A picture is painted on another thread: colours, gradients, lines, the picking tree. The main thread only hands over
-//! the surface and takes finished buffers.
-//! What needs no painting (sun, exaggeration, sea, air) reaches the shaders in the same frame.
+//! A picture is painted on another thread: colours, gradients, lines, the picking tree. The main
+//! thread only hands over the surface and takes finished buffers. What needs no painting (sun,
+//! exaggeration, sea, air) reaches the shaders in the same frame.
 
 use super::columns::{self, Shape};
 use super::horizon::hide_far_side;
@@ -31,7 +31,15 @@ impl Plugin for PainterPlugin {
             .configure_sets(PostUpdate, GlobeSystems.before(AssetEventSystems))
             .add_systems(
                 PostUpdate,
-                (attach, hang_pictures, build_parts, show_pictures, shade, hide_far_side, begin_pictures)
+                (
+                    attach,
+                    hang_pictures,
+                    build_parts,
+                    show_pictures,
+                    shade,
+                    hide_far_side,
+                    begin_pictures,
+                )
                     .chain()
                     .in_set(GlobeSystems),
             );
@@ -120,7 +128,11 @@ fn attach(
     mut commands: Commands,
     bare: Query<
         (Entity, Has<Globe>),
-        (With<Planet>, With<PlanetSurface>, Or<(Without<Globe>, Without<Easel>)>),
+        (
+            With<Planet>,
+            With<PlanetSurface>,
+            Or<(Without<Globe>, Without<Easel>)>,
+        ),
     >,
 ) {
     for (planet, has_globe) in &bare {
@@ -149,9 +161,14 @@ fn begin_pictures(
         if busy || easel.subject.as_ref() == Some(&subject) || surface.len() != lattice.len() {
             continue;
         }
-        let fresh = !easel.lattice.as_ref().is_some_and(|known| Arc::ptr_eq(known, &lattice.0));
+        let fresh = !easel
+            .lattice
+            .as_ref()
+            .is_some_and(|known| Arc::ptr_eq(known, &lattice.0));
         let members = members.map(|m| m.iter()).into_iter().flatten();
-        let rows = members.filter_map(|plate| plates.get(plate).ok()).map(plate_row);
+        let rows = members
+            .filter_map(|plate| plates.get(plate).ok())
+            .map(plate_row);
         let job = Job {
             planet: *planet,
             mesh: lattice.0.clone(),
@@ -173,7 +190,13 @@ fn begin_pictures(
 fn plate_row(
     (entity, id, motion, stats, plate): (Entity, &PlateId, &PlateMotion, &PlateStats, &Plate),
 ) -> PlateRow {
-    PlateRow { id: *id, entity, motion: *motion, stats: *stats, born: plate.born }
+    PlateRow {
+        id: *id,
+        entity,
+        motion: *motion,
+        stats: *stats,
+        born: plate.born,
+    }
 }
 
 /// Runs `work` with a thread of its own for its parallel loops, so that painting never holds the
@@ -182,7 +205,11 @@ fn aside<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
     let build = || {
         let name = |_| "globe painter".to_string();
-        rayon::ThreadPoolBuilder::new().num_threads(1).thread_name(name).build().ok()
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(1)
+            .thread_name(name)
+            .build()
+            .ok()
     };
     match POOL.get_or_init(build) {
         Some(pool) => pool.install(work),
@@ -191,7 +218,17 @@ fn aside<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 }
 
 fn paint(job: Job) -> Picture {
-    let Job { planet, mesh, surface, plates, params, globe, subject, fresh, bake } = job;
+    let Job {
+        planet,
+        mesh,
+        surface,
+        plates,
+        params,
+        globe,
+        subject,
+        fresh,
+        bake,
+    } = job;
     let input = OverlayInput {
         planet: &planet,
         mesh: &mesh,
@@ -206,13 +243,20 @@ fn paint(job: Job) -> Picture {
         overlay => colorize(overlay, &input),
     };
     let shape = Shape::new(&mesh, &surface, globe.sea);
-    let marked = |i: usize| globe.selected.is_some_and(|plate| surface.plate[i] == plate);
+    let marked = |i: usize| {
+        globe
+            .selected
+            .is_some_and(|plate| surface.plate[i] == plate)
+    };
     let columns = columns::pack(&mesh, &shape, &colors, marked);
     // Lines and rays meet the relief as it is drawn.
     let radius = |i| globe.drawn_radius(shape.elevation(i), subject.relief);
     let radii: Vec<f32> = (0..mesh.len()).map(radius).collect();
-    let range =
-        radii.iter().fold((1.0, 1.0), |(low, high): (f64, f64), &r| (low.min(r.into()), high.max(r.into())));
+    let range = radii
+        .iter()
+        .fold((1.0, 1.0), |(low, high): (f64, f64), &r| {
+            (low.min(r.into()), high.max(r.into()))
+        });
     // Triangles are flat: between their corners the ground is lower.
     let range = (range.0 * math::cos(mesh.spacing()), range.1);
     let lines = lines::collect(&input, &globe, |i| shape.elevation(i));
@@ -230,10 +274,17 @@ fn paint(job: Job) -> Picture {
 /// Takes finished pictures off the other thread.
 fn hang_pictures(mut commands: Commands, mut easels: Query<(Entity, &mut Easel)>) {
     for (planet, mut easel) in &mut easels {
-        let Some(task) = &mut easel.task else { continue };
-        let Some(mut picture) = check_ready(task) else { continue };
+        let Some(task) = &mut easel.task else {
+            continue;
+        };
+        let Some(mut picture) = check_ready(task) else {
+            continue;
+        };
         easel.task = None;
-        let drawn = GlobeDrawn { version: picture.subject.version, overlay: picture.subject.overlay };
+        let drawn = GlobeDrawn {
+            version: picture.subject.version,
+            overlay: picture.subject.overlay,
+        };
         commands.entity(planet).insert(drawn);
         if let Some(picker) = picture.picker.take() {
             commands.entity(planet).insert(picker);

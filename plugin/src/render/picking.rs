@@ -1,10 +1,12 @@
 //! What a ray hits on a globe.
 //!
-//! Triangles of a lattice are ordered along a curve, so runs of 64 lie close together. obvhs keeps a tree over
-//! the boxes of such runs and only prunes; the triangles of a run are tested here in f64, and f64 decides.
+//! Triangles of a lattice are ordered along a curve, so runs of 64 lie close together. obvhs keeps
+//! a tree over the boxes of such runs and only prunes; the triangles of a run are tested here in
+//! f64, and f64 decides.
 //!
-//! Policies: the nearest hit wins; of triangles hit at the same distance (an edge, a corner) the first.
-//! A ray that starts below the surface sees it from inside. A ray that is not finite hits nothing.
+//! Policies: the nearest hit wins; of triangles hit at the same distance (an edge, a corner) the
+//! first. A ray that starts below the surface sees it from inside. A ray that is not finite hits
+//! nothing.
 
 use super::{from_bevy, to_bevy};
 use crate::sphere::SphereMesh;
@@ -87,9 +89,18 @@ impl GlobePicker {
     pub fn new(mesh: Arc<SphereMesh>, mut radii: Vec<f32>) -> Self {
         radii.resize(mesh.len(), 1.0);
         let highest = f64::from(radii.iter().copied().fold(0.0, f32::max)) + 1e-5;
-        let boxes: Vec<_> = mesh.triangles().chunks(RUN).map(|run| run_box(&mesh, &radii, run)).collect();
+        let boxes: Vec<_> = mesh
+            .triangles()
+            .chunks(RUN)
+            .map(|run| run_box(&mesh, &radii, run))
+            .collect();
         let tree = build_bvh2(&boxes, BvhBuildParams::fastest_build(), &mut default());
-        Self { mesh, radii, tree, highest }
+        Self {
+            mesh,
+            radii,
+            tree,
+            highest,
+        }
     }
 
     /// What the ray hits first, if anything.
@@ -104,28 +115,35 @@ impl GlobePicker {
         let start = origin + entry * direction;
         let (distance, point) = self.nearest_triangle(start, direction)?;
         let up = point.normalize();
-        Some(Hit { sample: self.mesh.nearest(up), direction: up, distance: entry + distance })
+        Some(Hit {
+            sample: self.mesh.nearest(up),
+            direction: up,
+            distance: entry + distance,
+        })
     }
 
     fn nearest_triangle(&self, start: DVec3, direction: DVec3) -> Option<(f64, DVec3)> {
         let single = |v: DVec3| v.as_vec3().to_array().into();
         let mut best = (f64::INFINITY, usize::MAX);
         let pruning = Ray::new_inf(single(start), single(direction));
-        self.tree.ray_traverse(pruning, &mut RayHit::none(), |_, slot| {
-            let run = self.tree.primitive_indices[slot] as usize * RUN;
-            let triangles = &self.mesh.triangles()[run..];
-            for (k, triangle) in triangles.iter().take(RUN).enumerate() {
-                let corners = triangle.map(|i| self.corner(i));
-                if let Some(t) = hit_triangle(start, direction, corners)
-                    && (t, run + k) < best
-                {
-                    best = (t, run + k);
+        self.tree
+            .ray_traverse(pruning, &mut RayHit::none(), |_, slot| {
+                let run = self.tree.primitive_indices[slot] as usize * RUN;
+                let triangles = &self.mesh.triangles()[run..];
+                for (k, triangle) in triangles.iter().take(RUN).enumerate() {
+                    let corners = triangle.map(|i| self.corner(i));
+                    if let Some(t) = hit_triangle(start, direction, corners)
+                        && (t, run + k) < best
+                    {
+                        best = (t, run + k);
+                    }
                 }
-            }
-            // A little beyond, so that pruning in f32 never hides what f64 would prefer.
-            best.0 as f32 * (1.0 + 1e-5) + SLACK
-        });
-        best.0.is_finite().then(|| (best.0, start + best.0 * direction))
+                // A little beyond, so that pruning in f32 never hides what f64 would prefer.
+                best.0 as f32 * (1.0 + 1e-5) + SLACK
+            });
+        best.0
+            .is_finite()
+            .then(|| (best.0, start + best.0 * direction))
     }
 
     fn corner(&self, i: u32) -> DVec3 {
@@ -141,7 +159,10 @@ fn run_box(mesh: &SphereMesh, radii: &[f32], run: &[[u32; 3]]) -> RunBox {
         high = high.max(corner);
     }
     let (low, high) = (low - Vec3::splat(SLACK), high + Vec3::splat(SLACK));
-    RunBox(Aabb { min: low.to_array().into(), max: high.to_array().into() })
+    RunBox(Aabb {
+        min: low.to_array().into(),
+        max: high.to_array().into(),
+    })
 }
 
 /// Distance at which the ray enters the sphere of this radius about the origin; 0 from inside.
@@ -178,7 +199,9 @@ mod tests {
     fn bumpy() -> GlobePicker {
         let mesh = Arc::new(SphereMesh::fibonacci(3000).unwrap());
         let noise = Stream::new(3, Purpose::Relief, 0);
-        let radii = (0..mesh.len()).map(|i| 1.0 + 0.1 * noise.unit(i as u64) as f32).collect();
+        let radii = (0..mesh.len())
+            .map(|i| 1.0 + 0.1 * noise.unit(i as u64) as f32)
+            .collect();
         GlobePicker::new(mesh, radii)
     }
 
@@ -192,15 +215,26 @@ mod tests {
                 origin: random.direction(2 * i) * random.range(i, 1.2, 40.0),
                 direction: random.direction(2 * i + 1),
             };
-            let aimed = GlobeRay { direction: 0.9 * ray.direction - ray.origin, ..ray };
+            let aimed = GlobeRay {
+                direction: 0.9 * ray.direction - ray.origin,
+                ..ray
+            };
             let expected = picker.mesh.triangles().iter().filter_map(|t| {
-                hit_triangle(aimed.origin, aimed.direction.normalize(), t.map(|i| picker.corner(i)))
+                hit_triangle(
+                    aimed.origin,
+                    aimed.direction.normalize(),
+                    t.map(|i| picker.corner(i)),
+                )
             });
             let expected = expected.fold(f64::INFINITY, f64::min);
             match picker.pick(aimed) {
                 Some(hit) => {
                     hits += 1;
-                    assert!((hit.distance - expected).abs() < 1e-9, "{} {expected}", hit.distance);
+                    assert!(
+                        (hit.distance - expected).abs() < 1e-9,
+                        "{} {expected}",
+                        hit.distance
+                    );
                     assert_eq!(hit.sample, picker.mesh.nearest(hit.direction));
                 }
                 None => assert!(expected.is_infinite()),
@@ -217,7 +251,12 @@ mod tests {
             let p = picker.mesh.point(i);
             let q = (p + picker.mesh.point(picker.mesh.ring(i)[0])).normalize();
             for up in [p, q] {
-                let hit = picker.pick(GlobeRay { origin: 1e6 * up, direction: -up }).unwrap();
+                let hit = picker
+                    .pick(GlobeRay {
+                        origin: 1e6 * up,
+                        direction: -up,
+                    })
+                    .unwrap();
                 assert!(hit.direction.dot(up) > 1.0 - 1e-12);
             }
         }
@@ -231,13 +270,17 @@ mod tests {
         assert_eq!(pick(DVec3::X * 3.0, DVec3::Y), None);
         assert_eq!(pick(DVec3::X * 3.0, DVec3::ZERO), None);
         assert_eq!(pick(DVec3::NAN, -DVec3::X), None);
-        assert_eq!(pick(DVec3::X * 3.0, DVec3::new(f64::INFINITY, 0.0, 0.0)), None);
+        assert_eq!(
+            pick(DVec3::X * 3.0, DVec3::new(f64::INFINITY, 0.0, 0.0)),
+            None
+        );
         assert!(pick(DVec3::ZERO, DVec3::X).is_some());
     }
 
     #[test]
     fn world_rays_follow_the_planet() {
-        let planet = GlobalTransform::from(Transform::from_xyz(5.0, 0.0, 0.0).with_scale(Vec3::splat(2.0)));
+        let planet =
+            GlobalTransform::from(Transform::from_xyz(5.0, 0.0, 0.0).with_scale(Vec3::splat(2.0)));
         let ray = GlobeRay::from_world(Ray3d::new(Vec3::new(5.0, 8.0, 0.0), Dir3::NEG_Y), &planet);
         let hit = bumpy().pick(ray).unwrap();
         assert!((hit.direction - DVec3::Z).length() < 1e-6);

@@ -1,7 +1,7 @@
 //! What lies where no frame does (paper 000 §4.3).
 //!
-//! The two nearest rims of different plates are found by spreading. *Diverging plates*: the ridge runs halfway
-//! between the rims, and the floor is younger the nearer it is:
+//! The two nearest rims of different plates are found by spreading. *Diverging plates*: the ridge
+//! runs halfway between the rims, and the floor is younger the nearer it is:
 //!
 //! ```text
 //! alpha = d_G / (d_G + d_P)          z = alpha z_mean + (1 - alpha) z_G(d_G)
@@ -9,14 +9,15 @@
 //! age = T d_G / (d_G + d_P),  T the shorter of the time since the last resample and the time that the gap needed
 //! ```
 //!
-//! d_G is the distance to the ridge, d_P to the rim, q the projection of p onto the ridge. sigma grows with the
-//! spreading rate, so that z_G agrees with the subsidence of floor that spread at that rate; the parameter holds for
-//! [`REFERENCE_RATE`].
+//! d_G is the distance to the ridge, d_P to the rim, q the projection of p onto the ridge. sigma
+//! grows with the spreading rate, so that z_G agrees with the subsidence of floor that spread at
+//! that rate; the parameter holds for [`REFERENCE_RATE`].
 //!
-//! *Plates that do not diverge, and holes within one plate*: a gap is not always an ocean. It is filled from the nearest rim.
-//! Only cracks below [`WIDEST_CRACK`] between two continents are filled with continental crust; a wider gap
-//! that closes again was an ocean when it opened, and takes the nearer oceanic rim's floor, or new floor where
-//! there is none. *Triple junctions*: the two nearest plates decide.
+//! *Plates that do not diverge, and holes within one plate*: a gap is not always an ocean. It is
+//! filled from the nearest rim. Only cracks below [`WIDEST_CRACK`] between two continents are
+//! filled with continental crust; a wider gap that closes again was an ocean when it opened, and
+//! takes the nearer oceanic rim's floor, or new floor where there is none. *Triple junctions*: the
+//! two nearest plates decide.
 
 use crate::crust::surface::Cover;
 use crate::crust::{CrustKind, Orogeny, Surface};
@@ -56,12 +57,16 @@ pub struct GapInput<'a> {
 #[derive(Clone, Debug, Default)]
 pub struct Rims([SourceField; 2]);
 
-/// Makes crust for every sample of the projection that nothing covers. Returns how many became ridge crust.
+/// Makes crust for every sample of the projection that nothing covers. Returns how many became
+/// ridge crust.
 pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes, rims: &mut Rims) -> usize {
     let mesh = input.mesh;
     let open = |i: u32| notes.weight[i as usize] < 0.0;
     let gaps = parallel::map_chunks(mesh.len(), |range| {
-        range.map(|i| i as u32).filter(|&i| open(i)).collect::<Vec<_>>()
+        range
+            .map(|i| i as u32)
+            .filter(|&i| open(i))
+            .collect::<Vec<_>>()
     });
     let gaps = gaps.concat();
     if gaps.is_empty() {
@@ -76,7 +81,8 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes, rims: &
     let [first, second] = &rims.0;
     let parts = Components::new(mesh, open, |_, _| true);
     let mut of_part = vec![Vec::new(); parts.count];
-    gaps.iter().for_each(|&i| of_part[parts.of[i as usize] as usize].push(i));
+    gaps.iter()
+        .for_each(|&i| of_part[parts.of[i as usize] as usize].push(i));
     // No distance crosses from one gap to another: each is a spread of its own, the largest first.
     of_part.sort_by_key(|gap| core::cmp::Reverse(gap.len()));
     of_part.par_iter().with_max_len(1).for_each(|gap| {
@@ -91,8 +97,16 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes, rims: &
             if near == UNREACHED {
                 return None;
             }
-            let ridge = if far == UNREACHED { None } else { ridge_row(input, surface, i, near, far, false) };
-            let cover = if ridge.is_some() { Cover::Ridge } else { Cover::Filled };
+            let ridge = if far == UNREACHED {
+                None
+            } else {
+                ridge_row(input, surface, i, near, far, false)
+            };
+            let cover = if ridge.is_some() {
+                Cover::Ridge
+            } else {
+                Cover::Filled
+            };
             let row = ridge.unwrap_or_else(|| filled_row(input, surface, i, near, far));
             Some((i as usize, surface.plate[near as usize], cover, row))
         };
@@ -110,21 +124,41 @@ pub fn fill_gaps(input: &GapInput, surface: &mut Surface, notes: &Notes, rims: &
 
 /// For every sample of a gap the nearest rim.
 fn nearest_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, inside: impl Fn(u32) -> bool) {
-    let mut seeds: Vec<u32> =
-        gap.iter().flat_map(|&i| mesh.ring(i).iter().copied().filter(|&j| !inside(j))).collect();
+    let mut seeds: Vec<u32> = gap
+        .iter()
+        .flat_map(|&i| mesh.ring(i).iter().copied().filter(|&j| !inside(j)))
+        .collect();
     seeds.sort_unstable();
     seeds.dedup();
     // Rims stay out of the field: they may belong to several gaps.
     let mut start: Vec<(u32, u32)> = Vec::new();
     for &rim in &seeds {
-        start.extend(mesh.ring(rim).iter().filter(|&&i| inside(i)).map(|&i| (i, rim)));
+        start.extend(
+            mesh.ring(rim)
+                .iter()
+                .filter(|&&i| inside(i))
+                .map(|&i| (i, rim)),
+        );
     }
-    spread_on(mesh, first, &start, 2.0, |rim| mesh.point(rim), |_, to| inside(to));
+    spread_on(
+        mesh,
+        first,
+        &start,
+        2.0,
+        |rim| mesh.point(rim),
+        |_, to| inside(to),
+    );
 }
 
-/// For every sample of a gap the nearest rim of another plate than the nearest rim's: spread from where the regions
-/// of two plates meet within the gap.
-fn second_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, surface: &Surface, second: &SourceField) {
+/// For every sample of a gap the nearest rim of another plate than the nearest rim's: spread from
+/// where the regions of two plates meet within the gap.
+fn second_rims(
+    mesh: &SphereMesh,
+    gap: &[u32],
+    first: &SourceField,
+    surface: &Surface,
+    second: &SourceField,
+) {
     let plate = |i: u32| match first.source(i) {
         UNREACHED => None,
         rim => Some(surface.plate[rim as usize]),
@@ -132,7 +166,8 @@ fn second_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, surface: &Su
     let mut start = Vec::new();
     for &i in gap {
         for &j in mesh.ring(i) {
-            // A covered neighbour is not in the field; only gap samples of another plate's region count.
+            // A covered neighbour is not in the field; only gap samples of another plate's region
+            // count.
             if plate(i).is_some() && plate(j).is_some() && plate(i) != plate(j) {
                 start.push((i, first.source(j)));
             }
@@ -149,10 +184,14 @@ fn filled_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32) 
         return own;
     }
     let (p, mesh) = (input.mesh.point(i), input.mesh);
-    let width = angle_of_chord(p.distance(mesh.point(near))) + angle_of_chord(p.distance(mesh.point(far)));
+    let width =
+        angle_of_chord(p.distance(mesh.point(near))) + angle_of_chord(p.distance(mesh.point(far)));
     let across = Row::read(&surface.crust, far as usize);
     if across.kind == CrustKind::Oceanic {
-        Row { frame: own.frame, ..across }
+        Row {
+            frame: own.frame,
+            ..across
+        }
     } else if width * input.radius < WIDEST_CRACK {
         own
     } else {
@@ -160,10 +199,23 @@ fn filled_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32) 
     }
 }
 
-/// New ocean crust at sample `i` between the rims `near` and `far`; none where the plates do not diverge, unless it is
-/// `forced`.
-fn ridge_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32, forced: bool) -> Option<Row> {
-    let &GapInput { mesh, plates, params, radius, elapsed } = input;
+/// New ocean crust at sample `i` between the rims `near` and `far`; none where the plates do not
+/// diverge, unless it is `forced`.
+fn ridge_row(
+    input: &GapInput,
+    surface: &Surface,
+    i: u32,
+    near: u32,
+    far: u32,
+    forced: bool,
+) -> Option<Row> {
+    let &GapInput {
+        mesh,
+        plates,
+        params,
+        radius,
+        elapsed,
+    } = input;
     let (p, a, b) = (mesh.point(i), mesh.point(near), mesh.point(far));
     let across = b - a;
     let across = (across - p * across.dot(p)).try_normalize()?;
@@ -174,7 +226,11 @@ fn ridge_row(input: &GapInput, surface: &Surface, i: u32, near: u32, far: u32, f
         return None;
     }
     // A gap that closes was opened at some rate once; the reference stands for it.
-    let opening = if forced { 2.0 * REFERENCE_RATE } else { opening };
+    let opening = if forced {
+        2.0 * REFERENCE_RATE
+    } else {
+        opening
+    };
     let d1 = angle_of_chord(p.distance(a)) * radius;
     let d2 = angle_of_chord(p.distance(b)) * radius;
     let half = 0.5 * (d1 + d2);
@@ -210,10 +266,17 @@ mod tests {
     #[test]
     fn the_template_has_its_closed_form() {
         let params = TectonicParams::default();
-        assert_eq!(ridge_profile(&params, 0.0, REFERENCE_RATE), params.ridge_elevation);
+        assert_eq!(
+            ridge_profile(&params, 0.0, REFERENCE_RATE),
+            params.ridge_elevation
+        );
         let middle = 0.5 * (params.ridge_elevation + params.abyss_elevation);
-        assert!((ridge_profile(&params, params.ridge_width, REFERENCE_RATE) - middle).abs() < 1e-12);
-        assert!((ridge_profile(&params, 1e5, REFERENCE_RATE) - params.abyss_elevation).abs() < 1e-6);
+        assert!(
+            (ridge_profile(&params, params.ridge_width, REFERENCE_RATE) - middle).abs() < 1e-12
+        );
+        assert!(
+            (ridge_profile(&params, 1e5, REFERENCE_RATE) - params.abyss_elevation).abs() < 1e-6
+        );
     }
 
     #[test]
@@ -222,7 +285,8 @@ mod tests {
         for rate in [10.0, 25.0, 50.0] {
             for age in [5.0, 20.0, 60.0] {
                 let depth = crate::math::exp(-age / params.subsidence_time);
-                let sunk = params.abyss_elevation + (params.ridge_elevation - params.abyss_elevation) * depth;
+                let sunk = params.abyss_elevation
+                    + (params.ridge_elevation - params.abyss_elevation) * depth;
                 assert!((ridge_profile(&params, rate * age, rate) - sunk).abs() < 0.05);
             }
         }

@@ -1,9 +1,10 @@
 //! What covers every sample of the lattice now.
 //!
-//! A sample takes its crust from the frame on top: values by barycentric interpolation, categories from the nearest
-//! sample. *Mixed triangles*: corners of other frames, and of the other kind of crust than the nearest, are
-//! dropped and the weights renormalised, so that a coast stays as sharp as it was. *A frame at rest* copies bits.
-//! Continental crust that lies below another frame is noted, for the ledger.
+//! A sample takes its crust from the frame on top: values by barycentric interpolation, categories
+//! from the nearest sample. *Mixed triangles*: corners of other frames, and of the other kind of
+//! crust than the nearest, are dropped and the weights renormalised, so that a coast stays as sharp
+//! as it was. *A frame at rest* copies bits. Continental crust that lies below another frame is
+//! noted, for the ledger.
 
 use crate::crust::cover::{CoverIndex, Hit, upper};
 use crate::crust::surface::Cover;
@@ -122,8 +123,14 @@ pub fn prepare(surface: &mut Surface, notes: &mut Notes, n: usize) {
     notes.layers.resize(n, [0; 2]);
 }
 
-/// Projects the chunks from `first` on, a slice of them. Returns the next chunk; done when it is past the end.
-pub fn project_slice(input: &ProjectInput, surface: &mut Surface, notes: &mut Notes, first: usize) -> usize {
+/// Projects the chunks from `first` on, a slice of them. Returns the next chunk; done when it is
+/// past the end.
+pub fn project_slice(
+    input: &ProjectInput,
+    surface: &mut Surface,
+    notes: &mut Notes,
+    first: usize,
+) -> usize {
     let n = input.mesh.len();
     let end = (first + CHUNKS_PER_SLICE).min(n.div_ceil(CHUNK));
     let range = first * CHUNK..(end * CHUNK).min(n);
@@ -132,29 +139,72 @@ pub fn project_slice(input: &ProjectInput, surface: &mut Surface, notes: &mut No
     macro_rules! chunks {
         ($($column:expr),+) => { ($($column[range.clone()].par_chunks_mut(CHUNK)),+).into_par_iter() };
     }
-    let Surface { crust, plate, cover, trench, .. } = surface;
-    let Crust { frame, kind, thickness, elevation, ocean_age, ridge, orogeny_age, orogeny, fold } = crust;
-    let scalars = chunks!(frame, kind, thickness, elevation, ocean_age, orogeny_age, orogeny);
-    let rest = chunks!(ridge, fold, plate, cover, trench, notes.weight, notes.below, notes.layers);
-    (scalars, rest).into_par_iter().enumerate().for_each(|(chunk, (scalars, rest))| {
-        let (frame, kind, thickness, elevation, ocean_age, orogeny_age, orogeny) = scalars;
-        let (ridge, fold, plate, cover, trench, weight, below, layers) = rest;
-        for k in 0..frame.len() {
-            let found = find(input, at_rest, (first + chunk) * CHUNK + k);
-            let row = found.row;
-            (frame[k], kind[k], thickness[k], elevation[k]) =
-                (row.frame, row.kind, row.thickness, row.elevation);
-            (ocean_age[k], orogeny_age[k], orogeny[k]) = (row.ocean_age, row.orogeny_age, row.orogeny);
-            (ridge[k], fold[k]) = (row.ridge, row.fold);
-            (plate[k], cover[k], trench[k]) = (found.plate, found.cover, 0.0);
-            (weight[k], below[k], layers[k]) = (found.weight, found.below, found.layers);
-        }
-    });
+    let Surface {
+        crust,
+        plate,
+        cover,
+        trench,
+        ..
+    } = surface;
+    let Crust {
+        frame,
+        kind,
+        thickness,
+        elevation,
+        ocean_age,
+        ridge,
+        orogeny_age,
+        orogeny,
+        fold,
+    } = crust;
+    let scalars = chunks!(
+        frame,
+        kind,
+        thickness,
+        elevation,
+        ocean_age,
+        orogeny_age,
+        orogeny
+    );
+    let rest = chunks!(
+        ridge,
+        fold,
+        plate,
+        cover,
+        trench,
+        notes.weight,
+        notes.below,
+        notes.layers
+    );
+    (scalars, rest)
+        .into_par_iter()
+        .enumerate()
+        .for_each(|(chunk, (scalars, rest))| {
+            let (frame, kind, thickness, elevation, ocean_age, orogeny_age, orogeny) = scalars;
+            let (ridge, fold, plate, cover, trench, weight, below, layers) = rest;
+            for k in 0..frame.len() {
+                let found = find(input, at_rest, (first + chunk) * CHUNK + k);
+                let row = found.row;
+                (frame[k], kind[k], thickness[k], elevation[k]) =
+                    (row.frame, row.kind, row.thickness, row.elevation);
+                (ocean_age[k], orogeny_age[k], orogeny[k]) =
+                    (row.ocean_age, row.orogeny_age, row.orogeny);
+                (ridge[k], fold[k]) = (row.ridge, row.fold);
+                (plate[k], cover[k], trench[k]) = (found.plate, found.cover, 0.0);
+                (weight[k], below[k], layers[k]) = (found.weight, found.below, found.layers);
+            }
+        });
     end
 }
 
 fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
-    let ProjectInput { mesh, crust, frames, cover, polarity } = *input;
+    let ProjectInput {
+        mesh,
+        crust,
+        frames,
+        cover,
+        polarity,
+    } = *input;
     if at_rest {
         return Found {
             row: Row::read(crust, i),
@@ -184,14 +234,30 @@ fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
     }
     let (row, weight) = sample_frame(input, top, None);
     // Few samples are covered twice: it is cheaper to find the frames again than to keep them.
-    let (below, layers) = if count == Cover::Several { buried(input, p, top) } else { (0.0, [0; 2]) };
-    Found { row, plate: frames.plate(top.frame), cover: count, weight, below, layers }
+    let (below, layers) = if count == Cover::Several {
+        buried(input, p, top)
+    } else {
+        (0.0, [0; 2])
+    };
+    Found {
+        row,
+        plate: frames.plate(top.frame),
+        cover: count,
+        weight,
+        below,
+        layers,
+    }
 }
 
-/// The crust of a frame at a hit, and the share of continental corners. `kind` asks for crust of that kind, where
-/// the triangle has some, instead of the nearest sample's.
+/// The crust of a frame at a hit, and the share of continental corners. `kind` asks for crust of
+/// that kind, where the triangle has some, instead of the nearest sample's.
 pub fn sample_frame(input: &ProjectInput, hit: Hit, kind: Option<CrustKind>) -> (Row, f32) {
-    let ProjectInput { mesh, crust, frames, .. } = *input;
+    let ProjectInput {
+        mesh,
+        crust,
+        frames,
+        ..
+    } = *input;
     let frame = frames[usize::from(hit.frame)];
     let nearest = hit.sample as usize;
     let wanted = kind.unwrap_or(crust.kind[nearest]);
@@ -206,7 +272,11 @@ pub fn sample_frame(input: &ProjectInput, hit: Hit, kind: Option<CrustKind>) -> 
             weight[usize::from(crust.is_continental(i as usize))] += w;
         }
     }
-    let share = if weight[0] + weight[1] > 0.0 { weight[1] / (weight[0] + weight[1]) } else { 0.0 };
+    let share = if weight[0] + weight[1] > 0.0 {
+        weight[1] / (weight[0] + weight[1])
+    } else {
+        0.0
+    };
     let row = blend(crust, &at, hit.frame, wanted).unwrap_or_else(|| Row::read(crust, nearest));
     (turned(row, frame.rotation), share as f32)
 }
@@ -221,11 +291,18 @@ fn blend(crust: &Crust, at: &Location, frame: u16, kind: CrustKind) -> Option<Ro
         if crust.frame[i] != frame || crust.kind[i] != kind || w <= 0.0 {
             continue;
         }
-        let values = [1.0, crust.thickness[i], crust.elevation[i], crust.ocean_age[i], crust.orogeny_age[i]];
+        let values = [
+            1.0,
+            crust.thickness[i],
+            crust.elevation[i],
+            crust.ocean_age[i],
+            crust.orogeny_age[i],
+        ];
         for (sum, value) in sum.iter_mut().zip(values) {
             *sum += w * f64::from(value);
         }
-        // Ridges are lines without a head: corners are turned to the same side before they are added.
+        // Ridges are lines without a head: corners are turned to the same side before they are
+        // added.
         let r = crust.ridge[i].as_dvec3();
         ridge += if r.dot(ridge) < 0.0 { -r * w } else { r * w };
         fold += crust.fold[i].as_dvec3() * w;
@@ -250,16 +327,30 @@ fn blend(crust: &Crust, at: &Location, frame: u16, kind: CrustKind) -> Option<Ro
 
 fn turned(row: Row, rotation: DQuat) -> Row {
     let turn = |v: Vec3| (rotation * v.as_dvec3()).as_vec3();
-    Row { ridge: turn(row.ridge), fold: turn(row.fold), ..row }
+    Row {
+        ridge: turn(row.ridge),
+        fold: turn(row.fold),
+        ..row
+    }
 }
 
-/// Continental crust below the frame on top at `p`: thickness in km, and layers of the same and of other plates.
+/// Continental crust below the frame on top at `p`: thickness in km, and layers of the same and of
+/// other plates.
 fn buried(input: &ProjectInput, p: DVec3, top: Hit) -> (f32, [u8; 2]) {
-    let ProjectInput { mesh, crust, frames, cover, .. } = *input;
+    let ProjectInput {
+        mesh,
+        crust,
+        frames,
+        cover,
+        ..
+    } = *input;
     let plate = frames.plate(top.frame);
     let mut below = 0.0;
     let mut layers = [0; 2];
-    for hit in cover.covering(mesh, crust, p).filter(|hit| hit.frame != top.frame) {
+    for hit in cover
+        .covering(mesh, crust, p)
+        .filter(|hit| hit.frame != top.frame)
+    {
         if crust.is_continental(hit.sample as usize) {
             below += crust.thickness[hit.sample as usize];
             layers[usize::from(frames.plate(hit.frame) != plate)] += 1;

@@ -1,10 +1,13 @@
 //! Continental crust is conserved: area by quota, volume by scale.
 //!
-//! What lies below another frame loses its area: *stacking* where both belong to one plate, *forced subduction*
-//! where not. Its thickness is added to what lies above; what exceeds the root of the highest mountains falls off as
-//! *delamination*. Continental crust that fills a crack is stretched: area without volume, booked as *rifting*. Nearest assignment alone would let the rest of the area flicker by 0.1 to 0.2 %, so samples of
-//! the coast, ranked by the share of continental corners in their triangle, change kind until the area is the
-//! ledger's; less than half a sample is left, and carried to the next resample. Thicknesses are scaled so that the volume is the ledger's.
+//! What lies below another frame loses its area: *stacking* where both belong to one plate, *forced
+//! subduction* where not. Its thickness is added to what lies above; what exceeds the root of the
+//! highest mountains falls off as *delamination*. Continental crust that fills a crack is
+//! stretched: area without volume, booked as *rifting*. Nearest assignment alone would let the rest
+//! of the area flicker by 0.1 to 0.2 %, so samples of the coast, ranked by the share of continental
+//! corners in their triangle, change kind until the area is the ledger's; less than half a sample
+//! is left, and carried to the next resample. Thicknesses are scaled so that the volume is the
+//! ledger's.
 
 use crate::crust::isostasy::Isostasy;
 use crate::crust::ledger::measure;
@@ -15,7 +18,8 @@ use crate::resample::project::{Notes, ProjectInput, sample_frame};
 use crate::sphere::SphereMesh;
 use rayon::prelude::*;
 
-/// Books what was buried and brings the projected crust to the area and the volume that the ledger expects.
+/// Books what was buried and brings the projected crust to the area and the volume that the ledger
+/// expects.
 pub fn conserve(
     input: &ProjectInput,
     params: &TectonicParams,
@@ -34,7 +38,9 @@ pub fn conserve(
     }
     ledger.book(Cause::Stacking, -lost[0] * square, 0.0);
     ledger.book(Cause::ForcedSubduction, -lost[1] * square, 0.0);
-    let stretched = chosen(surface.len(), |i| notes.weight[i] < 0.0 && surface.crust.is_continental(i));
+    let stretched = chosen(surface.len(), |i| {
+        notes.weight[i] < 0.0 && surface.crust.is_continental(i)
+    });
     let stretched: f64 = stretched.into_iter().map(|i| input.mesh.areas()[i]).sum();
     ledger.book(Cause::Rifting, stretched * square, 0.0);
     let target = before.area + (stretched - lost[0] - lost[1]) * square + ledger.carried_area;
@@ -52,30 +58,52 @@ fn chosen(n: usize, choice: impl Fn(usize) -> bool + Sync + Send) -> Vec<usize> 
     parallel::map_chunks(n, |range| range.filter(|&i| choice(i)).collect::<Vec<_>>()).concat()
 }
 
-/// Lets samples of the coast change kind until the continental area is `target` steradians as nearly as it can be.
+/// Lets samples of the coast change kind until the continental area is `target` steradians as
+/// nearly as it can be.
 fn flip_coast(input: &ProjectInput, surface: &mut Surface, notes: &Notes, target: f64) {
     let areas = input.mesh.areas();
     let land = chosen(areas.len(), |i| surface.crust.is_continental(i));
     let area: f64 = land.into_iter().map(|i| areas[i]).sum();
     let mut missing = target - area;
-    let to = if missing > 0.0 { CrustKind::Continental } else { CrustKind::Oceanic };
+    let to = if missing > 0.0 {
+        CrustKind::Continental
+    } else {
+        CrustKind::Oceanic
+    };
     let share = |i: usize| {
         let weight = notes.weight[i];
-        if to == CrustKind::Continental { weight } else { 1.0 - weight }
+        if to == CrustKind::Continental {
+            weight
+        } else {
+            1.0 - weight
+        }
     };
-    let coast =
-        chosen(areas.len(), |i| notes.weight[i] >= 0.0 && share(i) > 0.02 && surface.crust.kind[i] != to);
+    let coast = chosen(areas.len(), |i| {
+        notes.weight[i] >= 0.0 && share(i) > 0.02 && surface.crust.kind[i] != to
+    });
     let mut coast: Vec<(f32, u32)> = coast.into_iter().map(|i| (-share(i), i as u32)).collect();
     coast.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     for (_, i) in coast {
-        let change = if to == CrustKind::Continental { areas[i as usize] } else { -areas[i as usize] };
+        let change = if to == CrustKind::Continental {
+            areas[i as usize]
+        } else {
+            -areas[i as usize]
+        };
         // Half a sample too much is as good as half a sample too little.
         if (missing - change).abs() >= missing.abs() {
             break;
         }
         let p = input.mesh.point(i);
-        let &ProjectInput { mesh, crust, frames, cover, polarity } = input;
-        let Some(top) = cover.top_if(mesh, crust, frames, polarity, p, |_| true) else { continue };
+        let &ProjectInput {
+            mesh,
+            crust,
+            frames,
+            cover,
+            polarity,
+        } = input;
+        let Some(top) = cover.top_if(mesh, crust, frames, polarity, p, |_| true) else {
+            continue;
+        };
         let (row, _) = sample_frame(input, top, Some(to));
         if row.kind == to {
             row.write(&mut surface.crust, i as usize);
@@ -84,11 +112,14 @@ fn flip_coast(input: &ProjectInput, surface: &mut Surface, notes: &Notes, target
     }
 }
 
-/// Adds what is buried to the crust above. Returns the volume that falls off, per square of the radius.
+/// Adds what is buried to the crust above. Returns the volume that falls off, per square of the
+/// radius.
 fn stack(params: &TectonicParams, crust: &mut Crust, mesh: &SphereMesh, notes: &Notes) -> f64 {
     let thickest = Isostasy::new(params).thickness(params.summit_elevation as f32);
     let mut shed = 0.0;
-    for i in chosen(crust.len(), |i| notes.below[i] > 0.0 && crust.is_continental(i)) {
+    for i in chosen(crust.len(), |i| {
+        notes.below[i] > 0.0 && crust.is_continental(i)
+    }) {
         crust.thickness[i] += notes.below[i];
         if crust.thickness[i] > thickest {
             shed += f64::from(crust.thickness[i] - thickest) * mesh.areas()[i];
@@ -107,9 +138,16 @@ fn scale_volume(crust: &mut Crust, mesh: &SphereMesh, radius: f64, target: f64) 
             return;
         }
         let scale = target / volume;
-        let columns = (crust.kind.par_chunks(CHUNK), crust.thickness.par_chunks_mut(CHUNK));
+        let columns = (
+            crust.kind.par_chunks(CHUNK),
+            crust.thickness.par_chunks_mut(CHUNK),
+        );
         columns.into_par_iter().for_each(|(kind, thickness)| {
-            for (_, e) in kind.iter().zip(thickness).filter(|(kind, _)| **kind == CrustKind::Continental) {
+            for (_, e) in kind
+                .iter()
+                .zip(thickness)
+                .filter(|(kind, _)| **kind == CrustKind::Continental)
+            {
                 *e = (f64::from(*e) * scale) as f32;
             }
         });

@@ -17,7 +17,9 @@ use crate::plate::contact::{Contact, Contacts};
 use crate::plate::polarity::PolarityMemory;
 use crate::plate::{PlateId, PlateTable};
 use crate::process::plate_table;
-use crate::schedule::{CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems};
+use crate::schedule::{
+    CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems,
+};
 use crate::sphere::spread::Scratch;
 use bevy::prelude::*;
 use rayon::prelude::*;
@@ -80,7 +82,12 @@ enum Finish {
 
 fn resample(world: &mut World) {
     let planet = world.resource::<CurrentPlanet>().0;
-    let Some(progress) = world.get::<StepCursor>(planet).map(|cursor| cursor.progress) else { return };
+    let Some(progress) = world
+        .get::<StepCursor>(planet)
+        .map(|cursor| cursor.progress)
+    else {
+        return;
+    };
     if progress == 0 && !is_due(world, planet) {
         return;
     }
@@ -95,7 +102,9 @@ fn resample(world: &mut World) {
 fn surface(world: &mut World) {
     let planet = world.resource::<CurrentPlanet>().0;
     let wanted = world.get::<SurfaceDemand>(planet) == Some(&SurfaceDemand::EveryStep);
-    let fresh = world.get::<Resampling>(planet).is_none_or(|resampling| resampling.done);
+    let fresh = world
+        .get::<Resampling>(planet)
+        .is_none_or(|resampling| resampling.done);
     if wanted && !fresh {
         advance(world, planet, false);
     }
@@ -105,7 +114,9 @@ fn is_due(world: &mut World, planet: Entity) -> bool {
     let table = plate_table(world, planet);
     let entity = world.entity(planet);
     let parts = entity.get_components::<(&Planet, &TectonicParams, &GeologicClock, &Frames)>();
-    parts.is_ok_and(|(body, params, clock, frames)| due(params, clock, &table, body.radius, frames.len()))
+    parts.is_ok_and(|(body, params, clock, frames)| {
+        due(params, clock, &table, body.radius, frames.len())
+    })
 }
 
 /// Whether this step ends with a resample.
@@ -116,7 +127,11 @@ pub fn due(
     radius: f64,
     frames: usize,
 ) -> bool {
-    let speed = plates.rows().iter().map(|row| row.motion.speed * radius).fold(0.0, f64::max);
+    let speed = plates
+        .rows()
+        .iter()
+        .map(|row| row.motion.speed * radius)
+        .fold(0.0, f64::max);
     let due = clock.since_resample + 1 >= interval(params, speed);
     // Frame numbers are 16 bits wide; a planet that collects so many terranes must be tidied.
     clock.resample_requested || frames > 50_000 || (params.processes.resample && due)
@@ -124,7 +139,10 @@ pub fn due(
 
 /// Projects the whole surface at once.
 pub fn project_now(world: &mut World, planet: Entity) {
-    if world.get::<Resampling>(planet).is_some_and(|resampling| resampling.done) {
+    if world
+        .get::<Resampling>(planet)
+        .is_some_and(|resampling| resampling.done)
+    {
         // Nothing has looked for contacts since.
         look_for_contacts(world, planet);
     }
@@ -138,10 +156,14 @@ pub fn project_now(world: &mut World, planet: Entity) {
     }
 }
 
-/// Works on the projection until the slice's time is up; then the stage holds. Returns whether it is complete.
+/// Works on the projection until the slice's time is up; then the stage holds. Returns whether it
+/// is complete.
 fn advance(world: &mut World, planet: Entity, commit: bool) -> bool {
     let table = plate_table(world, planet);
-    let Some(mut work) = world.get_mut::<Resampling>(planet).map(|mut r| core::mem::take(&mut *r)) else {
+    let Some(mut work) = world
+        .get_mut::<Resampling>(planet)
+        .map(|mut r| core::mem::take(&mut *r))
+    else {
         return true;
     };
     let ended = advance_work(world, planet, &table, &mut work, commit);
@@ -163,7 +185,14 @@ fn advance_work(
     commit: bool,
 ) -> Option<bool> {
     let mut query = world.query::<(
-        (&Planet, &Lattice, &TectonicParams, &GeologicClock, &Crust, &Frames),
+        (
+            &Planet,
+            &Lattice,
+            &TectonicParams,
+            &GeologicClock,
+            &Crust,
+            &Frames,
+        ),
         (&Rim, &Contacts, &PolarityMemory),
         (&mut CoverIndex, &mut Ledger, &mut StepCursor),
     )>();
@@ -172,21 +201,43 @@ fn advance_work(
     let (body, mesh, params, clock, crust, frames) = state;
     let chunks = mesh.len().div_ceil(CHUNK);
     if cursor.progress == 0 {
-        // Collisions and riftings of this step have changed the frames since the contacts were found.
+        // Collisions and riftings of this step have changed the frames since the contacts were
+        // found.
         cover.turn(frames);
         prepare(&mut work.next, &mut work.notes, mesh.len());
     }
-    let input = ProjectInput { mesh, crust, frames, cover: &cover, polarity };
+    let input = ProjectInput {
+        mesh,
+        crust,
+        frames,
+        cover: &cover,
+        polarity,
+    };
     loop {
         if cursor.progress < chunks {
-            cursor.progress = project_slice(&input, &mut work.next, &mut work.notes, cursor.progress);
+            cursor.progress =
+                project_slice(&input, &mut work.next, &mut work.notes, cursor.progress);
         } else {
-            match [Finish::Gaps, Finish::Quota, Finish::Trenches, Finish::Commit][cursor.progress - chunks] {
+            match [
+                Finish::Gaps,
+                Finish::Quota,
+                Finish::Trenches,
+                Finish::Commit,
+            ][cursor.progress - chunks]
+            {
                 Finish::Gaps => {
                     let now = clock.time + if commit { params.time_step } else { 0.0 };
                     let elapsed = now - clock.last_resample;
-                    let gaps = GapInput { mesh, plates, params, radius: body.radius, elapsed };
-                    let Resampling { next, notes, rims, .. } = work;
+                    let gaps = GapInput {
+                        mesh,
+                        plates,
+                        params,
+                        radius: body.radius,
+                        elapsed,
+                    };
+                    let Resampling {
+                        next, notes, rims, ..
+                    } = work;
                     work.new_ocean = fill_gaps(&gaps, next, notes, rims);
                 }
                 Finish::Quota if commit => {
@@ -197,7 +248,17 @@ fn advance_work(
                 Finish::Quota => {}
                 Finish::Trenches => {
                     let Resampling { next, scratch, .. } = work;
-                    bend(mesh, crust, frames, rim, contacts, params, body.radius, next, scratch);
+                    bend(
+                        mesh,
+                        crust,
+                        frames,
+                        rim,
+                        contacts,
+                        params,
+                        body.radius,
+                        next,
+                        scratch,
+                    );
                 }
                 Finish::Commit => return Some(true),
             }
@@ -211,7 +272,13 @@ fn advance_work(
 }
 
 /// Publishes the projection; after a resample it becomes the state.
-fn finish(world: &mut World, planet: Entity, plates: &PlateTable, work: &mut Resampling, commit: bool) {
+fn finish(
+    world: &mut World,
+    planet: Entity,
+    plates: &PlateTable,
+    work: &mut Resampling,
+    commit: bool,
+) {
     let mut query = world.query::<(
         &Planet,
         &Lattice,
@@ -276,16 +343,26 @@ fn renumber(surface: &mut Surface, plates: &PlateTable, frames: &mut Frames) {
     let index = |id: PlateId| plates.index(id).unwrap_or(0);
     let used = parallel::map_chunks(surface.len(), |range| {
         let mut used = vec![false; plates.rows().len()];
-        surface.plate[range].chunk_by(|a, b| a == b).for_each(|run| used[index(run[0])] = true);
+        surface.plate[range]
+            .chunk_by(|a, b| a == b)
+            .for_each(|run| used[index(run[0])] = true);
         used
     });
     let mut number = vec![0 as FrameId; plates.rows().len()];
     frames.0.clear();
-    for (k, row) in plates.rows().iter().enumerate().filter(|&(k, _)| used.iter().any(|part| part[k])) {
+    for (k, row) in plates
+        .rows()
+        .iter()
+        .enumerate()
+        .filter(|&(k, _)| used.iter().any(|part| part[k]))
+    {
         number[k] = frames.len() as FrameId;
         frames.0.push(Frame::at_rest(row.id));
     }
-    let columns = (surface.crust.frame.par_chunks_mut(CHUNK), surface.plate.par_chunks(CHUNK));
+    let columns = (
+        surface.crust.frame.par_chunks_mut(CHUNK),
+        surface.plate.par_chunks(CHUNK),
+    );
     columns.into_par_iter().for_each(|(mut frame, plate)| {
         for run in plate.chunk_by(|a, b| a == b) {
             let (here, rest) = frame.split_at_mut(run.len());

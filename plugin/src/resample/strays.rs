@@ -1,7 +1,8 @@
 //! Ownership without speckle: small pieces cut off from their plate go to the plate around them.
 //!
-//! Overlaps resolved sample by sample can leave crumbs of one plate inside of another. Crust is not touched, only who
-//! carries it. Pieces above [`LARGEST_STRAY`] stay: a plate may well be cut in two.
+//! Overlaps resolved sample by sample can leave crumbs of one plate inside of another. Crust is not
+//! touched, only who carries it. Pieces above [`LARGEST_STRAY`] stay: a plate may well be cut in
+//! two.
 
 use crate::crust::Surface;
 use crate::plate::PlateId;
@@ -11,7 +12,8 @@ use crate::sphere::components::Components;
 /// Pieces of a plate with a larger share of the sphere keep their owner: 1,000,000 km² on Earth.
 pub const LARGEST_STRAY: f64 = 0.002;
 
-/// Gives stray pieces to the neighbour with which they share the longest border. Returns the samples that changed owner.
+/// Gives stray pieces to the neighbour with which they share the longest border. Returns the
+/// samples that changed owner.
 pub fn gather_strays(mesh: &SphereMesh, surface: &mut Surface) -> usize {
     let mut changed = 0;
     for piece in strays(mesh, &surface.plate) {
@@ -39,7 +41,8 @@ pub fn gather_strays(mesh: &SphereMesh, surface: &mut Surface) -> usize {
     changed
 }
 
-/// The samples of all pieces that are neither large nor the largest of their plate, in the order of their first samples.
+/// The samples of all pieces that are neither large nor the largest of their plate, in the order of
+/// their first samples.
 fn strays(mesh: &SphereMesh, plate: &[PlateId]) -> Vec<Vec<u32>> {
     let together = |i: u32, j: u32| plate[i as usize] == plate[j as usize];
     let components = Components::new(mesh, |_| true, together);

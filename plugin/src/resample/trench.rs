@@ -1,7 +1,8 @@
 //! Trenches: where crust goes under it bends down towards z_t, over 150 to 200 km before the front.
 //!
-//! The bend is an offset that is derived anew from the contacts, never state: the uplift reads the crust that is
-//! not bent, or the Andes would vanish. No profile is given in the papers; this is level at the front and at its end.
+//! The bend is an offset that is derived anew from the contacts, never state: the uplift reads the
+//! crust that is not bent, or the Andes would vanish. No profile is given in the papers; this is
+//! level at the front and at its end.
 
 use crate::crust::{Crust, CrustKind, Frames, Surface};
 use crate::math::smoothstep;
@@ -50,7 +51,12 @@ pub fn bend(
             && goes_under.get(usize::from(top[to as usize])) == Some(&true)
     };
     let reached = spread(mesh, scratch, &seeds, width + near, bends);
-    for ((&i, &source), &d) in reached.samples.iter().zip(&reached.source).zip(&reached.distance) {
+    for ((&i, &source), &d) in reached
+        .samples
+        .iter()
+        .zip(&reached.source)
+        .zip(&reached.distance)
+    {
         let i = i as usize;
         let (under, approach) = fronts[source as usize];
         if surface.plate[i] != under || surface.crust.kind[i] == CrustKind::Continental {

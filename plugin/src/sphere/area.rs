@@ -4,7 +4,8 @@
 //! triangles (sample, circumcentre, next circumcentre). The area E of a spherical triangle of unit
 //! vectors a, b, c obeys tan(E/2) = a·(b×c) / (1 + a·b + b·c + c·a) (Eriksson 1990): E/2 is the
 //! angle of a complex number, so a cell's area follows from the product of its triangles' numbers
-//! and a single arc tangent. A Voronoi cell is smaller than a hemisphere, so that angle stays below π.
+//! and a single arc tangent. A Voronoi cell is smaller than a hemisphere, so that angle stays below
+//! π.
 
 use super::rings::Rings;
 use crate::{math, parallel::CHUNK};
@@ -14,7 +15,9 @@ use rayon::prelude::*;
 /// Area in steradian of every sample's cell; the areas sum to 4π.
 pub(super) fn voronoi_areas(points: &[DVec3], rings: &Rings) -> Vec<f64> {
     let cells = (0..points.len() as u32).into_par_iter().with_min_len(CHUNK);
-    cells.map(|i| cell_area(points, rings.of(i), points[i as usize])).collect()
+    cells
+        .map(|i| cell_area(points, rings.of(i), points[i as usize]))
+        .collect()
 }
 
 fn cell_area(points: &[DVec3], ring: &[u32], site: DVec3) -> f64 {
@@ -51,7 +54,10 @@ fn circumcentre(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
 /// A complex number whose angle is half the area of a triangle with its first corner at `a`.
 fn half_area(a: DVec3, b: DVec3, c: DVec3) -> (f64, f64) {
     // a·(b×c) by differences: exact to the last digits for small triangles, too.
-    (1.0 + a.dot(b) + b.dot(c) + c.dot(a), a.dot((b - a).cross(c - a)))
+    (
+        1.0 + a.dot(b) + b.dot(c) + c.dot(a),
+        a.dot((b - a).cross(c - a)),
+    )
 }
 
 #[cfg(test)]
@@ -62,9 +68,20 @@ mod tests {
 
     #[test]
     fn octahedron_cells_are_a_sixth_of_the_sphere() {
-        let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
+        let axes = [
+            DVec3::X,
+            DVec3::Y,
+            DVec3::Z,
+            -DVec3::X,
+            -DVec3::Y,
+            -DVec3::Z,
+        ];
         let mesh = SphereMesh::from_points(axes.to_vec()).unwrap();
-        assert!(mesh.areas().iter().all(|a| (a - 4.0 * math::PI / 6.0).abs() < 1e-14));
+        assert!(
+            mesh.areas()
+                .iter()
+                .all(|a| (a - 4.0 * math::PI / 6.0).abs() < 1e-14)
+        );
     }
 
     #[test]
@@ -76,7 +93,11 @@ mod tests {
         // Within a few spacings of the poles the spiral's cells vary more.
         for (p, area) in mesh.points().iter().zip(mesh.areas()) {
             let tolerance = if p.z.abs() < 0.99 { 0.02 } else { 0.15 };
-            assert!((area / mean - 1.0).abs() < tolerance, "{p}: {}", area / mean);
+            assert!(
+                (area / mean - 1.0).abs() < tolerance,
+                "{p}: {}",
+                area / mean
+            );
         }
     }
 

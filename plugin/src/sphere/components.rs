@@ -1,7 +1,8 @@
 //! Connected components of samples.
 //!
-//! Union-find, first within chunks of samples and then across their borders. Samples follow a space-filling
-//! curve, so few links cross. Components are numbered by their first samples: the numbers depend on nothing else.
+//! Union-find, first within chunks of samples and then across their borders. Samples follow a
+//! space-filling curve, so few links cross. Components are numbered by their first samples: the
+//! numbers depend on nothing else.
 
 use super::SphereMesh;
 use crate::parallel::CHUNK;
@@ -30,26 +31,29 @@ impl Components {
         together: impl Fn(u32, u32) -> bool + Sync,
     ) -> Self {
         let mut parent = vec![OUTSIDE; mesh.len()];
-        let blocks = parent.par_chunks_mut(BLOCK).enumerate().map(|(block, parent)| {
-            let start = (block * BLOCK) as u32;
-            let mut crossing = Vec::new();
-            for i in start..start + parent.len() as u32 {
-                if !member(i) {
-                    continue;
-                }
-                parent[(i - start) as usize] = i;
-                for &j in mesh.ring(i).iter().filter(|&&j| j < i) {
-                    if j < start {
-                        if member(j) && together(j, i) {
-                            crossing.push((j, i));
+        let blocks = parent
+            .par_chunks_mut(BLOCK)
+            .enumerate()
+            .map(|(block, parent)| {
+                let start = (block * BLOCK) as u32;
+                let mut crossing = Vec::new();
+                for i in start..start + parent.len() as u32 {
+                    if !member(i) {
+                        continue;
+                    }
+                    parent[(i - start) as usize] = i;
+                    for &j in mesh.ring(i).iter().filter(|&&j| j < i) {
+                        if j < start {
+                            if member(j) && together(j, i) {
+                                crossing.push((j, i));
+                            }
+                        } else if parent[(j - start) as usize] != OUTSIDE && together(j, i) {
+                            join(parent, start, j, i);
                         }
-                    } else if parent[(j - start) as usize] != OUTSIDE && together(j, i) {
-                        join(parent, start, j, i);
                     }
                 }
-            }
-            crossing
-        });
+                crossing
+            });
         let crossing: Vec<_> = blocks.collect();
         for (i, j) in crossing.into_iter().flatten() {
             join(&mut parent, 0, i, j);
@@ -69,13 +73,19 @@ impl Components {
                 parent[i] = parent[above as usize];
             }
         }
-        Self { of: parent, count: count as usize }
+        Self {
+            of: parent,
+            count: count as usize,
+        }
     }
 
     /// The samples of one component, in order.
     pub fn samples(&self, number: u32) -> Vec<u32> {
         let parts = crate::parallel::map_chunks(self.of.len(), |range| {
-            range.filter(|&i| self.of[i] == number).map(|i| i as u32).collect::<Vec<_>>()
+            range
+                .filter(|&i| self.of[i] == number)
+                .map(|i| i as u32)
+                .collect::<Vec<_>>()
         });
         parts.concat()
     }
@@ -105,7 +115,10 @@ mod tests {
 
     /// A flood from every sample that no earlier flood has reached.
     fn flooded(mesh: &SphereMesh, label: &[u8]) -> Components {
-        let mut found = Components { of: vec![OUTSIDE; mesh.len()], count: 0 };
+        let mut found = Components {
+            of: vec![OUTSIDE; mesh.len()],
+            count: 0,
+        };
         for start in 0..mesh.len() as u32 {
             if label[start as usize] == 0 || found.of[start as usize] != OUTSIDE {
                 continue;
@@ -128,8 +141,9 @@ mod tests {
         let mesh = SphereMesh::fibonacci(40_000).unwrap();
         for (scale, fine) in [(3.0, 0.0), (9.0, 2.0), (40.0, 0.0), (200.0, 30.0)] {
             let wave = |x: f64| crate::math::sin(scale * x) + crate::math::sin(fine * x * x);
-            let label =
-                |p: &bevy::math::DVec3| ((wave(p.x) + wave(p.y) * wave(p.z) + 2.0) as i32).clamp(0, 3) as u8;
+            let label = |p: &bevy::math::DVec3| {
+                ((wave(p.x) + wave(p.y) * wave(p.z) + 2.0) as i32).clamp(0, 3) as u8
+            };
             let label: Vec<u8> = mesh.points().iter().map(label).collect();
             let found = Components::new(
                 &mesh,
@@ -138,7 +152,9 @@ mod tests {
             );
             assert_eq!(found, flooded(&mesh, &label));
             assert!(found.count > 1);
-            let samples: usize = (0..found.count as u32).map(|k| found.samples(k).len()).sum();
+            let samples: usize = (0..found.count as u32)
+                .map(|k| found.samples(k).len())
+                .sum();
             assert_eq!(samples, label.iter().filter(|&&l| l != 0).count());
         }
     }

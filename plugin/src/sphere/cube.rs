@@ -2,7 +2,8 @@
 //!
 //! A direction is projected from the centre to the cube's face, and the face's coordinates are
 //! stretched by a cubic polynomial so that equal squares cover nearly equal solid angles
-//! (85 % to 130 % of their mean). Only multiplications and one division: fast, and the same bits anywhere.
+//! (85 % to 130 % of their mean). Only multiplications and one division: fast, and the same bits
+//! anywhere.
 
 use bevy::math::DVec3;
 
@@ -21,7 +22,11 @@ pub(super) fn project(p: DVec3) -> (u32, f64, f64) {
         (4, p.z, a.z, p.x, p.y)
     };
     let scale = 1.0 / major;
-    (face + u32::from(side < 0.0), stretch(u * scale), stretch(v * scale))
+    (
+        face + u32::from(side < 0.0),
+        stretch(u * scale),
+        stretch(v * scale),
+    )
 }
 
 /// The direction (not normalised) of plane coordinates on a face: the inverse of the projection
@@ -111,7 +116,10 @@ mod tests {
         }
         let mean = 400_000.0 / 384.0;
         let (low, high) = (count.iter().min().unwrap(), count.iter().max().unwrap());
-        assert!(f64::from(*low) > 0.78 * mean && f64::from(*high) < 1.32 * mean, "{low} {high}");
+        assert!(
+            f64::from(*low) > 0.78 * mean && f64::from(*high) < 1.32 * mean,
+            "{low} {high}"
+        );
     }
 
     #[test]
@@ -123,6 +131,10 @@ mod tests {
         }
         cells.sort_unstable();
         assert!(cells.iter().enumerate().all(|(i, c)| c.0 == i as u64));
-        assert!(cells.windows(2).all(|w| (w[0].1 - w[1].1).abs() + (w[0].2 - w[1].2).abs() == 1));
+        assert!(
+            cells
+                .windows(2)
+                .all(|w| (w[0].1 - w[1].1).abs() + (w[0].2 - w[1].2).abs() == 1)
+        );
     }
 }

@@ -1,10 +1,11 @@
 //! The triangle that contains a direction, and its barycentric weights.
 //!
-//! Weights are those of the point where the ray along `p` pierces the flat triangle (gnomonic): p is
-//! parallel to the weighted sum of the corners. The weight of a corner a is the determinant (p, b, c),
-//! whose sign also says on which side of the edge bc the direction lies. The search begins with the
-//! triangle at the nearest sample that faces `p` and crosses edges that have `p` on their far side,
-//! as an obtuse triangle need not touch the sample nearest to a point in it (Devillers, Pion and Teillaud 2002).
+//! Weights are those of the point where the ray along `p` pierces the flat triangle (gnomonic): p
+//! is parallel to the weighted sum of the corners. The weight of a corner a is the determinant (p,
+//! b, c), whose sign also says on which side of the edge bc the direction lies. The search begins
+//! with the triangle at the nearest sample that faces `p` and crosses edges that have `p` on their
+//! far side, as an obtuse triangle need not touch the sample nearest to a point in it (Devillers,
+//! Pion and Teillaud 2002).
 
 use super::SphereMesh;
 use bevy::math::DVec3;
@@ -30,8 +31,8 @@ impl Location {
     }
 }
 
-/// Most edges crossed. A walk from the nearest sample crosses one or two; the limit stops one that rounding,
-/// or a `nearest` that is far away, would keep going.
+/// Most edges crossed. A walk from the nearest sample crosses one or two; the limit stops one that
+/// rounding, or a `nearest` that is far away, would keep going.
 const MAX_CROSSINGS: usize = 4096;
 
 impl SphereMesh {
@@ -47,7 +48,11 @@ impl SphereMesh {
     pub fn locate_from(&self, p: DVec3, nearest: u32) -> Location {
         let ring = self.ring(nearest);
         if self.point(nearest) == p {
-            return Location { nearest, vertices: [nearest, ring[0], ring[1]], weights: [1.0, 0.0, 0.0] };
+            return Location {
+                nearest,
+                vertices: [nearest, ring[0], ring[1]],
+                weights: [1.0, 0.0, 0.0],
+            };
         }
         let mut vertices = self.facing_triangle(p, nearest);
         let mut weights = self.determinants(p, vertices);
@@ -59,8 +64,16 @@ impl SphereMesh {
             weights = self.determinants(p, vertices);
         }
         match normalised(weights) {
-            Some(weights) => Location { nearest, vertices, weights },
-            None => Location { nearest, vertices: [nearest, ring[0], ring[1]], weights: [1.0, 0.0, 0.0] },
+            Some(weights) => Location {
+                nearest,
+                vertices,
+                weights,
+            },
+            None => Location {
+                nearest,
+                vertices: [nearest, ring[0], ring[1]],
+                weights: [1.0, 0.0, 0.0],
+            },
         }
     }
 
@@ -83,9 +96,9 @@ impl SphereMesh {
         [i, ring[0], ring[1]]
     }
 
-    /// Barycentric weights, not normalised. Corners are taken relative to `p`: determinants of the plain
-    /// vectors would lose half of their digits in small triangles. Seen from
-    /// the two sides of an edge they are exactly opposite, so a walk never steps back and forth.
+    /// Barycentric weights, not normalised. Corners are taken relative to `p`: determinants of the
+    /// plain vectors would lose half of their digits in small triangles. Seen from the two sides of
+    /// an edge they are exactly opposite, so a walk never steps back and forth.
     #[inline]
     fn determinants(&self, p: DVec3, vertices: [u32; 3]) -> [f64; 3] {
         let [a, b, c] = vertices.map(|i| self.point(i) - p);

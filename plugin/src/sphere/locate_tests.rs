@@ -11,7 +11,12 @@ fn random_mesh(n: u64) -> SphereMesh {
 
 fn meshes() -> [SphereMesh; 4] {
     let fibonacci = |n| SphereMesh::fibonacci(n).unwrap();
-    [fibonacci(100), fibonacci(20_000), random_mesh(50), random_mesh(5000)]
+    [
+        fibonacci(100),
+        fibonacci(20_000),
+        random_mesh(50),
+        random_mesh(5000),
+    ]
 }
 
 /// Weights are a convex combination that gives back the direction.
@@ -19,7 +24,10 @@ fn check(mesh: &SphereMesh, p: DVec3) -> Location {
     let at = mesh.locate(p);
     assert_eq!(at.nearest, mesh.nearest(p));
     assert!(at.weights.iter().all(|w| (0.0..=1.0).contains(w)), "{at:?}");
-    assert!((at.weights.iter().sum::<f64>() - 1.0).abs() < 1e-15, "{at:?}");
+    assert!(
+        (at.weights.iter().sum::<f64>() - 1.0).abs() < 1e-15,
+        "{at:?}"
+    );
     let coordinate = |k: usize| at.interpolate(|i| mesh.point(i)[k]);
     let q = DVec3::new(coordinate(0), coordinate(1), coordinate(2)).normalize();
     assert!((p - q).length() < 1e-14, "{p} {q} {at:?}");
@@ -63,7 +71,10 @@ fn a_sample_has_all_the_weight_on_itself() {
     for mesh in meshes() {
         for i in 0..mesh.len() as u32 {
             let at = mesh.locate(mesh.point(i));
-            assert_eq!((at.nearest, at.vertices[0], at.weights), (i, i, [1.0, 0.0, 0.0]));
+            assert_eq!(
+                (at.nearest, at.vertices[0], at.weights),
+                (i, i, [1.0, 0.0, 0.0])
+            );
             assert!(is_triangle(&mesh, &at));
             let close = (mesh.point(i) + math::any_tangent(mesh.point(i)) * 1e-12).normalize();
             let at = check(&mesh, close);
@@ -82,7 +93,10 @@ fn edges_belong_to_their_corners() {
                 let of = |v: u32| at.vertices.iter().position(|&w| w == v);
                 let weight = |v: u32| of(v).map_or(0.0, |k| at.weights[k]);
                 let (u, v) = (weight(a), weight(b));
-                assert!((u + v - 1.0).abs() < 1e-9 && (v - share).abs() < 1e-9, "{at:?}");
+                assert!(
+                    (u + v - 1.0).abs() < 1e-9 && (v - share).abs() < 1e-9,
+                    "{at:?}"
+                );
             }
         }
     }
@@ -107,9 +121,16 @@ fn a_wrong_nearest_sample_only_costs_time() {
 fn directions_that_are_none_give_weights_all_the_same() {
     let mesh = SphereMesh::fibonacci(3000).unwrap();
     for x in [0.0, f64::NAN, f64::INFINITY, 1e300, 1e-300] {
-        for p in [DVec3::splat(x), DVec3::new(x, 0.0, 0.0), DVec3::new(0.3, x, -2.0)] {
+        for p in [
+            DVec3::splat(x),
+            DVec3::new(x, 0.0, 0.0),
+            DVec3::new(0.3, x, -2.0),
+        ] {
             let at = mesh.locate(p);
-            assert!((at.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{p} {at:?}");
+            assert!(
+                (at.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12,
+                "{p} {at:?}"
+            );
             assert!(at.weights.iter().all(|w| *w >= 0.0));
         }
     }

@@ -12,8 +12,8 @@ use std::fmt;
 /// Samples on the unit sphere, their spherical Delaunay triangulation, Voronoi areas and a lookup
 /// of the nearest sample.
 ///
-/// Takes about 100 bytes per sample. Indices are `u32`; methods that take the index of a sample panic, like a
-/// slice, if there is no such sample.
+/// Takes about 100 bytes per sample. Indices are `u32`; methods that take the index of a sample
+/// panic, like a slice, if there is no such sample.
 #[derive(Clone)]
 pub struct SphereMesh {
     pub(super) points: Vec<DVec3>,
@@ -41,7 +41,10 @@ impl SphereMesh {
             return Err(SphereError::SampleCount(samples));
         }
         let mesh = Self::build(sampling::fibonacci(samples))?;
-        Ok(Self { is_fibonacci: true, ..mesh })
+        Ok(Self {
+            is_fibonacci: true,
+            ..mesh
+        })
     }
 
     /// A mesh of any points, in the order given.
@@ -71,8 +74,15 @@ impl SphereMesh {
         }
         let areas = area::voronoi_areas(&points, &rings);
         let clearance = clearance(&points, &rings);
-        let mut mesh =
-            Self { points, rings, grid: Grid::default(), clearance, triangles, areas, is_fibonacci: false };
+        let mut mesh = Self {
+            points,
+            rings,
+            grid: Grid::default(),
+            clearance,
+            triangles,
+            areas,
+            is_fibonacci: false,
+        };
         mesh.grid = Grid::new(&mesh);
         Ok(mesh)
     }
@@ -89,7 +99,8 @@ impl SphereMesh {
         self.points.is_empty()
     }
 
-    /// Was this mesh made by [`fibonacci`](Self::fibonacci)? Then its number of samples says all about it.
+    /// Was this mesh made by [`fibonacci`](Self::fibonacci)? Then its number of samples says all
+    /// about it.
     #[inline]
     pub fn is_fibonacci(&self) -> bool {
         self.is_fibonacci
@@ -114,7 +125,8 @@ impl SphereMesh {
         &self.triangles
     }
 
-    /// Neighbours of sample `i`, counter-clockwise seen from outside, beginning with the lowest index.
+    /// Neighbours of sample `i`, counter-clockwise seen from outside, beginning with the lowest
+    /// index.
     #[inline]
     pub fn ring(&self, i: u32) -> &[u32] {
         self.rings.of(i)
@@ -132,7 +144,8 @@ impl SphereMesh {
         &self.areas
     }
 
-    /// Mean distance of neighbouring samples in radians, that of a hexagonal lattice of the same density.
+    /// Mean distance of neighbouring samples in radians, that of a hexagonal lattice of the same
+    /// density.
     pub fn spacing(&self) -> f64 {
         (8.0 * math::PI / (3.0_f64.sqrt() * self.len() as f64)).sqrt()
     }
@@ -140,7 +153,9 @@ impl SphereMesh {
 
 impl fmt::Debug for SphereMesh {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("SphereMesh").field("samples", &self.len()).finish_non_exhaustive()
+        f.debug_struct("SphereMesh")
+            .field("samples", &self.len())
+            .finish_non_exhaustive()
     }
 }
 
@@ -162,10 +177,14 @@ fn surrounds_centre(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
     })
 }
 
-/// A quarter of the smallest squared chord between neighbours: half way between the closest two samples.
+/// A quarter of the smallest squared chord between neighbours: half way between the closest two
+/// samples.
 fn clearance(points: &[DVec3], rings: &Rings) -> f64 {
     let closest = |i: u32| {
-        let chords = rings.of(i).iter().map(|&j| chord_squared(points[i as usize], points[j as usize]));
+        let chords = rings
+            .of(i)
+            .iter()
+            .map(|&j| chord_squared(points[i as usize], points[j as usize]));
         chords.fold(f64::INFINITY, f64::min)
     };
     let samples = (0..points.len() as u32).into_par_iter().with_min_len(CHUNK);

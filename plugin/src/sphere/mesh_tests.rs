@@ -13,7 +13,10 @@ fn sample_counts_have_limits() {
     let mesh = SphereMesh::fibonacci(100).unwrap();
     assert!(mesh.len() == 100 && mesh.is_fibonacci());
     for n in [0, 99, 2_000_001, u32::MAX] {
-        assert_eq!(SphereMesh::fibonacci(n).unwrap_err(), SphereError::SampleCount(n));
+        assert_eq!(
+            SphereMesh::fibonacci(n).unwrap_err(),
+            SphereError::SampleCount(n)
+        );
     }
 }
 
@@ -22,7 +25,11 @@ fn bad_points_are_errors() {
     let error = |points: Vec<DVec3>| SphereMesh::from_points(points).unwrap_err();
     assert_eq!(error(vec![]), SphereError::PointCount(0));
     assert_eq!(error(random_points(3)), SphereError::PointCount(3));
-    for bad in [DVec3::ZERO, DVec3::new(f64::NAN, 0.0, 1.0), DVec3::new(0.0, f64::INFINITY, 0.0)] {
+    for bad in [
+        DVec3::ZERO,
+        DVec3::new(f64::NAN, 0.0, 1.0),
+        DVec3::new(0.0, f64::INFINITY, 0.0),
+    ] {
         let mut points = random_points(50);
         points[7] = bad;
         assert_eq!(error(points), SphereError::NotADirection(7));
@@ -44,7 +51,10 @@ fn points_of_one_hemisphere_are_an_error() {
     let half: Vec<DVec3> = random_points(200).into_iter().map(upper).collect();
     let circle = |z: f64| {
         let turn = move |i| math::sin_cos(math::TAU * f64::from(i) / 12.0);
-        (0..12).map(turn).map(|(s, c)| DVec3::new(c, s, z)).collect::<Vec<_>>()
+        (0..12)
+            .map(turn)
+            .map(|(s, c)| DVec3::new(c, s, z))
+            .collect::<Vec<_>>()
     };
     for points in [half, circle(0.0), circle(0.5)] {
         assert!(SphereMesh::from_points(points).is_err());
@@ -55,7 +65,12 @@ fn points_of_one_hemisphere_are_an_error() {
 fn given_points_keep_their_order_and_unit_vectors_their_bits() {
     let points = random_points(300);
     let mesh = SphereMesh::from_points(points.clone()).unwrap();
-    assert!(mesh.points().iter().zip(&points).all(|(a, b)| (*a - *b).length() < 1e-15));
+    assert!(
+        mesh.points()
+            .iter()
+            .zip(&points)
+            .all(|(a, b)| (*a - *b).length() < 1e-15)
+    );
     let again = SphereMesh::from_points(mesh.points().to_vec()).unwrap();
     assert_eq!(mesh.points(), again.points());
     assert_eq!(mesh.triangles(), again.triangles());
@@ -63,7 +78,12 @@ fn given_points_keep_their_order_and_unit_vectors_their_bits() {
     for scale in [1e-300, 3.0, 1e300] {
         let scaled = points.iter().map(|p| *p * scale).collect();
         let mesh = SphereMesh::from_points(scaled).unwrap();
-        assert!(mesh.points().iter().zip(&points).all(|(a, b)| (*a - *b).length() < 1e-15));
+        assert!(
+            mesh.points()
+                .iter()
+                .zip(&points)
+                .all(|(a, b)| (*a - *b).length() < 1e-15)
+        );
     }
 }
 
@@ -106,7 +126,10 @@ fn neighbours_are_close_in_memory() {
         }
     }
     let (mean, share) = (sum / f64::from(count), f64::from(near) / f64::from(count));
-    assert!(mean < 0.02 * f64::from(n) && share > 0.9, "mean {mean}, near {share}");
+    assert!(
+        mean < 0.02 * f64::from(n) && share > 0.9,
+        "mean {mean}, near {share}"
+    );
 }
 
 #[test]
@@ -120,18 +143,30 @@ fn spacing_is_the_mean_length_of_an_edge() {
         }
     }
     let mean = sum / f64::from(count);
-    assert!((mean / mesh.spacing() - 1.0).abs() < 0.05, "{mean} {}", mesh.spacing());
+    assert!(
+        (mean / mesh.spacing() - 1.0).abs() < 0.05,
+        "{mean} {}",
+        mesh.spacing()
+    );
 }
 
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     let build = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
         pool.install(|| SphereMesh::fibonacci(30_000).unwrap())
     };
     let (one, many) = (build(1), build(5));
     assert_eq!(one.points(), many.points());
     assert_eq!(one.triangles(), many.triangles());
-    assert!(one.areas().iter().zip(many.areas()).all(|(a, b)| a.to_bits() == b.to_bits()));
+    assert!(
+        one.areas()
+            .iter()
+            .zip(many.areas())
+            .all(|(a, b)| a.to_bits() == b.to_bits())
+    );
     assert_eq!(one.grid.seeds(), many.grid.seeds());
 }

@@ -1,4 +1,5 @@
-//! The sample lattice of a planet: points on the unit sphere and everything that is fixed about them.
+//! The sample lattice of a planet: points on the unit sphere and everything that is fixed about
+//! them.
 //!
 //! ```text
 //! cube            the sphere as six squares: order along a curve, cells of a grid

@@ -13,7 +13,8 @@ use rayon::prelude::*;
 
 /// Relative difference of squared distances below which rounding may have hidden a nearer sample.
 ///
-/// Much larger than any rounding error, and rare enough (about one query in a million) to cost nothing.
+/// Much larger than any rounding error, and rare enough (about one query in a million) to cost
+/// nothing.
 const NEAR_TIE: f64 = 1e-6;
 
 /// Most samples looked at in one tie. Only points off the sphere, such as its centre, have more.
@@ -37,20 +38,23 @@ impl Grid {
         let centre = |k: usize| (2.0 * k as f64 + 1.0) / f64::from(side) - 1.0;
         let axis: Vec<f64> = (0..width).map(|k| cube::unstretch(centre(k))).collect();
         let mut seeds = vec![0; 6 * width * width];
-        seeds.par_chunks_mut(ROWS * width).enumerate().for_each(|(chunk, cells)| {
-            let mut row_seed = 0;
-            for (r, row) in cells.chunks_mut(width).enumerate() {
-                let row_index = chunk * ROWS + r;
-                let mut seed = row_seed;
-                for (column, cell) in row.iter_mut().enumerate() {
-                    let face = (row_index / width) as u32;
-                    let p = cube::unproject(face, axis[column], axis[row_index % width]);
-                    seed = mesh.nearest_from(p.normalize(), seed);
-                    *cell = seed;
+        seeds
+            .par_chunks_mut(ROWS * width)
+            .enumerate()
+            .for_each(|(chunk, cells)| {
+                let mut row_seed = 0;
+                for (r, row) in cells.chunks_mut(width).enumerate() {
+                    let row_index = chunk * ROWS + r;
+                    let mut seed = row_seed;
+                    for (column, cell) in row.iter_mut().enumerate() {
+                        let face = (row_index / width) as u32;
+                        let p = cube::unproject(face, axis[column], axis[row_index % width]);
+                        seed = mesh.nearest_from(p.normalize(), seed);
+                        *cell = seed;
+                    }
+                    row_seed = row.first().copied().unwrap_or(0);
                 }
-                row_seed = row.first().copied().unwrap_or(0);
-            }
-        });
+            });
         Self { side, seeds }
     }
 
@@ -76,8 +80,8 @@ impl SphereMesh {
 
     /// The sample nearest to the unit vector `p`, searched from the sample `hint`.
     ///
-    /// Gives what [`nearest`](Self::nearest) gives. Cheaper than that if `hint` is next to `p`; the cost grows
-    /// with the number of samples between.
+    /// Gives what [`nearest`](Self::nearest) gives. Cheaper than that if `hint` is next to `p`; the
+    /// cost grows with the number of samples between.
     #[inline]
     pub fn nearest_from(&self, p: DVec3, hint: u32) -> u32 {
         self.walk(p, hint.min(self.points.len() as u32 - 1))

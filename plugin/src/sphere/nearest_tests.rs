@@ -19,19 +19,32 @@ fn clustered_mesh() -> SphereMesh {
 
 fn meshes() -> [SphereMesh; 4] {
     let fibonacci = |n| SphereMesh::fibonacci(n).unwrap();
-    [fibonacci(100), fibonacci(2500), random_mesh(1500), clustered_mesh()]
+    [
+        fibonacci(100),
+        fibonacci(2500),
+        random_mesh(1500),
+        clustered_mesh(),
+    ]
 }
 
 /// The policy in words: least distance, then least index.
 fn brute_force(mesh: &SphereMesh, p: DVec3) -> u32 {
     let distance = |i: u32| (mesh.point(i) - p).length_squared();
-    (0..mesh.len() as u32).min_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b))).unwrap()
+    (0..mesh.len() as u32)
+        .min_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b)))
+        .unwrap()
 }
 
 fn check(mesh: &SphereMesh, p: DVec3) {
     let expected = brute_force(mesh, p);
     assert_eq!(mesh.nearest(p), expected, "{p}");
-    for hint in [0, 17, mesh.len() as u32 / 2, mesh.len() as u32 - 1, u32::MAX] {
+    for hint in [
+        0,
+        17,
+        mesh.len() as u32 / 2,
+        mesh.len() as u32 - 1,
+        u32::MAX,
+    ] {
         assert_eq!(mesh.nearest_from(p, hint), expected, "{p} from {hint}");
     }
 }
@@ -48,7 +61,13 @@ fn random_directions_and_poles() {
             check(&mesh, -axis);
         }
         // Borders and corners of the grid's faces.
-        for (x, y, z) in [(1., 1., 1.), (-1., 1., 1.), (1., -1., -1.), (1., 1., 0.), (0., -1., 1.)] {
+        for (x, y, z) in [
+            (1., 1., 1.),
+            (-1., 1., 1.),
+            (1., -1., -1.),
+            (1., 1., 0.),
+            (0., -1., 1.),
+        ] {
             check(&mesh, DVec3::new(x, y, z).normalize());
         }
     }
@@ -82,27 +101,46 @@ fn points_on_bisectors_and_voronoi_corners() {
 fn ties_go_to_the_lowest_index() {
     // The centre of a cube's face is equally far from four samples, of which two are no neighbours.
     let side = |i: i32, bit: i32| if i & bit == 0 { -1.0 } else { 1.0 };
-    let cube: Vec<DVec3> =
-        (0..8).map(|i| DVec3::new(side(i, 1), side(i, 2), side(i, 4)).normalize()).collect();
+    let cube: Vec<DVec3> = (0..8)
+        .map(|i| DVec3::new(side(i, 1), side(i, 2), side(i, 4)).normalize())
+        .collect();
     for turn in 0..8 {
         let mut points = cube.clone();
         points.rotate_left(turn);
         let mesh = SphereMesh::from_points(points).unwrap();
-        for axis in [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z] {
+        for axis in [
+            DVec3::X,
+            DVec3::Y,
+            DVec3::Z,
+            -DVec3::X,
+            -DVec3::Y,
+            -DVec3::Z,
+        ] {
             let expected = brute_force(&mesh, axis);
             for hint in 0..8 {
-                assert_eq!(mesh.nearest_from(axis, hint), expected, "{axis} from {hint}");
+                assert_eq!(
+                    mesh.nearest_from(axis, hint),
+                    expected,
+                    "{axis} from {hint}"
+                );
             }
         }
     }
     // So is a pole from a whole parallel.
     let mut points = vec![DVec3::NEG_Z];
     for lat in (-80..=80).step_by(20) {
-        points.extend((0..360).step_by(6).map(|lon| math::direction(lat.into(), lon.into())));
+        points.extend(
+            (0..360)
+                .step_by(6)
+                .map(|lon| math::direction(lat.into(), lon.into())),
+        );
     }
     let mesh = SphereMesh::from_points(points).unwrap();
     for hint in 0..mesh.len() as u32 {
-        assert_eq!(mesh.nearest_from(DVec3::Z, hint), brute_force(&mesh, DVec3::Z));
+        assert_eq!(
+            mesh.nearest_from(DVec3::Z, hint),
+            brute_force(&mesh, DVec3::Z)
+        );
     }
 }
 
@@ -113,7 +151,14 @@ fn close_samples_are_told_apart() {
     points.push((points[5] + math::any_tangent(points[5]) * 1e-9).normalize());
     let mesh = SphereMesh::from_points(points).unwrap();
     let (a, b) = (mesh.point(5), mesh.point(200));
-    for (share, expected) in [(0.0, 5), (0.3, 5), (0.48, 5), (0.52, 200), (0.8, 200), (1.0, 200)] {
+    for (share, expected) in [
+        (0.0, 5),
+        (0.3, 5),
+        (0.48, 5),
+        (0.52, 200),
+        (0.8, 200),
+        (1.0, 200),
+    ] {
         assert_eq!(mesh.nearest(a + (b - a) * share), expected);
     }
 }
@@ -122,7 +167,11 @@ fn close_samples_are_told_apart() {
 fn directions_that_are_none_return_some_sample() {
     let mesh = SphereMesh::fibonacci(3000).unwrap();
     for x in [0.0, f64::NAN, f64::INFINITY, -f64::INFINITY, 1e300, 1e-300] {
-        for p in [DVec3::splat(x), DVec3::new(x, 0.0, 0.0), DVec3::new(0.3, x, -2.0)] {
+        for p in [
+            DVec3::splat(x),
+            DVec3::new(x, 0.0, 0.0),
+            DVec3::new(0.3, x, -2.0),
+        ] {
             assert!((mesh.nearest(p) as usize) < mesh.len());
             assert!((mesh.nearest_from(p, 9) as usize) < mesh.len());
         }

@@ -11,7 +11,8 @@ pub(super) struct Rings {
 }
 
 impl Rings {
-    /// Orders the neighbours of `n` samples; `None` if the triangles (with indices below `n`) are no closed surface.
+    /// Orders the neighbours of `n` samples; `None` if the triangles (with indices below `n`) are
+    /// no closed surface.
     pub(super) fn new(n: usize, triangles: &[[u32; 3]]) -> Option<Self> {
         if n < 4 || triangles.len() != 2 * n - 4 {
             return None;
@@ -38,7 +39,11 @@ impl Rings {
         for i in 0..n as u32 {
             let ring = self.of(i);
             let pairs = ring.iter().zip(ring.iter().cycle().skip(1));
-            triangles.extend(pairs.filter(|&(&j, &k)| i < j && i < k).map(|(&j, &k)| [i, j, k]));
+            triangles.extend(
+                pairs
+                    .filter(|&(&j, &k)| i < j && i < k)
+                    .map(|(&j, &k)| [i, j, k]),
+            );
         }
         triangles
     }
@@ -64,7 +69,8 @@ fn gather(n: usize, triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<[u32; 2]>) {
     (start, fans)
 }
 
-/// Appends the edges' vertices in the order of one closed walk along them; `None` if they form none.
+/// Appends the edges' vertices in the order of one closed walk along them; `None` if they form
+/// none.
 fn chain(fan: &mut [[u32; 2]], ring: &mut Vec<u32>) -> Option<()> {
     fan.sort_unstable();
     let first = fan.first()?[0];

@@ -2,7 +2,8 @@
 //!
 //! Sample i of n lies at z = 1 - (2i + 1)/n and longitude 2π i/Φ, Φ the golden ratio: a spiral from
 //! pole to pole with cells of equal area. The spiral's own order scatters neighbours over the whole
-//! array, so the points are sorted along a Hilbert curve: what is close on the sphere is close in memory.
+//! array, so the points are sorted along a Hilbert curve: what is close on the sphere is close in
+//! memory.
 
 use super::cube;
 use crate::{math, parallel::CHUNK};
@@ -25,7 +26,10 @@ pub(super) fn fibonacci(n: u32) -> Vec<DVec3> {
     // Every key is unique, so the order is, too.
     keys.par_sort_unstable();
     let index = |key: u64| (key & ((1 << INDEX_BITS) - 1)) as u32;
-    keys.into_par_iter().with_min_len(CHUNK).map(|key| spiral_point(index(key), n)).collect()
+    keys.into_par_iter()
+        .with_min_len(CHUNK)
+        .map(|key| spiral_point(index(key), n))
+        .collect()
 }
 
 fn spiral_point(i: u32, n: u32) -> DVec3 {

@@ -1,12 +1,12 @@
 //! Distances to the nearest of many sources, spread over the mesh.
 //!
-//! Sources hand their own position on from sample to sample in order of distance, so that every sample
-//! holds the straight distance to a source, exact wherever the sources' regions of influence are
-//! connected within the domain. Where the domain is not convex the path still bends around its border
-//! while the distance is straight: short by what the detour adds.
+//! Sources hand their own position on from sample to sample in order of distance, so that every
+//! sample holds the straight distance to a source, exact wherever the sources' regions of influence
+//! are connected within the domain. Where the domain is not convex the path still bends around its
+//! border while the distance is straight: short by what the detour adds.
 //!
-//! A spread may go on from what an earlier one has left in a [`SourceField`], and several may work on one field
-//! at a time as long as they reach different samples.
+//! A spread may go on from what an earlier one has left in a [`SourceField`], and several may work
+//! on one field at a time as long as they reach different samples.
 
 use super::SphereMesh;
 use bevy::math::DVec3;
@@ -32,14 +32,19 @@ pub struct Reached {
 
 /// The nearest source of every sample, and the squared chord to it.
 ///
-/// Both are packed into one word, the chord in the upper half: the smaller word is the nearer source, of equally near
-/// ones that with the lower number.
+/// Both are packed into one word, the chord in the upper half: the smaller word is the nearer
+/// source, of equally near ones that with the lower number.
 #[derive(Debug, Default)]
 pub struct SourceField(Vec<AtomicU64>);
 
 impl Clone for SourceField {
     fn clone(&self) -> Self {
-        Self(self.0.iter().map(|word| AtomicU64::new(word.load(Relaxed))).collect())
+        Self(
+            self.0
+                .iter()
+                .map(|word| AtomicU64::new(word.load(Relaxed)))
+                .collect(),
+        )
     }
 }
 
@@ -80,7 +85,12 @@ impl SourceField {
     pub fn nearest(&self, i: u32) -> Option<(u32, f32)> {
         let word = self.get(i);
         let reached = word as u32 != UNREACHED;
-        reached.then(|| (word as u32, angle_of_chord(f64::from(chord2(word)).sqrt()) as f32))
+        reached.then(|| {
+            (
+                word as u32,
+                angle_of_chord(f64::from(chord2(word)).sqrt()) as f32,
+            )
+        })
     }
 
     /// Says that sample `i` is nearest to `source`, at the squared chord `chord2`.
@@ -95,10 +105,14 @@ impl SourceField {
 
     /// Forgets all samples.
     pub fn clear(&mut self) {
-        self.0.par_iter_mut().with_min_len(1 << 14).for_each(|word| *word.get_mut() = NOTHING);
+        self.0
+            .par_iter_mut()
+            .with_min_len(1 << 14)
+            .for_each(|word| *word.get_mut() = NOTHING);
     }
 
-    // Words are independent of each other, and no spread reads what another one writes: no order is needed.
+    // Words are independent of each other, and no spread reads what another one writes: no order is
+    // needed.
     #[inline]
     fn get(&self, i: u32) -> u64 {
         self.0[i as usize].load(Relaxed)
@@ -119,11 +133,13 @@ pub struct Scratch(SourceField);
 pub fn angle_of_chord(chord: f64) -> f64 {
     let x = 0.5 * chord;
     let x2 = x * x;
-    2.0 * x * (1.0 + x2 * (1.0 / 6.0 + x2 * (3.0 / 40.0 + x2 * (15.0 / 336.0 + x2 * (105.0 / 3456.0)))))
+    2.0 * x
+        * (1.0 + x2 * (1.0 / 6.0 + x2 * (3.0 / 40.0 + x2 * (15.0 / 336.0 + x2 * (105.0 / 3456.0)))))
 }
 
-/// Spreads from `seeds` (sample, position of the source), up to `reach` radians (at most 2), along those
-/// links (from, to) between neighbours that are `open`. Of equal distances the source with the lower number wins.
+/// Spreads from `seeds` (sample, position of the source), up to `reach` radians (at most 2), along
+/// those links (from, to) between neighbours that are `open`. Of equal distances the source with
+/// the lower number wins.
 pub fn spread(
     mesh: &SphereMesh,
     scratch: &mut Scratch,
@@ -135,17 +151,33 @@ pub fn spread(
         scratch.0 = SourceField::new(mesh.len());
     }
     let field = &scratch.0;
-    let start: Vec<_> = seeds.iter().zip(0..).map(|(seed, number)| (seed.0, number)).collect();
-    let samples = spread_on(mesh, field, &start, reach, |source| seeds[source as usize].1, open);
+    let start: Vec<_> = seeds
+        .iter()
+        .zip(0..)
+        .map(|(seed, number)| (seed.0, number))
+        .collect();
+    let samples = spread_on(
+        mesh,
+        field,
+        &start,
+        reach,
+        |source| seeds[source as usize].1,
+        open,
+    );
     let found = |&i: &u32| field.nearest(i).unwrap_or((UNREACHED, f32::INFINITY));
     let (source, distance) = samples.iter().map(found).unzip();
     samples.iter().for_each(|&i| field.reset(i));
-    Reached { samples, source, distance }
+    Reached {
+        samples,
+        source,
+        distance,
+    }
 }
 
-/// Spreads on a field that may hold something already. `start` are pairs of samples and sources, in the order in which
-/// they are taken: sources that lie at a sample, and samples from which what they hold goes on. `position` is that of a source.
-/// Returns the samples that were reached for the first time.
+/// Spreads on a field that may hold something already. `start` are pairs of samples and sources, in
+/// the order in which they are taken: sources that lie at a sample, and samples from which what
+/// they hold goes on. `position` is that of a source. Returns the samples that were reached for the
+/// first time.
 pub fn spread_on(
     mesh: &SphereMesh,
     field: &SourceField,
@@ -196,8 +228,8 @@ pub fn spread_on(
                     fresh.push(neighbour);
                 }
                 field.put(neighbour, new);
-                // A neighbour may lie nearer to the source than the sample that hands it on: it goes
-                // into the present bucket then.
+                // A neighbour may lie nearer to the source than the sample that hands it on: it
+                // goes into the present bucket then.
                 buckets[bucket_of(d).max(bucket)].push((neighbour, source));
             }
         }
@@ -233,7 +265,10 @@ mod tests {
             }
             let mut wrong = 0;
             for (i, &p) in mesh.points().iter().enumerate() {
-                let nearest = seeds.iter().map(|s| crate::math::angle_between(p, s.1)).fold(9.0, f64::min);
+                let nearest = seeds
+                    .iter()
+                    .map(|s| crate::math::angle_between(p, s.1))
+                    .fold(9.0, f64::min);
                 if nearest < 0.399 && (distance[i] - nearest).abs() > 1e-5 {
                     wrong += 1;
                     // A source cut off by others may be missed by a sample's width, no more.
@@ -252,7 +287,9 @@ mod tests {
         let mesh = SphereMesh::fibonacci(2000).unwrap();
         let seeds = [(mesh.nearest(DVec3::X), DVec3::X)];
         let north = |i: u32| mesh.point(i).z > -0.1;
-        let reached = spread(&mesh, &mut Scratch::default(), &seeds, 1.0, |_, to| north(to));
+        let reached = spread(&mesh, &mut Scratch::default(), &seeds, 1.0, |_, to| {
+            north(to)
+        });
         assert!(reached.samples.iter().all(|&i| north(i)));
         assert!(reached.samples.len() > 200);
     }

@@ -31,7 +31,8 @@ pub(super) fn triangulate(points: &[DVec3]) -> Result<Vec<[u32; 3]>, SphereError
         return Err(SphereError::PointCount(0));
     };
     let plane = project(pole, others)?;
-    let planar = DelaunayTriangulation::<Projected>::bulk_load(plane).map_err(|_| SphereError::Duplicate)?;
+    let planar =
+        DelaunayTriangulation::<Projected>::bulk_load(plane).map_err(|_| SphereError::Duplicate)?;
     if planar.num_vertices() != others.len() {
         return Err(SphereError::Duplicate);
     }
@@ -62,7 +63,10 @@ fn project(pole: DVec3, others: &[DVec3]) -> Result<Vec<Projected>, SphereError>
         }
         let scale = 2.0 / length_squared;
         let position = mitigate_underflow(Point2::new(d.dot(e1) * scale, d.dot(e2) * scale));
-        Ok(Projected { position, index: i as u32 + 1 })
+        Ok(Projected {
+            position,
+            index: i as u32 + 1,
+        })
     };
     others.iter().enumerate().map(place).collect()
 }

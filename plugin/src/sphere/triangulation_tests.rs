@@ -17,7 +17,10 @@ fn inside(points: &[DVec3], t: [u32; 3], p: u32) -> f64 {
 
 /// Edges of the triangles, each direction once, sorted.
 fn directed_edges(triangles: &[[u32; 3]]) -> Vec<(u32, u32)> {
-    let mut edges: Vec<_> = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
+    let mut edges: Vec<_> = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)])
+        .collect();
     edges.sort_unstable();
     edges
 }
@@ -25,8 +28,16 @@ fn directed_edges(triangles: &[[u32; 3]]) -> Vec<(u32, u32)> {
 fn check_surface(points: &[DVec3], triangles: &[[u32; 3]]) {
     assert_eq!(triangles.len(), 2 * points.len() - 4);
     let edges = directed_edges(triangles);
-    assert!(edges.windows(2).all(|w| w[0] != w[1]), "an edge is used twice in one direction");
-    assert!(edges.iter().all(|&(a, b)| edges.binary_search(&(b, a)).is_ok()), "an open edge");
+    assert!(
+        edges.windows(2).all(|w| w[0] != w[1]),
+        "an edge is used twice in one direction"
+    );
+    assert!(
+        edges
+            .iter()
+            .all(|&(a, b)| edges.binary_search(&(b, a)).is_ok()),
+        "an open edge"
+    );
     for &t in triangles {
         let [a, b, c] = t.map(|i| points[i as usize]);
         assert!(a.dot((b - a).cross(c - a)) > 0.0, "{t:?} faces inwards");
@@ -35,12 +46,19 @@ fn check_surface(points: &[DVec3], triangles: &[[u32; 3]]) {
 
 #[test]
 fn every_circumcircle_is_empty() {
-    for points in [sampling::fibonacci(100), sampling::fibonacci(777), random_points(0, 400)] {
+    for points in [
+        sampling::fibonacci(100),
+        sampling::fibonacci(777),
+        random_points(0, 400),
+    ] {
         let triangles = triangulate(&points).unwrap();
         check_surface(&points, &triangles);
         for &t in &triangles {
             for p in 0..points.len() as u32 {
-                assert!(t.contains(&p) || inside(&points, t, p) < 1e-15, "{p} lies in {t:?}");
+                assert!(
+                    t.contains(&p) || inside(&points, t, p) < 1e-15,
+                    "{p} lies in {t:?}"
+                );
             }
         }
     }
@@ -52,8 +70,10 @@ fn ten_thousand_samples_are_locally_delaunay() {
     for points in [sampling::fibonacci(10_000), random_points(1, 10_000)] {
         let triangles = triangulate(&points).unwrap();
         check_surface(&points, &triangles);
-        let mut corners: Vec<_> =
-            triangles.iter().flat_map(|&[a, b, c]| [((a, b), c), ((b, c), a), ((c, a), b)]).collect();
+        let mut corners: Vec<_> = triangles
+            .iter()
+            .flat_map(|&[a, b, c]| [((a, b), c), ((b, c), a), ((c, a), b)])
+            .collect();
         corners.sort_unstable();
         for &((a, b), c) in &corners {
             let twin = corners.binary_search_by_key(&(b, a), |e| e.0).unwrap();
@@ -81,16 +101,26 @@ fn the_pole_of_projection_does_not_matter() {
 #[test]
 fn four_points_and_cocircular_points_are_triangulated() {
     let d = |x: f64, y: f64, z: f64| DVec3::new(x, y, z).normalize();
-    let tetrahedron = vec![d(1., 1., 1.), d(1., -1., -1.), d(-1., 1., -1.), d(-1., -1., 1.)];
+    let tetrahedron = vec![
+        d(1., 1., 1.),
+        d(1., -1., -1.),
+        d(-1., 1., -1.),
+        d(-1., -1., 1.),
+    ];
     let mut cube: Vec<DVec3> = Vec::new();
     for i in 0..8 {
         let side = |bit: i32| if i & bit == 0 { -1.0 } else { 1.0 };
         cube.push(d(side(1), side(2), side(4)));
     }
-    // A globe of meridians and parallels: every point has cocircular ones, the poles have rings of 36.
+    // A globe of meridians and parallels: every point has cocircular ones, the poles have rings of
+    // 36.
     let mut globe = vec![DVec3::Z, DVec3::NEG_Z];
     for lat in (-80..=80).step_by(10) {
-        globe.extend((0..360).step_by(10).map(|lon| math::direction(lat.into(), lon.into())));
+        globe.extend(
+            (0..360)
+                .step_by(10)
+                .map(|lon| math::direction(lat.into(), lon.into())),
+        );
     }
     for points in [tetrahedron, cube, globe] {
         let mesh = SphereMesh::from_points(points).unwrap();

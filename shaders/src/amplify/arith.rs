@@ -1,7 +1,8 @@
 //! Integer arithmetic of the rules: products, ratios, roots and blends of Q16 shares and of grains.
 //!
-//! Sums and products wrap as WGSL's do, which has 32 bits only: what is wide here is built from halves there, with the
-//! same bits (see the tests of [`fixed`](super::fixed)). Every function is total: no input panics.
+//! Sums and products wrap as WGSL's do, which has 32 bits only: what is wide here is built from
+//! halves there, with the same bits (see the tests of [`fixed`](super::fixed)). Every function is
+//! total: no input panics.
 
 use super::fixed::Q16;
 
@@ -11,7 +12,8 @@ pub const fn mul_q16(a: i32, b: i32) -> i32 {
     ((a as i64 * b as i64) >> 16) as i32
 }
 
-/// a·(1 - t) + b·t for a share t in Q16; exact at both ends. The difference of the ends must fit an i32.
+/// a·(1 - t) + b·t for a share t in Q16; exact at both ends. The difference of the ends must fit an
+/// i32.
 #[inline]
 pub const fn mix(a: i32, b: i32, t: i32) -> i32 {
     a.wrapping_add(mul_q16(b.wrapping_sub(a), t))
@@ -29,7 +31,8 @@ pub const fn saturate(t: i32) -> i32 {
     }
 }
 
-/// ⌊a / b⌋ in Q16 for a, b >= 0, saturated to 0..1; 1 where b is 0. Exact for b < 2²⁴, else within 2⁻²² of the share.
+/// ⌊a / b⌋ in Q16 for a, b >= 0, saturated to 0..1; 1 where b is 0. Exact for b < 2²⁴, else within
+/// 2⁻²² of the share.
 #[inline]
 pub const fn ratio(a: i32, b: i32) -> i32 {
     if a <= 0 {
@@ -66,8 +69,9 @@ pub const fn smoothstep(low: i32, high: i32, x: i32) -> i32 {
     smooth(linear_step(low, high, x))
 }
 
-/// ⌊√x⌋; any way of computing it gives the same bits. The root of an f64 is the exact one rounded to 53 bits, and the
-/// one below n², n < 2¹⁶, lies more than 2⁻¹⁸ below n: it never rounds up to it. Quicker than an integer root.
+/// ⌊√x⌋; any way of computing it gives the same bits. The root of an f64 is the exact one rounded
+/// to 53 bits, and the one below n², n < 2¹⁶, lies more than 2⁻¹⁸ below n: it never rounds up to
+/// it. Quicker than an integer root.
 #[inline]
 pub fn isqrt(x: u32) -> u32 {
     f64::from(x).sqrt() as u32
@@ -112,7 +116,8 @@ pub fn length(x: i32, y: i32, z: i32) -> i32 {
     }
 }
 
-/// cos(2πt) of a phase whose whole turn is 2¹⁶, Q16. Error below 0.001; even and periodic to the last bit.
+/// cos(2πt) of a phase whose whole turn is 2¹⁶, Q16. Error below 0.001; even and periodic to the
+/// last bit.
 #[inline]
 pub const fn cos_turn(t: i32) -> i32 {
     // Folded to a quarter: x in 0..=2¹⁴ from a crest, sign by half turns.
@@ -133,11 +138,34 @@ mod tests {
 
     #[test]
     fn ratios_and_roots_match_reals() {
-        for (a, b) in [(1, 3), (0, 7), (5, 5), (1_000_000_007, 2_000_000_011), (70_000, 65_537), (9, 2)] {
+        for (a, b) in [
+            (1, 3),
+            (0, 7),
+            (5, 5),
+            (1_000_000_007, 2_000_000_011),
+            (70_000, 65_537),
+            (9, 2),
+        ] {
             let want = (f64::from(a) / f64::from(b)).min(1.0);
-            assert!((f64::from(ratio(a, b)) / 65_536.0 - want).abs() < 1e-4, "{a}/{b}");
+            assert!(
+                (f64::from(ratio(a, b)) / 65_536.0 - want).abs() < 1e-4,
+                "{a}/{b}"
+            );
         }
-        for x in [0, 1, 2, 3, 4, 15, 16, 17, 65_535, 65_536, u32::MAX - 1, u32::MAX] {
+        for x in [
+            0,
+            1,
+            2,
+            3,
+            4,
+            15,
+            16,
+            17,
+            65_535,
+            65_536,
+            u32::MAX - 1,
+            u32::MAX,
+        ] {
             let root = u64::from(isqrt(x));
             assert!(root * root <= u64::from(x) && (root + 1) * (root + 1) > u64::from(x));
         }
@@ -156,7 +184,10 @@ mod tests {
             assert!(value + 1 >= last, "{t}");
             last = last.max(value);
         }
-        assert_eq!((smooth(0), smooth(Q16), smooth(-5), smooth(Q16 + 9)), (0, Q16, 0, Q16));
+        assert_eq!(
+            (smooth(0), smooth(Q16), smooth(-5), smooth(Q16 + 9)),
+            (0, Q16, 0, Q16)
+        );
     }
 
     #[test]
@@ -164,15 +195,27 @@ mod tests {
     fn cosine_is_close_and_even() {
         for t in 0..65_536 {
             let want = (f64::from(t) / 65_536.0 * std::f64::consts::TAU).cos() * 65_536.0;
-            assert!((f64::from(cos_turn(t)) - want).abs() < 66.0, "{t}: {} {want}", cos_turn(t));
+            assert!(
+                (f64::from(cos_turn(t)) - want).abs() < 66.0,
+                "{t}: {} {want}",
+                cos_turn(t)
+            );
             assert_eq!(cos_turn(t), cos_turn(-t));
         }
     }
 
     #[test]
     fn length_is_isotropic() {
-        for v in [[3, 4, 0], [1_000_000, -2_000_000, 2_000_000], [1 << 29, 1 << 28, -(1 << 29)]] {
-            let want = v.map(|c| f64::from(c) * f64::from(c)).iter().sum::<f64>().sqrt();
+        for v in [
+            [3, 4, 0],
+            [1_000_000, -2_000_000, 2_000_000],
+            [1 << 29, 1 << 28, -(1 << 29)],
+        ] {
+            let want = v
+                .map(|c| f64::from(c) * f64::from(c))
+                .iter()
+                .sum::<f64>()
+                .sqrt();
             assert!((f64::from(length(v[0], v[1], v[2])) / want - 1.0).abs() < 2e-4);
         }
     }

@@ -1,4 +1,5 @@
-//! The control mesh made ready: vertices of level 0 with their nearest river, edges with what arrives along them.
+//! The control mesh made ready: vertices of level 0 with their nearest river, edges with what
+//! arrives along them.
 //!
 //! Done once per planet; what refines the ground only reads it.
 
@@ -35,7 +36,8 @@ pub enum BadMesh {
     Radius,
     /// It has fewer than four faces, or so many items that 32 bits cannot number them.
     Size,
-    /// This vertex is off the sphere by more than a millionth, or more than 100 km high, deep, or under water.
+    /// This vertex is off the sphere by more than a millionth, or more than 100 km high, deep, or
+    /// under water.
     Vertex(u32),
     /// This face names an edge that is not there, or not its own.
     Face(u32),
@@ -48,11 +50,23 @@ impl core::fmt::Display for BadMesh {
         match self {
             Self::Radius => write!(f, "the radius of a control mesh must be 50 km to 10,000 km"),
             Self::Size => {
-                write!(f, "a control mesh must have at least four faces, and items that 32 bits can number")
+                write!(
+                    f,
+                    "a control mesh must have at least four faces, and items that 32 bits can number"
+                )
             }
-            Self::Vertex(i) => write!(f, "vertex {i} of the control mesh is off the sphere or beyond 100 km"),
-            Self::Face(i) => write!(f, "face {i} of the control mesh does not fit its edges and vertices"),
-            Self::Edge(i) => write!(f, "edge {i} of the control mesh does not fit its faces, or is too long"),
+            Self::Vertex(i) => write!(
+                f,
+                "vertex {i} of the control mesh is off the sphere or beyond 100 km"
+            ),
+            Self::Face(i) => write!(
+                f,
+                "face {i} of the control mesh does not fit its edges and vertices"
+            ),
+            Self::Edge(i) => write!(
+                f,
+                "edge {i} of the control mesh does not fit its faces, or is too long"
+            ),
         }
     }
 }
@@ -75,17 +89,27 @@ impl Base {
         accumulate(mesh, &mut vertices);
         let mut edges = edges(mesh, &vertices);
         dry_drains(&mut vertices, &mut edges);
-        let faces: Vec<Face> =
-            (0..).zip(&mesh.faces).map(|(i, f)| Face::new(f.vertices, f.edges, i)).collect();
+        let faces: Vec<Face> = (0..)
+            .zip(&mesh.faces)
+            .map(|(i, f)| Face::new(f.vertices, f.edges, i))
+            .collect();
         nearest_rivers(&planet, &mut vertices, &edges, &faces);
         let (starts, around) = incidence(vertices.len(), &faces);
         let index = super::locate::Index::new(&vertices, &faces);
-        Ok(Self { planet, vertices, level: Level { edges, faces }, starts, around, index })
+        Ok(Self {
+            planet,
+            vertices,
+            level: Level { edges, faces },
+            starts,
+            around,
+            index,
+        })
     }
 
     /// Faces around a vertex.
     pub fn faces_around(&self, vertex: u32) -> &[u32] {
-        &self.around[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize]
+        &self.around
+            [self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize]
     }
 }
 
@@ -98,10 +122,18 @@ fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
         return Err(BadMesh::Size);
     }
     for (i, vertex) in (0..).zip(&mesh.vertices) {
-        let square: f64 = vertex.direction.iter().map(|&x| f64::from(x) * f64::from(x)).sum();
+        let square: f64 = vertex
+            .direction
+            .iter()
+            .map(|&x| f64::from(x) * f64::from(x))
+            .sum();
         let on_sphere = (square.sqrt() / f64::from(ONE) - 1.0).abs() < 1e-6;
         let heights = [vertex.height, vertex.bed, vertex.water, vertex.crust];
-        if !on_sphere || heights.iter().any(|h| h.unsigned_abs() > 100_000 * GRAINS as u32) {
+        if !on_sphere
+            || heights
+                .iter()
+                .any(|h| h.unsigned_abs() > 100_000 * GRAINS as u32)
+        {
             return Err(BadMesh::Vertex(i));
         }
     }
@@ -111,7 +143,8 @@ fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
             (a as usize) < vertices
                 && a != b
                 && mesh.edges.get(face.edges[k] as usize).is_some_and(|e| {
-                    (e.faces[0] == i && e.vertices == [a, b]) || (e.faces[1] == i && e.vertices == [b, a])
+                    (e.faces[0] == i && e.vertices == [a, b])
+                        || (e.faces[1] == i && e.vertices == [b, a])
                 })
         });
         if !fits {
@@ -119,11 +152,19 @@ fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
         }
     }
     for (i, edge) in (0..).zip(&mesh.edges) {
-        let [a, b] = edge.vertices.map(|v| mesh.vertices.get(v as usize).map(|v| v.direction));
-        let short = a.zip(b).is_some_and(|(a, b)| (0..3).all(|i| a[i].abs_diff(b[i]) < 1 << 29));
+        let [a, b] = edge
+            .vertices
+            .map(|v| mesh.vertices.get(v as usize).map(|v| v.direction));
+        let short = a
+            .zip(b)
+            .is_some_and(|(a, b)| (0..3).all(|i| a[i].abs_diff(b[i]) < 1 << 29));
         let fits = short
             && edge.faces[0] != edge.faces[1]
-            && edge.faces.iter().all(|&f| mesh.faces.get(f as usize).is_some_and(|f| f.edges.contains(&i)));
+            && edge.faces.iter().all(|&f| {
+                mesh.faces
+                    .get(f as usize)
+                    .is_some_and(|f| f.edges.contains(&i))
+            });
         if !fits {
             return Err(BadMesh::Edge(i));
         }
@@ -131,9 +172,15 @@ fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
     Ok(())
 }
 
-/// Raises discharges until every vertex carries at least what comes from upstream: squares of rounded flows need not.
+/// Raises discharges until every vertex carries at least what comes from upstream: squares of
+/// rounded flows need not.
 fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
-    let rivers = || mesh.edges.iter().filter(|e| e.river != 0).map(|e| e.vertices.map(|v| v as usize));
+    let rivers = || {
+        mesh.edges
+            .iter()
+            .filter(|e| e.river != 0)
+            .map(|e| e.vertices.map(|v| v as usize))
+    };
     let mut waiting = vec![0_u32; vertices.len()];
     let mut below = vec![usize::MAX; vertices.len()];
     for [up, down] in rivers() {
@@ -141,8 +188,9 @@ fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
         below[up] = down;
     }
     let mut inflow = vec![0_u32; vertices.len()];
-    let mut ready: Vec<usize> =
-        (0..vertices.len()).filter(|&v| waiting[v] == 0 && below[v] != usize::MAX).collect();
+    let mut ready: Vec<usize> = (0..vertices.len())
+        .filter(|&v| waiting[v] == 0 && below[v] != usize::MAX)
+        .collect();
     while let Some(up) = ready.pop() {
         vertices[up].discharge = vertices[up].discharge.max(inflow[up]);
         let down = below[up];
@@ -156,18 +204,26 @@ fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
     }
 }
 
-/// Edges, with the discharge that arrives at each river edge's lower end: what leaves the upper end, and an equal part
-/// of what the lower vertex gains by itself, so that all that arrives there makes its discharge.
+/// Edges, with the discharge that arrives at each river edge's lower end: what leaves the upper
+/// end, and an equal part of what the lower vertex gains by itself, so that all that arrives there
+/// makes its discharge.
 fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
     let mut inflow = vec![(0_u64, 0_u64); vertices.len()];
     let rivers = || mesh.edges.iter().filter(|e| e.river != 0);
     for edge in rivers() {
         let into = &mut inflow[edge.vertices[1] as usize];
-        (into.0, into.1) = (into.0 + u64::from(vertices[edge.vertices[0] as usize].discharge), into.1 + 1);
+        (into.0, into.1) = (
+            into.0 + u64::from(vertices[edge.vertices[0] as usize].discharge),
+            into.1 + 1,
+        );
     }
     let mut seen = vec![0_u64; vertices.len()];
     let make = |edge: &super::control::ControlEdge| {
-        let kind = if edge.river != 0 { EdgeKind::River } else { EdgeKind::Terrain };
+        let kind = if edge.river != 0 {
+            EdgeKind::River
+        } else {
+            EdgeKind::Terrain
+        };
         let mut made = Edge::new(kind, edge.vertices, edge.faces);
         if edge.river != 0 {
             let [up, down] = edge.vertices.map(|v| v as usize);
@@ -176,7 +232,8 @@ fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
             let k = seen[down];
             seen[down] += 1;
             let part = gain * (k + 1) / count - gain * k / count;
-            made.arriving = (u64::from(vertices[up].discharge) + part).min(u64::from(u32::MAX)) as u32;
+            made.arriving =
+                (u64::from(vertices[up].discharge) + part).min(u64::from(u32::MAX)) as u32;
         }
         made
     };
@@ -186,19 +243,33 @@ fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
 /// Every dry land vertex drains down its steepest edge, which becomes a gully, as does the vertex.
 fn dry_drains(vertices: &mut [Vertex], edges: &mut [Edge]) {
     let mut lowest: Vec<Option<u32>> = vec![None; vertices.len()];
-    let beyond =
-        |edge: &Edge, v: u32| if edge.vertices[0] == v { edge.vertices[1] } else { edge.vertices[0] };
-    for (i, edge) in (0..).zip(edges.iter()).filter(|(_, e)| e.kind == EdgeKind::Terrain) {
-        for (v, to) in [(edge.vertices[0], edge.vertices[1]), (edge.vertices[1], edge.vertices[0])] {
+    let beyond = |edge: &Edge, v: u32| {
+        if edge.vertices[0] == v {
+            edge.vertices[1]
+        } else {
+            edge.vertices[0]
+        }
+    };
+    for (i, edge) in (0..)
+        .zip(edges.iter())
+        .filter(|(_, e)| e.kind == EdgeKind::Terrain)
+    {
+        for (v, to) in [
+            (edge.vertices[0], edge.vertices[1]),
+            (edge.vertices[1], edge.vertices[0]),
+        ] {
             let key = |w: u32| (vertices[w as usize].height, w);
             let best = lowest[v as usize].map(|e: u32| key(beyond(&edges[e as usize], v)));
-            if vertices[v as usize].kind == VertexKind::Terrain && key(to) < best.unwrap_or(key(v)) {
+            if vertices[v as usize].kind == VertexKind::Terrain && key(to) < best.unwrap_or(key(v))
+            {
                 lowest[v as usize] = Some(i);
             }
         }
     }
     for (v, lowest) in (0..).zip(lowest) {
-        let Some(edge) = lowest.map(|i| &mut edges[i as usize]) else { continue };
+        let Some(edge) = lowest.map(|i| &mut edges[i as usize]) else {
+            continue;
+        };
         edge.kind = EdgeKind::Gully;
         if edge.vertices[0] != v {
             edge.vertices.swap(0, 1);
@@ -225,7 +296,12 @@ fn nearest_rivers(planet: &Planet, vertices: &mut [Vertex], edges: &[Edge], face
         }
         let [up, down] = edge.vertices.map(|v| &vertices[v as usize]);
         let piece = segment(planet, 0, 0, [up, down], edge.arriving);
-        for corner in edge.faces.iter().filter(|&&f| f != NONE).map(|&f| faces[f as usize].opposite(i)) {
+        for corner in edge
+            .faces
+            .iter()
+            .filter(|&&f| f != NONE)
+            .map(|&f| faces[f as usize].opposite(i))
+        {
             let (along, off) = nearest_on(piece.ends, vertices[corner as usize].direction);
             let distance = planet.grains(off).min(FAR);
             let best = &mut found[corner as usize];

@@ -8,7 +8,8 @@ use super::rules::valley;
 pub use super::rules::valley::Carved;
 use super::vertex::Vertex;
 
-/// Final ground and water of a vertex. `kept` is what an earlier one left, best one near it; it changes no bit.
+/// Final ground and water of a vertex. `kept` is what an earlier one left, best one near it; it
+/// changes no bit.
 #[inline]
 pub fn carve(kept: &mut Kept, planet: &Planet, vertex: &Vertex) -> Carved {
     valley::carve(kept, vertex, planet.edge_grains(0))
@@ -17,5 +18,8 @@ pub fn carve(kept: &mut Kept, planet: &Planet, vertex: &Vertex) -> Carved {
 /// Final ground and water of a column of vertices.
 pub fn carve_all(planet: &Planet, vertices: &[Vertex]) -> Vec<Carved> {
     let mut kept = Kept::default();
-    vertices.iter().map(|vertex| carve(&mut kept, planet, vertex)).collect()
+    vertices
+        .iter()
+        .map(|vertex| carve(&mut kept, planet, vertex))
+        .collect()
 }

@@ -1,8 +1,9 @@
 //! The control mesh: the last CPU stage of a planet and the only input of the amplifier.
 //!
-//! An irregular triangulation of the sphere with edges of about 52 km on an Earth-sized planet (paper 002 §4, Fig. 5).
-//! Its vertices carry the control maps C, A, W, P, B (§3) and the river network (§4) in integers, so that every
-//! machine starts from the same bits. Units are those of [`crate::amplify::fixed`].
+//! An irregular triangulation of the sphere with edges of about 52 km on an Earth-sized planet
+//! (paper 002 §4, Fig. 5). Its vertices carry the control maps C, A, W, P, B (§3) and the river
+//! network (§4) in integers, so that every machine starts from the same bits. Units are those of
+//! [`crate::amplify::fixed`].
 
 /// One vertex of the control mesh, 68 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -16,7 +17,8 @@ pub struct ControlVertex {
     pub height: i32,
     /// River bed or lake floor, grains; equals `height` at dry vertices.
     pub bed: i32,
-    /// Water surface, grains: the sea's is 0, a lake's the same at all its vertices. Equals `bed` at dry vertices.
+    /// Water surface, grains: the sea's is 0, a lake's the same at all its vertices. Equals `bed`
+    /// at dry vertices.
     pub water: i32,
     /// Flow φ = sqrt(discharge / 200,000 m³/s), at most 1; Q16. 0 at dry vertices.
     pub flow: u32,
@@ -28,7 +30,8 @@ pub struct ControlVertex {
     pub valley: u8,
     /// Orogeny age A, 1/64 My; u16::MAX where no orogeny ever was.
     pub age: u16,
-    /// Share of continental collision (Himalayan, 1) against subduction (Andean, 0) in the orogeny, Q16.
+    /// Share of continental collision (Himalayan, 1) against subduction (Andean, 0) in the orogeny,
+    /// Q16.
     pub collision: u16,
     /// Wetness W, Q16.
     pub wetness: u16,
@@ -42,7 +45,8 @@ pub struct ControlVertex {
     pub ocean_age: u16,
     /// Fold direction f (undirected, tangent), components times 32767; zero where there is none.
     pub fold: [i16; 3],
-    /// Ridge direction r of the ocean floor (undirected, tangent), components times 32767; zero where there is none.
+    /// Ridge direction r of the ocean floor (undirected, tangent), components times 32767; zero
+    /// where there is none.
     pub ridge: [i16; 3],
 }
 
@@ -79,7 +83,8 @@ impl VertexKind {
     }
 }
 
-/// How the sides of a valley rise from its river (the paper's archetype e_r); `rules::valley` has the curves.
+/// How the sides of a valley rise from its river (the paper's archetype e_r); `rules::valley` has
+/// the curves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum ValleyShape {
@@ -121,7 +126,8 @@ pub struct ControlEdge {
     pub river: u32,
 }
 
-/// One face, counter-clockwise from outside. `edges[i]` joins `vertices[i]` and `vertices[(i + 1) % 3]`.
+/// One face, counter-clockwise from outside. `edges[i]` joins `vertices[i]` and `vertices[(i + 1) %
+/// 3]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct ControlFace {

@@ -15,8 +15,16 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
         return (base.vertices.clone(), base.level.clone());
     }
     let edge = base.planet.edge.min(i32::MAX as u32 / 16) as i32;
-    let reach = view.horizon.max(view.bound(&base.planet, 0)).saturating_add(edge * MARGIN);
-    let ground = View { altitude: None, radius: 0, sides: [[0; 3]; 2], ..*view };
+    let reach = view
+        .horizon
+        .max(view.bound(&base.planet, 0))
+        .saturating_add(edge * MARGIN);
+    let ground = View {
+        altitude: None,
+        radius: 0,
+        sides: [[0; 3]; 2],
+        ..*view
+    };
     let near = |face: &Face| {
         let corners = face.vertices.map(|v| &base.vertices[v as usize]);
         ground.distance(&base.planet, corners) < reach.saturating_add(view.radius)
@@ -26,7 +34,11 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
     let kept = if reach.saturating_add(view.radius) < quarter {
         spread(base, base.locate(view.direction, None), near)
     } else {
-        (0..).zip(&base.level.faces).filter(|(_, f)| near(f)).map(|(i, _)| i).collect()
+        (0..)
+            .zip(&base.level.faces)
+            .filter(|(_, f)| near(f))
+            .map(|(i, _)| i)
+            .collect()
     };
     compact(base, &kept)
 }
@@ -57,25 +69,43 @@ pub fn compact(base: &Base, kept: &[u32]) -> (Vec<Vertex>, Level) {
     let mut by_index: Vec<(u32, u32)> = kept.iter().copied().zip(0..).collect();
     by_index.sort_unstable();
     let place = |sorted: &[u32], i: u32| sorted.binary_search(&i).map_or(NONE, |p| p as u32);
-    let face_place = |f: u32| by_index.binary_search_by_key(&f, |p| p.0).map_or(NONE, |p| by_index[p].1);
+    let face_place = |f: u32| {
+        by_index
+            .binary_search_by_key(&f, |p| p.0)
+            .map_or(NONE, |p| by_index[p].1)
+    };
     let level = Level {
         edges: edges
             .iter()
             .map(|&e| {
                 let edge = &base.level.edges[e as usize];
                 let ends = edge.vertices.map(|v| place(&vertices, v));
-                Edge { vertices: ends, faces: edge.faces.map(face_place), ..*edge }
+                Edge {
+                    vertices: ends,
+                    faces: edge.faces.map(face_place),
+                    ..*edge
+                }
             })
             .collect(),
         faces: kept
             .iter()
             .zip(faces())
             .map(|(&i, f)| {
-                Face::new(f.vertices.map(|v| place(&vertices, v)), f.edges.map(|e| place(&edges, e)), i)
+                Face::new(
+                    f.vertices.map(|v| place(&vertices, v)),
+                    f.edges.map(|e| place(&edges, e)),
+                    i,
+                )
             })
             .collect(),
     };
-    (vertices.iter().map(|&v| base.vertices[v as usize]).collect(), level)
+    (
+        vertices
+            .iter()
+            .map(|&v| base.vertices[v as usize])
+            .collect(),
+        level,
+    )
 }
 
 fn sorted(items: impl Iterator<Item = u32>) -> Vec<u32> {
@@ -98,14 +128,24 @@ mod tests {
             let at = base.vertices[pcg(k) as usize % base.vertices.len()].direction;
             let direction = [0, 1, 2].map(|i| at[i as usize] + (share(pcg(k), i) - 32_768) * 300);
             let reach = 3_000_000 + (k as i32) * 300_000;
-            let view = View { radius: 0, ..View::disc(direction, 1, 17) };
+            let view = View {
+                radius: 0,
+                ..View::disc(direction, 1, 17)
+            };
             let near = |face: &Face| {
                 let corners = face.vertices.map(|v| &base.vertices[v as usize]);
                 view.distance(&base.planet, corners) < reach
             };
-            let all: Vec<u32> =
-                (0..).zip(&base.level.faces).filter(|(_, f)| near(f)).map(|(i, _)| i).collect();
-            assert_eq!(spread(&base, base.locate(direction, None), near), all, "{k}");
+            let all: Vec<u32> = (0..)
+                .zip(&base.level.faces)
+                .filter(|(_, f)| near(f))
+                .map(|(i, _)| i)
+                .collect();
+            assert_eq!(
+                spread(&base, base.locate(direction, None), near),
+                all,
+                "{k}"
+            );
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Pass: an edge gets the vertex that halves it (paper 002 §5.1, rules R1 to R5, and §5.2).
 //!
-//! Reads the edge, its ends and the corners opposite to it on both sides; writes one vertex. The vertex's kind may
-//! still change to a gully ([`vertex_resolve`](super::vertex_resolve)), and its distances are estimates until then.
+//! Reads the edge, its ends and the corners opposite to it on both sides; writes one vertex. The
+//! vertex's kind may still change to a gully ([`vertex_resolve`](super::vertex_resolve)), and its
+//! distances are estimates until then.
 
 use super::arith::{linear_step, ratio};
 use super::control::VertexKind;
@@ -13,14 +14,15 @@ use super::seed::between;
 use super::topology::Edge;
 use super::vertex::{EdgeContext, FAR, Section, Segment, Vertex};
 
-/// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from its parents alone,
-/// but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
+/// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
+/// its parents alone, but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
 pub const STRAIGHT_LEVEL: u32 = 11;
 
 /// Most of a far corner that a displaced vertex may have or owe, Q16: 0.17.
 const DEPTH: i32 = 11_141;
 
-/// What a displaced vertex may lose of an end from its half, Q16: a sixth less what rounding may take.
+/// What a displaced vertex may lose of an end from its half, Q16: a sixth less what rounding may
+/// take.
 const SLACK: i32 = 10_267;
 
 /// The vertex that halves an edge of a level. `ends` are those of the edge, in its order.
@@ -38,11 +40,25 @@ pub fn split(
     let face;
     (new.direction, face) = place(rules, edge.kind, level, &new, ends, opposite);
     new.river_distance = expected_distance(edge.kind, ends, length);
-    new.discharge = if edge.kind == EdgeKind::River { gathered(a, edge) } else { 0 };
+    new.discharge = if edge.kind == EdgeKind::River {
+        gathered(a, edge)
+    } else {
+        0
+    };
     let span = planet.edge_grains(level);
-    let context = EdgeContext { a, b, new: &new, face, length, span, level, radius_m: planet.radius_m };
+    let context = EdgeContext {
+        a,
+        b,
+        new: &new,
+        face,
+        length,
+        span,
+        level,
+        radius_m: planet.radius_m,
+    };
     let ground = rules::halve(rules, edge.kind, &context);
-    (new.kind, new.height, new.bed, new.water) = (ground.kind, ground.height, ground.bed, ground.water);
+    (new.kind, new.height, new.bed, new.water) =
+        (ground.kind, ground.height, ground.bed, ground.water);
     settle_water(edge.kind, &mut new, a, b);
     new
 }
@@ -55,8 +71,10 @@ fn gathered(up: &Vertex, edge: &Edge) -> u32 {
 
 /// Keeps lakes level and water from rising downstream, whatever the graph says.
 fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
-    let same_lake =
-        a.is_wet() && b.is_wet() && a.water == b.water && (a.lake == b.lake || a.lake == 0 || b.lake == 0);
+    let same_lake = a.is_wet()
+        && b.is_wet()
+        && a.water == b.water
+        && (a.lake == b.lake || a.lake == 0 || b.lake == 0);
     if same_lake && (a.lake | b.lake) != 0 {
         let bed = a.bed + (b.bed - a.bed) / 2;
         (new.kind, new.height, new.bed, new.water) = (VertexKind::Lake, bed, bed, a.water);
@@ -64,7 +82,11 @@ fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
         new.discharge = new.discharge.max(a.discharge.min(b.discharge));
     } else if new.kind == VertexKind::Lake {
         // Its flow shapes its shores; it brings its river nothing.
-        new.lake = if (a.lake | b.lake) == 0 { new.seed | 1 } else { a.lake | b.lake };
+        new.lake = if (a.lake | b.lake) == 0 {
+            new.seed | 1
+        } else {
+            a.lake | b.lake
+        };
         new.discharge = a.discharge.max(b.discharge) / 16;
     } else if kind == EdgeKind::River {
         new.water = new.water.max(new.bed).max(b.water);
@@ -139,8 +161,8 @@ fn expected_distance(kind: EdgeKind, [a, b]: [&Vertex; 2], length: i32) -> i32 {
     }
 }
 
-/// Where the new vertex lies: the edge's middle, moved sideways within its safe zone (§5.2), on the sphere. And the
-/// height of the flat face there.
+/// Where the new vertex lies: the edge's middle, moved sideways within its safe zone (§5.2), on the
+/// sphere. And the height of the flat face there.
 fn place(
     rules: &Rules,
     kind: EdgeKind,
@@ -154,7 +176,8 @@ fn place(
     if level < STRAIGHT_LEVEL
         && let [Some(x), Some(y)] = opposite
     {
-        let shift = rules::shift::shift(rules, kind, [a.kind, b.kind], level, new.seed, new.wetness);
+        let shift =
+            rules::shift::shift(rules, kind, [a.kind, b.kind], level, new.seed, new.wetness);
         if shift.weight > 0 {
             let (x, y) = if shift.second { (y, x) } else { (x, y) };
             let to = [x, y].map(|v| difference(v.direction, a.direction));
@@ -169,11 +192,13 @@ fn place(
     (lift(middle, square_q32(ab) / 4), a.height + rise / 2)
 }
 
-/// Shares of the edge's end and of the corner `x` that the new vertex is drawn to; that of the start is the rest.
+/// Shares of the edge's end and of the corner `x` that the new vertex is drawn to; that of the
+/// start is the rest.
 ///
-/// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least a third of both
-/// ends and at most [`DEPTH`] of the far corner. Whatever their edges' vertices do within such bounds, all four children
-/// of a face keep at least 0.045 of its area (least determinant over the corners of the bounds): none turns over.
+/// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least
+/// a third of both ends and at most [`DEPTH`] of the far corner. Whatever their edges' vertices do
+/// within such bounds, all four children of a face keep at least 0.045 of its area (least
+/// determinant over the corners of the bounds): none turns over.
 fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     // Flat triangles would get flatter.
     let low = x.height.min(y.height);
@@ -186,8 +211,13 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
     let depth = wx * (x.height >> 3) / (y.height >> 3).max(1);
     let in_beyond = towards_b + q12(wx, x.along) + q12(depth, y.along);
-    let loss = (-towards_b).max(towards_b + wx).max(-in_beyond).max(in_beyond - depth);
-    let kept = ratio(SLACK, loss).min(ratio(DEPTH, wx)).min(ratio(DEPTH, depth));
+    let loss = (-towards_b)
+        .max(towards_b + wx)
+        .max(-in_beyond)
+        .max(in_beyond - depth);
+    let kept = ratio(SLACK, loss)
+        .min(ratio(DEPTH, wx))
+        .min(ratio(DEPTH, depth));
     [Q16 / 2 + weigh(kept, towards_b), weigh(kept, wx)]
 }
 
@@ -201,10 +231,17 @@ const fn q12(share: i32, number: i32) -> i32 {
 fn displaced(a: [i32; 3], ab: [i32; 3], ax: [i32; 3], wb: i32, wx: i32) -> [i32; 3] {
     let wa = Q16 - wb - wx;
     let point = [0, 1, 2].map(|i| a[i] + weigh(wb, ab[i]) + weigh(wx, ax[i]));
-    let squares = [square_q32(ab), square_q32(ax), square_q32(difference(ax, ab))];
+    let squares = [
+        square_q32(ab),
+        square_q32(ax),
+        square_q32(difference(ax, ab)),
+    ];
     // Shares below 1 in Q16, their products in Q32.
     let part = |u: i32, v: i32, square: u32| mul_high((u as u32) * (v as u32), square);
-    lift(point, part(wa, wb, squares[0]) + part(wa, wx, squares[1]) + part(wb, wx, squares[2]))
+    lift(
+        point,
+        part(wa, wb, squares[0]) + part(wa, wx, squares[1]) + part(wb, wx, squares[2]),
+    )
 }
 
 #[cfg(test)]
@@ -214,10 +251,16 @@ mod tests {
 
     type Shares = [f64; 3];
 
-    /// Corners of the polygon of barycentric coordinates (start, end, far corner) that a vertex on an edge may have.
+    /// Corners of the polygon of barycentric coordinates (start, end, far corner) that a vertex on
+    /// an edge may have.
     fn bounds() -> [Shares; 4] {
         let (third, depth) = (1.0 / 3.0, f64::from(DEPTH) / 65_536.0 + 0.005);
-        let at = |far: f64| [[third, 1.0 - far - third, far], [1.0 - far - third, third, far]];
+        let at = |far: f64| {
+            [
+                [third, 1.0 - far - third, far],
+                [1.0 - far - third, third, far],
+            ]
+        };
         let [[a, b], [c, d]] = [at(depth), at(-depth)];
         [a, b, c, d]
     }
@@ -249,9 +292,12 @@ mod tests {
     #[test]
     fn displaced_vertices_keep_the_bounds_in_both_faces() {
         for k in 0..200_000_u32 {
-            let random = |i: u32, low: i32, high: i32| low + (pcg(pcg(k) ^ i) % (high - low) as u32) as i32;
-            let [x, y] = [0, 2]
-                .map(|i| Stance { along: random(i, -8192, 12_288), height: random(i + 1, 300, 12_288) });
+            let random =
+                |i: u32, low: i32, high: i32| low + (pcg(pcg(k) ^ i) % (high - low) as u32) as i32;
+            let [x, y] = [0, 2].map(|i| Stance {
+                along: random(i, -8192, 12_288),
+                height: random(i + 1, 300, 12_288),
+            });
             let shift = Shift {
                 along: random(4, 21_627, 43_254),
                 inward: random(5, 21_627, 43_254),
@@ -262,7 +308,10 @@ mod tests {
             let real = |v: i32| f64::from(v) / 4096.0;
             // In the face beyond: x = s·a + t·b - ρ·y.
             let ratio = real(x.height) / real(y.height);
-            let (far, end) = (-wx * ratio, wb + wx * (real(x.along) + ratio * real(y.along)));
+            let (far, end) = (
+                -wx * ratio,
+                wb + wx * (real(x.along) + ratio * real(y.along)),
+            );
             for shares in [[1.0 - wb - wx, wb, wx], [1.0 - end - far, end, far]] {
                 let least = 1.0 / 3.0;
                 assert!(

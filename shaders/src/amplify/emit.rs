@@ -1,7 +1,7 @@
 //! Pass: leaf faces become triangles.
 //!
-//! A leaf beside finer ones has midpoints on one, two or three edges and becomes as many triangles more, so that every
-//! interior edge is used exactly twice and none has a vertex inside.
+//! A leaf beside finer ones has midpoints on one, two or three edges and becomes as many triangles
+//! more, so that every interior edge is used exactly twice and none has a vertex inside.
 
 use super::carve::Carved;
 use super::ground::Ground;
@@ -28,7 +28,10 @@ pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]
     });
     let split = mid.map(|m| m != NONE);
     // The corner from which the fan starts.
-    let Some(k) = (0..3).find(|&k| split[k] && !split[(k + 2) % 3]).or(split[0].then_some(0)) else {
+    let Some(k) = (0..3)
+        .find(|&k| split[k] && !split[(k + 2) % 3])
+        .or(split[0].then_some(0))
+    else {
         out[0] = v;
         return 1;
     };
@@ -43,7 +46,11 @@ pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]
             out[0] = [ab, b, bc];
             // The quadrilateral a, ab, bc, c is cut by the seeds, which no view changes.
             let seed = |v: u32| vertices[v as usize].seed;
-            let cut = if seed(ab) > seed(bc) { [[a, ab, c], [ab, bc, c]] } else { [[a, ab, bc], [a, bc, c]] };
+            let cut = if seed(ab) > seed(bc) {
+                [[a, ab, c], [ab, bc, c]]
+            } else {
+                [[a, ab, bc], [a, bc, c]]
+            };
             out[1..3].copy_from_slice(&cut);
             3
         }
@@ -59,7 +66,10 @@ impl Ground {
     pub fn triangles(&self) -> Vec<Triangle> {
         let mut triangles = Vec::new();
         for (index, level) in (0..).zip(&self.levels) {
-            for (f, face) in (0..).zip(&level.faces).filter(|(_, f): &(u32, &Face)| f.mark != Mark::Split) {
+            for (f, face) in (0..)
+                .zip(&level.faces)
+                .filter(|(_, f): &(u32, &Face)| f.mark != Mark::Split)
+            {
                 let mut out = [[0; 3]; 4];
                 let made = emit(face, level, &self.vertices, &mut out);
                 triangles.extend(out[..made].iter().map(|&vertices| Triangle {
@@ -73,9 +83,14 @@ impl Ground {
     }
 }
 
-/// Pass `water`: the triangles of the water's surface, with the ground's topology. A triangle belongs to it where any
-/// corner lies under water; its corners stand at [`Carved::water`], and at the ground where they are dry.
+/// Pass `water`: the triangles of the water's surface, with the ground's topology. A triangle
+/// belongs to it where any corner lies under water; its corners stand at [`Carved::water`], and at
+/// the ground where they are dry.
 pub fn water(triangles: &[Triangle], carved: &[Carved]) -> Vec<Triangle> {
     let wet = |v: u32| carved[v as usize].water > carved[v as usize].ground;
-    triangles.iter().filter(|t| t.vertices.into_iter().any(wet)).copied().collect()
+    triangles
+        .iter()
+        .filter(|t| t.vertices.into_iter().any(wet))
+        .copied()
+        .collect()
 }

@@ -1,9 +1,10 @@
-//! Pass: a face decides what lies along its inner edges (paper 002 §5.1, rules Ia to Ic with the condition β).
+//! Pass: a face decides what lies along its inner edges (paper 002 §5.1, rules Ia to Ic with the
+//! condition β).
 //!
-//! Reads the face's corners, edges and new vertices, and the corners beyond its edges; writes three [`Inner`]s. An
-//! inner edge at the corner where a river edge begins may become a tributary: it leaves at an acute angle, climbs, and
-//! lies in the one of the river's two faces that a draw of both chooses, so that a junction has one tributary. Where β
-//! fails it may become a gully.
+//! Reads the face's corners, edges and new vertices, and the corners beyond its edges; writes three
+//! [`Inner`]s. An inner edge at the corner where a river edge begins may become a tributary: it
+//! leaves at an acute angle, climbs, and lies in the one of the river's two faces that a draw of
+//! both chooses, so that a junction has one tributary. Where β fails it may become a gully.
 
 use super::control::VertexKind;
 use super::edge_split::STRAIGHT_LEVEL;
@@ -40,19 +41,34 @@ pub fn decide(rules: &Rules, level: u32, sight: &Sight) -> [Inner; 3] {
         let other = (k + 2) % 3;
         let drained = [k, other].map(|e| sight.edges[e].kind != EdgeKind::Terrain);
         *inner = match drained {
-            [true, false] => {
-                drain(rules, level, sight, k, k, other, Inner::RiverToFirst, Inner::GullyToFirst)
-            }
-            [false, true] => {
-                drain(rules, level, sight, k, other, k, Inner::RiverToSecond, Inner::GullyToSecond)
-            }
+            [true, false] => drain(
+                rules,
+                level,
+                sight,
+                k,
+                k,
+                other,
+                Inner::RiverToFirst,
+                Inner::GullyToFirst,
+            ),
+            [false, true] => drain(
+                rules,
+                level,
+                sight,
+                k,
+                other,
+                k,
+                Inner::RiverToSecond,
+                Inner::GullyToSecond,
+            ),
             _ => Inner::Terrain,
         };
     }
     inner
 }
 
-/// What the inner edge at a corner becomes, between the drained edge `low` and the ground's edge `high`.
+/// What the inner edge at a corner becomes, between the drained edge `low` and the ground's edge
+/// `high`.
 fn drain(
     rules: &Rules,
     level: u32,
@@ -72,18 +88,30 @@ fn drain(
     }
     let next = (low + 1) % 3;
     let downstream = if next == corner { low } else { next };
-    let flow = difference(sight.vertices[downstream].direction, sight.vertices[corner].direction);
-    if dot(flow, difference(junction.direction, tip.direction)) <= 0 || tip.height <= junction.water {
+    let flow = difference(
+        sight.vertices[downstream].direction,
+        sight.vertices[corner].direction,
+    );
+    if dot(flow, difference(junction.direction, tip.direction)) <= 0 || tip.height <= junction.water
+    {
         return Inner::Terrain;
     }
     let seed = pcg(junction.seed ^ pcg(tip.seed));
     let off_gully = junction_kind == VertexKind::Gully;
     let chosen = chosen(junction, sight.vertices[(low + 2) % 3], sight.beyond[low]);
-    let gains = junction.discharge > sight.vertices[corner].discharge + 1 && sight.vertices[corner].is_wet();
+    let gains = junction.discharge > sight.vertices[corner].discharge + 1
+        && sight.vertices[corner].is_wet();
     if !off_gully
         && chosen
         && gains
-        && gully::is_tributary(rules, level, junction.flow(), junction.height, tip.height, seed)
+        && gully::is_tributary(
+            rules,
+            level,
+            junction.flow(),
+            junction.height,
+            tip.height,
+            seed,
+        )
     {
         return river;
     }

@@ -1,6 +1,8 @@
-//! Passes: edges are halved and faces quartered; what joins what in the next level (see [`topology`](super::topology)).
+//! Passes: edges are halved and faces quartered; what joins what in the next level (see
+//! [`topology`](super::topology)).
 //!
-//! Every child edge and child face is written from its parent's data and that of the parent's neighbours alone.
+//! Every child edge and child face is written from its parent's data and that of the parent's
+//! neighbours alone.
 
 use super::rules::{EdgeKind, Rules, gully};
 use super::topology::{Edge, Face, Mark, NONE};
@@ -8,7 +10,13 @@ use super::vertex::Vertex;
 use super::vertex_resolve::tributary;
 
 /// The two halves of a split edge of a level. New dry land drains along one of them.
-pub fn halve(rules: &Rules, level: u32, edge: &Edge, faces: &[Face], vertices: &[Vertex]) -> [Edge; 2] {
+pub fn halve(
+    rules: &Rules,
+    level: u32,
+    edge: &Edge,
+    faces: &[Face],
+    vertices: &[Vertex],
+) -> [Edge; 2] {
     let [a, b] = edge.vertices;
     let child = |end: u32| {
         edge.faces.map(|f| match faces.get(f as usize) {
@@ -17,8 +25,10 @@ pub fn halve(rules: &Rules, level: u32, edge: &Edge, faces: &[Face], vertices: &
         })
     };
     let [up, mid, down] = [a, edge.mid, b].map(|v| &vertices[v as usize]);
-    let mut halves =
-        [Edge::new(edge.kind, [a, edge.mid], child(a)), Edge::new(edge.kind, [edge.mid, b], child(b))];
+    let mut halves = [
+        Edge::new(edge.kind, [a, edge.mid], child(a)),
+        Edge::new(edge.kind, [edge.mid, b], child(b)),
+    ];
     for (slot, half) in halves.iter_mut().enumerate() {
         let (kind, reversed) = half_kind(rules, level, edge.kind, slot, [up, mid, down]);
         half.kind = kind;
@@ -28,15 +38,21 @@ pub fn halve(rules: &Rules, level: u32, edge: &Edge, faces: &[Face], vertices: &
         }
         if kind == EdgeKind::River {
             half.birth = edge.birth;
-            half.arriving = if slot == 0 { arriving_at(mid, up) } else { edge.arriving };
+            half.arriving = if slot == 0 {
+                arriving_at(mid, up)
+            } else {
+                edge.arriving
+            };
         }
     }
     halves
 }
 
-/// What a half of an edge is, and whether it runs against the edge. `along` are the edge's ends and its middle.
+/// What a half of an edge is, and whether it runs against the edge. `along` are the edge's ends and
+/// its middle.
 ///
-/// R4a: on coarse levels a tributary goes on towards the land above its spring. R4b: later that half is ground. New dry land drains along one half of its edge.
+/// R4a: on coarse levels a tributary goes on towards the land above its spring. R4b: later that
+/// half is ground. New dry land drains along one half of its edge.
 pub fn half_kind(
     rules: &Rules,
     level: u32,
@@ -45,9 +61,15 @@ pub fn half_kind(
     [up, mid, down]: [&Vertex; 3],
 ) -> (EdgeKind, bool) {
     match (edge, slot) {
-        (EdgeKind::River, 0) if !up.is_wet() && level >= rules.extension_levels => (EdgeKind::Terrain, false),
-        (EdgeKind::Terrain, 0) if gully::drains(rules, level, mid, up, down) => (EdgeKind::Gully, true),
-        (EdgeKind::Terrain, 1) if gully::drains(rules, level, mid, down, up) => (EdgeKind::Gully, false),
+        (EdgeKind::River, 0) if !up.is_wet() && level >= rules.extension_levels => {
+            (EdgeKind::Terrain, false)
+        }
+        (EdgeKind::Terrain, 0) if gully::drains(rules, level, mid, up, down) => {
+            (EdgeKind::Gully, true)
+        }
+        (EdgeKind::Terrain, 1) if gully::drains(rules, level, mid, down, up) => {
+            (EdgeKind::Gully, false)
+        }
         _ => (edge, false),
     }
 }
@@ -60,7 +82,10 @@ pub fn arriving_at(mid: &Vertex, up: &Vertex) -> u32 {
 /// The inner edge of a split face at a corner. `first` is the index of the face's first inner edge.
 pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &[Vertex]) -> Edge {
     let other = (k + 2) % 3;
-    let (first, second) = (edges[face.edges[k] as usize].mid, edges[face.edges[other] as usize].mid);
+    let (first, second) = (
+        edges[face.edges[k] as usize].mid,
+        edges[face.edges[other] as usize].mid,
+    );
     let faces = [face.child + k as u32, face.child + 3];
     let (kind, reversed) = face.inner[k].edge();
     let mut edge = if reversed {
@@ -71,12 +96,16 @@ pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &
     if kind == EdgeKind::River {
         let river = &edges[face.edges[if reversed { k } else { other }] as usize];
         edge.birth = level as u8 + 1;
-        edge.arriving = tributary(&vertices[river.mid as usize], &vertices[river.vertices[0] as usize]);
+        edge.arriving = tributary(
+            &vertices[river.mid as usize],
+            &vertices[river.vertices[0] as usize],
+        );
     }
     edge
 }
 
-/// The four children of a split face. `first_inner` is the index of its first inner edge in the next level.
+/// The four children of a split face. `first_inner` is the index of its first inner edge in the
+/// next level.
 pub fn quarter(face: &Face, index: u32, first_inner: u32, edges: &[Edge]) -> [Face; 4] {
     let along = face.edges.map(|e| &edges[e as usize]);
     let mids = along.map(|e| e.mid);
@@ -84,8 +113,17 @@ pub fn quarter(face: &Face, index: u32, first_inner: u32, edges: &[Edge]) -> [Fa
     let half = |e: usize, corner: u32| along[e].child + u32::from(along[e].vertices[0] != corner);
     let corner = |k: usize| {
         let (other, v) = ((k + 2) % 3, face.vertices[k]);
-        Face::new([v, mids[k], mids[other]], [half(k, v), first_inner + k as u32, half(other, v)], index)
+        Face::new(
+            [v, mids[k], mids[other]],
+            [half(k, v), first_inner + k as u32, half(other, v)],
+            index,
+        )
     };
     let middle = [first_inner + 1, first_inner + 2, first_inner];
-    [corner(0), corner(1), corner(2), Face::new(mids, middle, index)]
+    [
+        corner(0),
+        corner(1),
+        corner(2),
+        Face::new(mids, middle, index),
+    ]
 }

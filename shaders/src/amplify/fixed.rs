@@ -1,7 +1,8 @@
-//! Fixed-point numbers of the ground. Products are taken in 64 bits; WGSL, which has 32, builds the same bits from halves.
+//! Fixed-point numbers of the ground. Products are taken in 64 bits; WGSL, which has 32, builds the
+//! same bits from halves.
 //!
-//! Directions are in units of 1 / [`ONE`] of the radius (3.1 mm on Earth), heights and lengths in grains of
-//! 1 / [`GRAINS`] m (range ±2097 km), shares in Q16 (65,536 is 1).
+//! Directions are in units of 1 / [`ONE`] of the radius (3.1 mm on Earth), heights and lengths in
+//! grains of 1 / [`GRAINS`] m (range ±2097 km), shares in Q16 (65,536 is 1).
 
 /// A direction component of 1: 1.9 · 2³⁰, so that sums of differences stay within an i32.
 pub const ONE: i32 = 2_040_109_465;
@@ -22,10 +23,15 @@ pub const fn mul_high(a: u32, b: u32) -> u32 {
 #[inline]
 pub const fn mul_shift(a: u32, b: u32, shift: u32) -> i32 {
     let wide = (a as u64 * b as u64) >> shift;
-    if wide > i32::MAX as u64 { i32::MAX } else { wide as i32 }
+    if wide > i32::MAX as u64 {
+        i32::MAX
+    } else {
+        wide as i32
+    }
 }
 
-/// The product w·d of a share w of -2..2 in Q16 and a difference of directions, rounded to the nearest.
+/// The product w·d of a share w of -2..2 in Q16 and a difference of directions, rounded to the
+/// nearest.
 #[inline]
 pub const fn weigh(w: i32, d: i32) -> i32 {
     ((w as i64 * d as i64 + 0x8000) >> 16) as i32
@@ -34,7 +40,11 @@ pub const fn weigh(w: i32, d: i32) -> i32 {
 /// Difference of two directions; exact where they are less than 60° apart.
 #[inline]
 pub const fn difference(to: [i32; 3], from: [i32; 3]) -> [i32; 3] {
-    [to[0].wrapping_sub(from[0]), to[1].wrapping_sub(from[1]), to[2].wrapping_sub(from[2])]
+    [
+        to[0].wrapping_sub(from[0]),
+        to[1].wrapping_sub(from[1]),
+        to[2].wrapping_sub(from[2]),
+    ]
 }
 
 /// Square of a difference of directions in 2⁻³² of the squared radius: below a quarter.
@@ -52,7 +62,8 @@ pub const fn square_q32(d: [i32; 3]) -> u32 {
     sum
 }
 
-/// Point near the sphere -> point on it. `deficit` is 1 - |p|² in 2⁻³²; corrected to its third power; right to 4 units.
+/// Point near the sphere -> point on it. `deficit` is 1 - |p|² in 2⁻³²; corrected to its third
+/// power; right to 4 units.
 #[inline]
 pub const fn lift(p: [i32; 3], deficit: u32) -> [i32; 3] {
     if deficit == 0 {
@@ -101,7 +112,10 @@ mod tests {
             let low = (a & 0xffff) as u32;
             let cross = ((b >> 16) as u32).wrapping_mul(low);
             let bottom = low.wrapping_mul((b & 0xffff) as u32) >> 16;
-            (a >> 16).wrapping_mul(b).wrapping_add(cross as i32).wrapping_add(bottom as i32)
+            (a >> 16)
+                .wrapping_mul(b)
+                .wrapping_add(cross as i32)
+                .wrapping_add(bottom as i32)
         }
 
         pub(super) fn weigh(w: i32, d: i32) -> i32 {
@@ -116,13 +130,27 @@ mod tests {
 
     #[test]
     fn halves_make_the_same_bits_as_wide_products() {
-        let ends = [0, 1, 0x7fff, 0x8000, 0xffff, 0x1_0000, i32::MAX as u32, 1 << 31, u32::MAX];
+        let ends = [
+            0,
+            1,
+            0x7fff,
+            0x8000,
+            0xffff,
+            0x1_0000,
+            i32::MAX as u32,
+            1 << 31,
+            u32::MAX,
+        ];
         let ends = ends.into_iter().flat_map(|a| ends.map(|b| (a, b)));
         let random = (0..100_000).map(|k| (pcg(k) >> (k % 23), pcg(k + 500_000) >> (k % 29)));
         for (k, (a, b)) in (0..).zip(ends.chain(random)) {
             let shift = 1 + k % 31;
             assert_eq!(mul_high(a, b), halves::mul_high(a, b), "{a} {b}");
-            assert_eq!(mul_shift(a, b, shift), halves::mul_shift(a, b, shift), "{a} {b} {shift}");
+            assert_eq!(
+                mul_shift(a, b, shift),
+                halves::mul_shift(a, b, shift),
+                "{a} {b} {shift}"
+            );
             let (a, b) = (a as i32, b as i32);
             assert_eq!(mul_q16(a, b), halves::mul_q16(a, b), "{a} {b}");
             assert_eq!(weigh(a, b), halves::weigh(a, b), "{a} {b}");

@@ -1,7 +1,7 @@
 //! Plane geometry of small differences of directions, in 32 bits.
 //!
-//! Vectors are shifted to a common scale of 14 bits before they are multiplied: dot products then fit an i32, and a
-//! share along a segment is right to 2⁻¹³ of it.
+//! Vectors are shifted to a common scale of 14 bits before they are multiplied: dot products then
+//! fit an i32, and a share along a segment is right to 2⁻¹³ of it.
 
 use super::arith::{length, ratio};
 use super::fixed::{Q16, difference, weigh};
@@ -29,14 +29,16 @@ const fn product(u: [i32; 3], v: [i32; 3]) -> i32 {
     u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 }
 
-/// Dot product in a scale of its own: the sign is that of the exact one, but for angles within 2⁻¹³ of a right one.
+/// Dot product in a scale of its own: the sign is that of the exact one, but for angles within 2⁻¹³
+/// of a right one.
 #[inline]
 pub const fn dot(u: [i32; 3], v: [i32; 3]) -> i32 {
     let shift = common_shift(u, v);
     product(shifted(u, shift), shifted(v, shift))
 }
 
-/// Where the point of a segment nearest to `p` lies: share of the way in Q16, and the vector from there to `p`.
+/// Where the point of a segment nearest to `p` lies: share of the way in Q16, and the vector from
+/// there to `p`.
 #[inline]
 pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
     let along = difference(ends[1], ends[0]);
@@ -45,16 +47,25 @@ pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
     let (u, v) = (shifted(along, shift), shifted(to, shift));
     let (square, part) = (product(u, u), product(u, v));
     // A segment too short for this scale counts as its nearer end.
-    let t = if part <= 0 || square == 0 { 0 } else { ratio(part, square) };
+    let t = if part <= 0 || square == 0 {
+        0
+    } else {
+        ratio(part, square)
+    };
     let off = if t >= Q16 {
         difference(p, ends[1])
     } else {
-        [to[0] - weigh(t, along[0]), to[1] - weigh(t, along[1]), to[2] - weigh(t, along[2])]
+        [
+            to[0] - weigh(t, along[0]),
+            to[1] - weigh(t, along[1]),
+            to[2] - weigh(t, along[2]),
+        ]
     };
     (t, off)
 }
 
-/// How a corner of a triangle stands over the opposite edge, in lengths of the edge, Q12, each at most 7.
+/// How a corner of a triangle stands over the opposite edge, in lengths of the edge, Q12, each at
+/// most 7.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stance {
     /// Where it projects: 0 at the edge's start, 1 at its end.
@@ -73,7 +84,11 @@ impl Stance {
         let (u, v) = (shifted(edge, shift), shifted(corner, shift));
         let unit = product(u, u) >> 12;
         let unit = if unit < 1 { 1 } else { unit };
-        let cross = length(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+        let cross = length(
+            u[1] * v[2] - u[2] * v[1],
+            u[2] * v[0] - u[0] * v[2],
+            u[0] * v[1] - u[1] * v[0],
+        );
         let most = 7 * Q12;
         Self {
             along: (product(u, v) / unit).clamp(-most, most),
@@ -81,7 +96,8 @@ impl Stance {
         }
     }
 
-    /// How far beyond the edge it projects: negative before the start, positive beyond the end, 0 over it; Q12.
+    /// How far beyond the edge it projects: negative before the start, positive beyond the end, 0
+    /// over it; Q12.
     pub const fn overhang(self) -> i32 {
         if self.along < 0 {
             self.along
@@ -106,7 +122,11 @@ mod tests {
     fn nearest_point_agrees_with_reals() {
         for k in 0..20_000 {
             let bits = 8 + k % 17;
-            let (a, b, p) = (random(k, bits), random(k + 90_000, bits), random(k + 180_000, bits));
+            let (a, b, p) = (
+                random(k, bits),
+                random(k + 90_000, bits),
+                random(k + 180_000, bits),
+            );
             let (_, off) = nearest_on([a, b], p);
             let f = |v: [i32; 3]| v.map(f64::from);
             let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];

@@ -24,7 +24,10 @@ pub struct Caps {
 impl Default for Caps {
     /// 8 million vertices, 8 million faces a level: 1.6 GB at most.
     fn default() -> Self {
-        Self { vertices: 8_000_000, faces: 8_000_000 }
+        Self {
+            vertices: 8_000_000,
+            faces: 8_000_000,
+        }
     }
 }
 
@@ -41,19 +44,26 @@ pub struct Ground {
     pub capped: Option<u32>,
 }
 
-/// Refines the ground for a view. At a cap the whole level that would pass it is dropped, so the mesh stays whole.
+/// Refines the ground for a view. At a cap the whole level that would pass it is dropped, so the
+/// mesh stays whole.
 pub fn refine(base: &Base, rules: &Rules, view: &View, caps: &Caps) -> Ground {
     refined(base, rules, view, caps, true)
 }
 
-/// The same without the edges of the view's finest level, which is all that a collider needs: a fifth less work.
+/// The same without the edges of the view's finest level, which is all that a collider needs: a
+/// fifth less work.
 pub fn refine_faces(base: &Base, rules: &Rules, view: &View, caps: &Caps) -> Ground {
     refined(base, rules, view, caps, false)
 }
 
 fn refined(base: &Base, rules: &Rules, view: &View, caps: &Caps, finest_edges: bool) -> Ground {
     let (vertices, level) = cull(base, view);
-    let mut ground = Ground { planet: base.planet, vertices, levels: vec![level], capped: None };
+    let mut ground = Ground {
+        planet: base.planet,
+        vertices,
+        levels: vec![level],
+        capped: None,
+    };
     let finest = view.level.min(FINEST);
     for index in 0..finest {
         let level = &mut ground.levels[index as usize];
@@ -69,7 +79,14 @@ fn refined(base: &Base, rules: &Rules, view: &View, caps: &Caps, finest_edges: b
             break;
         }
         let edges = finest_edges || index + 1 < finest;
-        let next = step(&base.planet, rules, index, level, &mut ground.vertices, edges);
+        let next = step(
+            &base.planet,
+            rules,
+            index,
+            level,
+            &mut ground.vertices,
+            edges,
+        );
         ground.levels.push(next);
     }
     ground
@@ -90,7 +107,9 @@ fn mark_faces(
         .collect();
     let mut marked = 0;
     for i in 0..level.faces.len() {
-        let mark = halo(&level.faces[i], i as u32, &level.edges, |f| splits[f as usize]);
+        let mark = halo(&level.faces[i], i as u32, &level.edges, |f| {
+            splits[f as usize]
+        });
         level.faces[i].mark = mark;
         marked += usize::from(mark != Mark::Leaf);
     }

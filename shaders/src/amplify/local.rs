@@ -1,8 +1,10 @@
-//! The ground at a direction without a view: the leaf of a level that contains it, with the bits that any view gives.
+//! The ground at a direction without a view: the leaf of a level that contains it, with the bits
+//! that any view gives.
 //!
-//! From the face of the control mesh down, the child that contains the direction is taken. Children leave their
-//! parent's outline when its edges' middles move sideways, so the child may belong to one of the three neighbours;
-//! never to a face farther off, because a middle stays within the two faces of its edge.
+//! From the face of the control mesh down, the child that contains the direction is taken. Children
+//! leave their parent's outline when its edges' middles move sideways, so the child may belong to
+//! one of the three neighbours; never to a face farther off, because a middle stays within the two
+//! faces of its edge.
 //!
 //! What was computed stays until it passes a cap, so a query near earlier ones is quick.
 
@@ -37,18 +39,25 @@ impl Leaf {
         let [a, b, c] = &self.vertices;
         let s = sides(direction, [a, b, c]).map(|x| x.max(0.0));
         let sum = s[0] + s[1] + s[2];
-        if sum > 0.0 { [s[1] / sum, s[2] / sum, s[0] / sum] } else { [1.0 / 3.0; 3] }
+        if sum > 0.0 {
+            [s[1] / sum, s[2] / sum, s[0] / sum]
+        } else {
+            [1.0 / 3.0; 3]
+        }
     }
 
     /// Height of the ground at a direction in the leaf, metres.
     pub fn height_m(&self, direction: [i32; 3]) -> f64 {
         let w = self.weights(direction);
-        (0..3).map(|i| w[i] * f64::from(self.carved[i].ground)).sum::<f64>() / 1024.0
+        (0..3)
+            .map(|i| w[i] * f64::from(self.carved[i].ground))
+            .sum::<f64>()
+            / 1024.0
     }
 }
 
-/// Answers queries about one planet's ground. Not shared between threads: each takes its own. `B` is a reference to
-/// the planet's level 0, or an `Arc` of it.
+/// Answers queries about one planet's ground. Not shared between threads: each takes its own. `B`
+/// is a reference to the planet's level 0, or an `Arc` of it.
 #[derive(Clone, Debug)]
 pub struct Local<B> {
     demand: Demand<B>,
@@ -60,7 +69,11 @@ pub struct Local<B> {
 impl<B: Deref<Target = Base>> Local<B> {
     /// An engine that has answered nothing yet.
     pub fn new(base: B, rules: &Rules) -> Self {
-        Self { demand: Demand::new(base, rules), kept: Box::default(), path: Vec::new() }
+        Self {
+            demand: Demand::new(base, rules),
+            kept: Box::default(),
+            path: Vec::new(),
+        }
     }
 
     /// What was computed so far.
@@ -73,8 +86,9 @@ impl<B: Deref<Target = Base>> Local<B> {
         self.demand.base()
     }
 
-    /// The leaf of a level, at most [`FINEST`], that contains a direction. `hint` is a face of the control mesh near
-    /// it, if the caller knows one. The answer depends on neither the hint nor earlier queries.
+    /// The leaf of a level, at most [`FINEST`], that contains a direction. `hint` is a face of the
+    /// control mesh near it, if the caller knows one. The answer depends on neither the hint nor
+    /// earlier queries.
     pub fn leaf(&mut self, direction: [i32; 3], level: u32, hint: Option<u32>) -> Leaf {
         if self.demand.len() > KEPT {
             self.demand.clear();
@@ -90,19 +104,30 @@ impl<B: Deref<Target = Base>> Local<B> {
             self.demand.ensure(v);
             *self.demand.vertex(v)
         });
-        let base_face = (0..=level).rev().fold(face, |at, above| self.demand.face(above, at).parent);
+        let base_face = (0..=level)
+            .rev()
+            .fold(face, |at, above| self.demand.face(above, at).parent);
         let Self { demand, kept, .. } = self;
         let carved = vertices.map(|v| carve(kept, &demand.base().planet, &v));
-        Leaf { vertices, carved, level: level as u32, base_face }
+        Leaf {
+            vertices,
+            carved,
+            level: level as u32,
+            base_face,
+        }
     }
 
-    /// The finest face of the last answer's path that contains a direction, at most of a level; else the face of level
-    /// 0. The path from the top would lead there too: in a level, no other face contains what one has inside.
+    /// The finest face of the last answer's path that contains a direction, at most of a level;
+    /// else the face of level 0. The path from the top would lead there too: in a level, no other
+    /// face contains what one has inside.
     fn start(&mut self, direction: [i32; 3], level: usize, hint: Option<u32>) -> u32 {
         self.path.truncate(level + 1);
         while let Some(&face) = self.path.last() {
             let corners = self.demand.face(self.path.len() - 1, face).vertices;
-            if sides(direction, corners.map(|v| self.demand.vertex(v))).iter().all(|&side| side > 0.0) {
+            if sides(direction, corners.map(|v| self.demand.vertex(v)))
+                .iter()
+                .all(|&side| side > 0.0)
+            {
                 return face;
             }
             self.path.pop();
@@ -132,7 +157,8 @@ impl<B: Deref<Target = Base>> Local<B> {
         best.0
     }
 
-    /// The child of a face that a direction lies in, if it is one of them. On an edge between two it is the first.
+    /// The child of a face that a direction lies in, if it is one of them. On an edge between two
+    /// it is the first.
     fn inside(&mut self, level: usize, face: u32, direction: [i32; 3]) -> Option<u32> {
         let first = self.demand.quarter(level, face);
         let middle = self.demand.face(level + 1, first + 3).vertices;
@@ -147,12 +173,15 @@ impl<B: Deref<Target = Base>> Local<B> {
         let corner = (0..3).find(|k| {
             let child = self.demand.face(level + 1, first + *k as u32);
             inward[(k + 2) % 3] <= 0.0
-                && sides(direction, child.vertices.map(|v| self.demand.vertex(v))).iter().all(|&s| s >= 0.0)
+                && sides(direction, child.vertices.map(|v| self.demand.vertex(v)))
+                    .iter()
+                    .all(|&s| s >= 0.0)
         });
         corner.map(|k| first + k as u32)
     }
 
-    /// The child of a face in which a direction lies deepest, and how deep; below 0 it lies in none.
+    /// The child of a face in which a direction lies deepest, and how deep; below 0 it lies in
+    /// none.
     fn deepest(&mut self, level: usize, face: u32, direction: [i32; 3]) -> (u32, f64) {
         let first = self.demand.quarter(level, face);
         let mut best = (first, f64::MIN);

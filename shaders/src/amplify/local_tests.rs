@@ -20,16 +20,20 @@ fn direction(k: u32) -> [i32; 3] {
 
 /// Moves a direction by up to `range` units and back on the sphere.
 fn nearby(direction: [i32; 3], k: u32, range: i32) -> [i32; 3] {
-    let p = [0, 1, 2]
-        .map(|i| f64::from(direction[i as usize] + (share(pcg(k), i) - 32_768) * (range / 32_768).max(1)));
+    let p = [0, 1, 2].map(|i| {
+        f64::from(direction[i as usize] + (share(pcg(k), i) - 32_768) * (range / 32_768).max(1))
+    });
     let n = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
     p.map(|x| (x / n * f64::from(ONE)).round() as i32)
 }
 
 /// All leaves of a level that contain a direction.
 fn brute(ground: &Ground, level: u32, direction: [i32; 3]) -> Vec<[Vertex; 3]> {
-    let Some(faces) = ground.levels.get(level as usize).map(|l| &l.faces) else { return Vec::new() };
-    let near = |v: &Vertex| (0..3).all(|i| (v.direction[i] >> 3).abs_diff(direction[i] >> 3) < 1 << 26);
+    let Some(faces) = ground.levels.get(level as usize).map(|l| &l.faces) else {
+        return Vec::new();
+    };
+    let near =
+        |v: &Vertex| (0..3).all(|i| (v.direction[i] >> 3).abs_diff(direction[i] >> 3) < 1 << 26);
     faces
         .iter()
         .filter(|f| f.mark != Mark::Split)
@@ -49,7 +53,10 @@ fn leaf_is_that_of_the_whole_planet() {
             for k in 0..80 {
                 let at = direction(k);
                 let leaf = local.leaf(at, level, None);
-                assert!(brute(&ground, level, at).contains(&leaf.vertices), "level {level}, {k}");
+                assert!(
+                    brute(&ground, level, at).contains(&leaf.vertices),
+                    "level {level}, {k}"
+                );
             }
         }
     }
@@ -59,7 +66,12 @@ fn leaf_is_that_of_the_whole_planet() {
 fn leaf_is_that_of_a_fine_patch() {
     let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
     let rules = Rules::default();
-    let rivers: Vec<[i32; 3]> = base.vertices.iter().filter(|v| v.is_wet()).map(|v| v.direction).collect();
+    let rivers: Vec<[i32; 3]> = base
+        .vertices
+        .iter()
+        .filter(|v| v.is_wet())
+        .map(|v| v.direction)
+        .collect();
     for k in 0..30 {
         let centre = if k % 2 == 0 {
             direction(k)
@@ -68,7 +80,12 @@ fn leaf_is_that_of_a_fine_patch() {
         };
         let level = 9 + k % 9;
         let radius = (20_000_u32 >> level).max(2);
-        let ground = refine(&base, &rules, &View::disc(centre, 3 * radius, level), &Caps::default());
+        let ground = refine(
+            &base,
+            &rules,
+            &View::disc(centre, 3 * radius, level),
+            &Caps::default(),
+        );
         // Units in a metre: ONE / radius.
         let range = (f64::from(ONE) / 300_000.0 * f64::from(radius)) as i32;
         let mut local = Local::new(&base, &rules);
@@ -94,7 +111,14 @@ fn leaf_is_that_of_a_fine_patch() {
 fn any_direction_gets_an_answer() {
     let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
     let mut local = Local::new(&base, &Rules::default());
-    for at in [[0; 3], [i32::MIN; 3], [i32::MAX, 0, 0], [0, i32::MIN, 1], [1, 1, 1], [-ONE, 0, 0]] {
+    for at in [
+        [0; 3],
+        [i32::MIN; 3],
+        [i32::MAX, 0, 0],
+        [0, i32::MIN, 1],
+        [1, 1, 1],
+        [-ONE, 0, 0],
+    ] {
         for level in [0, 3, 17, u32::MAX] {
             let leaf = local.leaf(at, level, Some(u32::MAX));
             assert_eq!(leaf.level, level.min(17));
@@ -108,7 +132,9 @@ fn forgetting_changes_nothing() {
     let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
     let rules = Rules::default();
     let mut local = Local::new(&base, &rules);
-    let first: Vec<_> = (0..300).map(|k| local.leaf(direction(k), 17, None)).collect();
+    let first: Vec<_> = (0..300)
+        .map(|k| local.leaf(direction(k), 17, None))
+        .collect();
     let mut demand = local.demand().clone();
     assert!(!demand.is_empty());
     demand.clear();

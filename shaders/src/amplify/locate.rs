@@ -1,4 +1,5 @@
-//! Which face a direction lies in. On the CPU alone, in f64: it chooses a face, and changes no bit of it.
+//! Which face a direction lies in. On the CPU alone, in f64: it chooses a face, and changes no bit
+//! of it.
 
 use super::base::Base;
 use super::topology::{Face, NONE};
@@ -51,23 +52,31 @@ fn cell(direction: [i32; 3]) -> usize {
     (side * CELLS + on((axis + 1) % 3)) * CELLS + on((axis + 2) % 3)
 }
 
-/// How far a direction lies left of each edge of a triangle; none is negative inside. Opposite in sign for the two
-/// faces of an edge, to the last bit. All corners must be less than 60 degrees away.
+/// How far a direction lies left of each edge of a triangle; none is negative inside. Opposite in
+/// sign for the two faces of an edge, to the last bit. All corners must be less than 60 degrees
+/// away.
 #[inline]
 pub fn sides(direction: [i32; 3], corners: [&Vertex; 3]) -> [f64; 3] {
     let d = direction.map(f64::from);
     let to = corners.map(|v| [0, 1, 2].map(|i| f64::from(v.direction[i]) - d[i]));
     let side = |p: [f64; 3], q: [f64; 3]| {
-        let n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+        let n = [
+            p[1] * q[2] - p[2] * q[1],
+            p[2] * q[0] - p[0] * q[2],
+            p[0] * q[1] - p[1] * q[0],
+        ];
         n[0] * d[0] + n[1] * d[1] + n[2] * d[2]
     };
     [side(to[0], to[1]), side(to[1], to[2]), side(to[2], to[0])]
 }
 
-/// Least of the three sides of a triangle, as a share of their sum: at least 0 inside, at most a third.
+/// Least of the three sides of a triangle, as a share of their sum: at least 0 inside, at most a
+/// third.
 #[inline]
 pub fn depth(sides: [f64; 3]) -> f64 {
-    let sum = (sides[0] + sides[1] + sides[2]).abs().max(f64::MIN_POSITIVE);
+    let sum = (sides[0] + sides[1] + sides[2])
+        .abs()
+        .max(f64::MIN_POSITIVE);
     sides[0].min(sides[1]).min(sides[2]) / sum
 }
 
@@ -75,14 +84,17 @@ impl Base {
     /// The face of the control mesh that a direction lies in; `hint` is a face likely to be near.
     pub fn locate(&self, direction: [i32; 3], hint: Option<u32>) -> u32 {
         let faces = &self.level.faces;
-        let start =
-            hint.filter(|&f| (f as usize) < faces.len()).unwrap_or(self.index.starts[cell(direction)]);
+        let start = hint
+            .filter(|&f| (f as usize) < faces.len())
+            .unwrap_or(self.index.starts[cell(direction)]);
         let mut at = start;
         // A walk across whatever edge the direction lies beyond ends in any Delaunay triangulation.
         for _ in 0..4096 {
             let face = &faces[at as usize];
             let sides = sides(direction, face.vertices.map(|v| &self.vertices[v as usize]));
-            let worst = (0..3).min_by(|&i, &j| sides[i].total_cmp(&sides[j])).unwrap_or(0);
+            let worst = (0..3)
+                .min_by(|&i, &j| sides[i].total_cmp(&sides[j]))
+                .unwrap_or(0);
             if sides[worst] >= 0.0 {
                 return at;
             }
@@ -92,10 +104,16 @@ impl Base {
         self.locate_slowly(direction)
     }
 
-    /// The same by looking at all faces: those whose first corner is on the direction's side of the planet.
+    /// The same by looking at all faces: those whose first corner is on the direction's side of the
+    /// planet.
     fn locate_slowly(&self, direction: [i32; 3]) -> u32 {
         let d = direction.map(f64::from);
-        let ahead = |v: &Vertex| (0..3).map(|i| d[i] * f64::from(v.direction[i])).sum::<f64>() > 0.0;
+        let ahead = |v: &Vertex| {
+            (0..3)
+                .map(|i| d[i] * f64::from(v.direction[i]))
+                .sum::<f64>()
+                > 0.0
+        };
         let corners = |f: &Face| f.vertices.map(|v| &self.vertices[v as usize]);
         (0..)
             .zip(&self.level.faces)

@@ -1,9 +1,10 @@
 //! Pass: a face decides whether it is split for a view.
 //!
-//! A face of level L is split where its centre is nearer than c·ℓ_L to what is looked at, ℓ_L the theoretical edge.
-//! The bound halves with the level while neighbours are about ℓ_L apart, so where c is at least 6 every face within
-//! three rings of a split one exists at its level: neighbours differ by one level at most, and no pass has to spread
-//! splits. A split face's neighbours are its halo: see [`Mark::Halo`].
+//! A face of level L is split where its centre is nearer than c·ℓ_L to what is looked at, ℓ_L the
+//! theoretical edge. The bound halves with the level while neighbours are about ℓ_L apart, so where
+//! c is at least 6 every face within three rings of a split one exists at its level: neighbours
+//! differ by one level at most, and no pass has to spread splits. A split face's neighbours are its
+//! halo: see [`Mark::Halo`].
 
 use super::arith::{length, mul_q16};
 use super::fixed::{difference, mul_shift};
@@ -14,7 +15,8 @@ use super::vertex::Vertex;
 /// Least and greatest [`View::sharpness`] that keep neighbours within a level: 6 and 250, Q8.
 pub const SHARPNESS: (u32, u32) = (6 << 8, 250 << 8);
 
-/// Sharpness of a disc's finest level: nothing finer follows, so it needs no margin but a face's own size. Q8.
+/// Sharpness of a disc's finest level: nothing finer follows, so it needs no margin but a face's
+/// own size. Q8.
 const RIM: u32 = 3 << 7;
 
 /// What the ground is refined for: a camera, or a disc or a square of ground.
@@ -27,9 +29,11 @@ pub struct View {
     pub altitude: Option<i32>,
     /// Radius of the disc that is refined evenly, sixteenths of a metre; 0 for a camera.
     pub radius: i32,
-    /// Unit tangents, Q16: of the disc, only the square in it whose sides run along them; zero for all of it.
+    /// Unit tangents, Q16: of the disc, only the square in it whose sides run along them; zero for
+    /// all of it.
     pub sides: [[i32; 3]; 2],
-    /// c: distance over edge length at which a face is split, Q8; 117 gives edges of 8 pixels at 1080p.
+    /// c: distance over edge length at which a face is split, Q8; 117 gives edges of 8 pixels at
+    /// 1080p.
     pub sharpness: u32,
     /// Finest level, 0..=17.
     pub level: u32,
@@ -55,38 +59,59 @@ impl View {
     pub fn disc(direction: [i32; 3], radius: u32, level: u32) -> Self {
         let radius = radius.saturating_mul(16).min(1 << 28) as i32;
         let sides = [[0; 3]; 2];
-        Self { direction, altitude: None, radius, sides, sharpness: SHARPNESS.0, level, horizon: radius }
+        Self {
+            direction,
+            altitude: None,
+            radius,
+            sides,
+            sharpness: SHARPNESS.0,
+            level,
+            horizon: radius,
+        }
     }
 
-    /// A square of ground at one level, coarser around it. Its corners lie `radius` metres from the centre, its sides
-    /// run along two unit tangents in Q16.
+    /// A square of ground at one level, coarser around it. Its corners lie `radius` metres from the
+    /// centre, its sides run along two unit tangents in Q16.
     pub fn square(direction: [i32; 3], sides: [[i32; 3]; 2], radius: u32, level: u32) -> Self {
-        Self { sides, ..Self::disc(direction, radius, level) }
+        Self {
+            sides,
+            ..Self::disc(direction, radius, level)
+        }
     }
 
     /// Distance from what is looked at to a face's centre, sixteenths of a metre.
     #[inline]
     pub fn distance(&self, planet: &Planet, corners: [&Vertex; 3]) -> i32 {
         let [a, b, c] = corners;
-        let (ab, ac) = (difference(b.direction, a.direction), difference(c.direction, a.direction));
+        let (ab, ac) = (
+            difference(b.direction, a.direction),
+            difference(c.direction, a.direction),
+        );
         let centre = [0, 1, 2].map(|i| a.direction[i] + (ab[i] + ac[i]) / 3);
         let ground = planet.chord(centre, self.direction);
-        let above = self
-            .altitude
-            .map_or(0, |altitude| altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3);
-        let outside = length(ground, above.clamp(-(1 << 28), 1 << 28), 0).saturating_sub(self.radius).max(0);
+        let above = self.altitude.map_or(0, |altitude| {
+            altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3
+        });
+        let outside = length(ground, above.clamp(-(1 << 28), 1 << 28), 0)
+            .saturating_sub(self.radius)
+            .max(0);
         outside.max(self.beside(planet, centre))
     }
 
-    /// How far a direction lies beside the square, across the nearer pair of its sides; sixteenths of a metre, at most 0
-    /// within them.
+    /// How far a direction lies beside the square, across the nearer pair of its sides; sixteenths
+    /// of a metre, at most 0 within them.
     #[inline]
     fn beside(&self, planet: &Planet, direction: [i32; 3]) -> i32 {
         if self.sides == [[0; 3]; 2] {
             return 0;
         }
         let offset = difference(direction.map(|x| x >> 2), self.direction.map(|x| x >> 2));
-        let along = |side: [i32; 3]| (0..3).map(|i| mul_q16(offset[i], side[i])).sum::<i32>().unsigned_abs();
+        let along = |side: [i32; 3]| {
+            (0..3)
+                .map(|i| mul_q16(offset[i], side[i]))
+                .sum::<i32>()
+                .unsigned_abs()
+        };
         let [x, y] = self.sides.map(along);
         // Half a side is the radius over the root of two.
         planet.sixteenths(x.max(y)) - mul_q16(self.radius, 46_341)
@@ -96,7 +121,11 @@ impl View {
     #[inline]
     pub fn bound(&self, planet: &Planet, level: u32) -> i32 {
         let finest = self.radius > 0 && level + 1 == self.level;
-        let sharpness = if finest { RIM } else { self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1) };
+        let sharpness = if finest {
+            RIM
+        } else {
+            self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1)
+        };
         mul_shift(planet.edge, sharpness, 8 + level)
     }
 
@@ -124,6 +153,12 @@ pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> boo
 /// An edge's mark: the greater of its faces'.
 #[inline]
 pub fn edge_mark(edge: &Edge, faces: &[Face]) -> Mark {
-    let of = |face: u32| if face == NONE { Mark::Leaf } else { faces[face as usize].mark };
+    let of = |face: u32| {
+        if face == NONE {
+            Mark::Leaf
+        } else {
+            faces[face as usize].mark
+        }
+    };
     of(edge.faces[0]).max(of(edge.faces[1]))
 }

@@ -1,13 +1,15 @@
 //! Amplification: the planet's ground from 52 km to half a metre, in exact integers (paper 002).
 //!
-//! A control mesh is refined level by level: an edge gets a vertex in its middle, a face becomes four. Rules see the
-//! kinds of an edge's ends (river, lake, gully, coast, sea, ground) and give the new vertex its ground; faces lay
-//! tributaries and gullies along their inner edges. What is not split stays a leaf, and is drawn.
+//! A control mesh is refined level by level: an edge gets a vertex in its middle, a face becomes
+//! four. Rules see the kinds of an edge's ends (river, lake, gully, coast, sea, ground) and give
+//! the new vertex its ground; faces lay tributaries and gullies along their inner edges. What is
+//! not split stays a leaf, and is drawn.
 //!
 //! # The passes
 //!
-//! One file is one pass: a function of one item that reads what it needs and writes that item alone, so any number of
-//! items can be done at once and in any order. Each will have its WGSL twin with the same name and the same bits.
+//! One file is one pass: a function of one item that reads what it needs and writes that item
+//! alone, so any number of items can be done at once and in any order. Each will have its WGSL twin
+//! with the same name and the same bits.
 //!
 //! | pass | once per | reads | writes |
 //! |---|---|---|---|
@@ -22,16 +24,19 @@
 //! | [`carve`] | vertex | itself | final ground and water |
 //! | [`emit`] | leaf, triangle | split edges; water | triangles of ground and of water |
 //!
-//! [`step`] runs those of one level, [`ground::refine`] those of a view. [`local`] answers for a single direction: it
-//! calls the same functions on [`demand`], for no more vertices than the answer depends on.
+//! [`step`] runs those of one level, [`ground::refine`] those of a view. [`local`] answers for a
+//! single direction: it calls the same functions on [`demand`], for no more vertices than the
+//! answer depends on.
 //!
 //! # Why no view changes a bit
 //!
-//! A vertex is named by its path from the control mesh. It depends on its edge, on the two faces beside it, on their
-//! decisions, and these on the faces' new vertices and on the corners beyond. Faces are split within c·ℓ of the camera,
-//! so all of them exist wherever the edge is split ([`mark`]); those that are not split themselves are halo: their
-//! midpoints are made and their inner edges decided as if they were. Nothing reads anything finer than its own level,
-//! and a vertex, once settled, never changes. Buffers are laid out by prefix sums, never by the order of the work.
+//! A vertex is named by its path from the control mesh. It depends on its edge, on the two faces
+//! beside it, on their decisions, and these on the faces' new vertices and on the corners beyond.
+//! Faces are split within c·ℓ of the camera, so all of them exist wherever the edge is split
+//! ([`mark`]); those that are not split themselves are halo: their midpoints are made and their
+//! inner edges decided as if they were. Nothing reads anything finer than its own level, and a
+//! vertex, once settled, never changes. Buffers are laid out by prefix sums, never by the order of
+//! the work.
 //!
 //! # Symbols
 //!
@@ -54,9 +59,10 @@
 //!
 //! # Precision
 //!
-//! Directions leave the sphere by less than 16 units (5 cm on Earth) over 17 levels, nearly all of it at the coarse
-//! ones; the middle of a fine edge is right to half a unit a component. Faces keep their orientation by a bound on the
-//! sideways displacement that is proved in [`edge_split`]'s tests. Heights are right to a grain, 1 mm.
+//! Directions leave the sphere by less than 16 units (5 cm on Earth) over 17 levels, nearly all of
+//! it at the coarse ones; the middle of a fine edge is right to half a unit a component. Faces keep
+//! their orientation by a bound on the sideways displacement that is proved in [`edge_split`]'s
+//! tests. Heights are right to a grain, 1 mm.
 
 pub mod arith;
 pub mod fixed;

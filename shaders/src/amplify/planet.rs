@@ -1,4 +1,5 @@
-//! What every pass knows of the planet: how lengths of directions become metres, and how long an edge of a level is.
+//! What every pass knows of the planet: how lengths of directions become metres, and how long an
+//! edge of a level is.
 
 use super::arith::length;
 use super::control::ControlMesh;
@@ -40,7 +41,8 @@ impl Planet {
         mul_shift(length(d[0], d[1], d[2]) as u32, self.grains_per_unit, 20)
     }
 
-    /// Distance between two directions, anywhere on the sphere, along the chord; sixteenths of a metre.
+    /// Distance between two directions, anywhere on the sphere, along the chord; sixteenths of a
+    /// metre.
     #[inline]
     pub fn chord(&self, a: [i32; 3], b: [i32; 3]) -> i32 {
         let d = difference(a.map(|x| x >> 2), b.map(|x| x >> 2));

@@ -2,10 +2,15 @@
 
 use super::topology::NONE;
 
-/// Gives each item that makes `count` others the place of the first, from `start` on; [`NONE`] to one that makes none.
-/// Returns how many are made.
+/// Gives each item that makes `count` others the place of the first, from `start` on; [`NONE`] to
+/// one that makes none. Returns how many are made.
 #[inline]
-pub fn scan<T>(items: &mut [T], start: u32, count: impl Fn(&T) -> u32, place: impl Fn(&mut T, u32)) -> u32 {
+pub fn scan<T>(
+    items: &mut [T],
+    start: u32,
+    count: impl Fn(&T) -> u32,
+    place: impl Fn(&mut T, u32),
+) -> u32 {
     let mut next = start;
     for item in items {
         let made = count(item);

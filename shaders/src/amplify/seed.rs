@@ -1,7 +1,8 @@
 //! Random numbers without state: a vertex's seed comes from its parents', its draws from its seed.
 //!
-//! Paper 002 §7 sums the parents' seeds, which is linear: far relatives share draws. Here both go through a
-//! permutation first. Neither depends on the order of the parents, on the view, nor on the order of the work.
+//! Paper 002 §7 sums the parents' seeds, which is linear: far relatives share draws. Here both go
+//! through a permutation first. Neither depends on the order of the parents, on the view, nor on
+//! the order of the work.
 
 /// The PCG-RXS-M-XS permutation of 32 bits.
 #[inline]

@@ -1,5 +1,5 @@
-//! Tables of a few among half a million items: what a table of all would cost per view or engine. They are only looked
-//! up; the order of a hash table decides nothing.
+//! Tables of a few among half a million items: what a table of all would cost per view or engine.
+//! They are only looked up; the order of a hash table decides nothing.
 
 use super::seed::pcg;
 use core::hash::{BuildHasherDefault, Hasher};
@@ -23,7 +23,8 @@ impl Hasher for NumberHasher {
     }
 
     fn write_u32(&mut self, number: u32) {
-        // A table uses the low bits and the top ones: pcg mixes the first, 2⁶⁴ over the golden ratio the second.
+        // A table uses the low bits and the top ones: pcg mixes the first, 2⁶⁴ over the golden
+        // ratio the second.
         self.0 = u64::from(pcg(number ^ self.0 as u32)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     }
 

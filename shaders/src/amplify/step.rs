@@ -1,7 +1,8 @@
 //! One level of the subdivision: the passes in their order.
 //!
-//! The marks of the level's faces are given; the next level's vertices, edges and faces come out. Vertices of all
-//! levels share one column; what a level makes comes after what the coarser ones made, in the order of the edges.
+//! The marks of the level's faces are given; the next level's vertices, edges and faces come out.
+//! Vertices of all levels share one column; what a level makes comes after what the coarser ones
+//! made, in the order of the edges.
 
 use super::edge_split;
 use super::face_decide::{self, Sight};
@@ -14,8 +15,9 @@ use super::topology::{Edge, Face, Inner, Level, Mark};
 use super::vertex::Vertex;
 use super::vertex_resolve::{Settled, Surroundings, asks, resolve};
 
-/// Splits the marked faces of a level; returns the next. `vertices` grows. Without `edges` the next level has faces
-/// alone, which is all that a finest level needs; what their edges would be called is the same.
+/// Splits the marked faces of a level; returns the next. `vertices` grows. Without `edges` the next
+/// level has faces alone, which is all that a finest level needs; what their edges would be called
+/// is the same.
 pub fn step(
     planet: &Planet,
     rules: &Rules,
@@ -31,7 +33,11 @@ pub fn step(
     decide_faces(rules, index, level, vertices);
     resolve_vertices(planet, rules, index, level, vertices);
     Level {
-        edges: if edges { grow_edges(rules, index, level, vertices, made.edges()) } else { Vec::new() },
+        edges: if edges {
+            grow_edges(rules, index, level, vertices, made.edges())
+        } else {
+            Vec::new()
+        },
         faces: grow_faces(level, &made),
     }
 }
@@ -59,19 +65,52 @@ fn mark_edges(level: &mut Level) {
 /// Gives midpoints, halves and children their places.
 fn place(level: &mut Level, first_vertex: u32) -> Made {
     let Level { edges, faces } = level;
-    let mids = scan(edges, first_vertex, |e| u32::from(e.mark != Mark::Leaf), |e, place| e.mid = place);
-    let halves = scan(edges, 0, |e| 2 * u32::from(e.mark == Mark::Split), |e, place| e.child = place);
-    let children = scan(faces, 0, |f| 4 * u32::from(f.mark == Mark::Split), |f, place| f.child = place);
-    Made { vertices: mids as usize, halves: halves as usize, faces: children as usize }
+    let mids = scan(
+        edges,
+        first_vertex,
+        |e| u32::from(e.mark != Mark::Leaf),
+        |e, place| e.mid = place,
+    );
+    let halves = scan(
+        edges,
+        0,
+        |e| 2 * u32::from(e.mark == Mark::Split),
+        |e, place| e.child = place,
+    );
+    let children = scan(
+        faces,
+        0,
+        |f| 4 * u32::from(f.mark == Mark::Split),
+        |f, place| f.child = place,
+    );
+    Made {
+        vertices: mids as usize,
+        halves: halves as usize,
+        faces: children as usize,
+    }
 }
 
 /// The corner of a face of an edge that the edge does not touch.
-fn opposite<'a>(level: &Level, vertices: &'a [Vertex], edge: u32, side: usize) -> Option<&'a Vertex> {
+fn opposite<'a>(
+    level: &Level,
+    vertices: &'a [Vertex],
+    edge: u32,
+    side: usize,
+) -> Option<&'a Vertex> {
     let face = level.edges[edge as usize].faces[side];
-    level.faces.get(face as usize).map(|f| &vertices[f.opposite(edge) as usize])
+    level
+        .faces
+        .get(face as usize)
+        .map(|f| &vertices[f.opposite(edge) as usize])
 }
 
-fn split_edges(planet: &Planet, rules: &Rules, index: u32, level: &Level, vertices: &mut Vec<Vertex>) {
+fn split_edges(
+    planet: &Planet,
+    rules: &Rules,
+    index: u32,
+    level: &Level,
+    vertices: &mut Vec<Vertex>,
+) {
     for (i, edge) in (0..).zip(&level.edges) {
         if edge.mark != Mark::Leaf {
             let ends = edge.vertices.map(|v| &vertices[v as usize]);
@@ -114,7 +153,13 @@ fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex
     }
 }
 
-fn resolve_vertices(planet: &Planet, rules: &Rules, index: u32, level: &Level, vertices: &mut [Vertex]) {
+fn resolve_vertices(
+    planet: &Planet,
+    rules: &Rules,
+    index: u32,
+    level: &Level,
+    vertices: &mut [Vertex],
+) {
     for (i, edge) in (0..).zip(&level.edges) {
         if edge.mark == Mark::Split {
             let settled = resolved((planet, rules), index, level, i, vertices);
@@ -142,7 +187,9 @@ fn resolved(
         beside: [None; 4],
     };
     for side in 0..2 {
-        let Some(face) = level.faces.get(edge.faces[side] as usize) else { continue };
+        let Some(face) = level.faces.get(edge.faces[side] as usize) else {
+            continue;
+        };
         around.opposite[side] = Some(&vertices[face.opposite(i) as usize]);
         let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
         if face.inner != [Inner::Terrain; 3] {
@@ -164,14 +211,32 @@ fn resolved(
 }
 
 /// The next level's edges: halves, then inner edges.
-fn grow_edges(rules: &Rules, index: u32, level: &Level, vertices: &[Vertex], count: usize) -> Vec<Edge> {
+fn grow_edges(
+    rules: &Rules,
+    index: u32,
+    level: &Level,
+    vertices: &[Vertex],
+    count: usize,
+) -> Vec<Edge> {
     let mut edges = Vec::with_capacity(count);
     for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
-        edges.extend(face_split::halve(rules, index, edge, &level.faces, vertices));
+        edges.extend(face_split::halve(
+            rules,
+            index,
+            edge,
+            &level.faces,
+            vertices,
+        ));
     }
     for face in level.faces.iter().filter(|f| f.mark == Mark::Split) {
         for k in 0..3 {
-            edges.push(face_split::inner_edge(face, index, k, &level.edges, vertices));
+            edges.push(face_split::inner_edge(
+                face,
+                index,
+                k,
+                &level.edges,
+                vertices,
+            ));
         }
     }
     edges
@@ -181,7 +246,10 @@ fn grow_edges(rules: &Rules, index: u32, level: &Level, vertices: &[Vertex], cou
 fn grow_faces(level: &Level, made: &Made) -> Vec<Face> {
     let mut faces = Vec::with_capacity(made.faces);
     let mut inner = made.halves as u32;
-    for (f, face) in (0..).zip(&level.faces).filter(|(_, f): &(u32, &Face)| f.mark == Mark::Split) {
+    for (f, face) in (0..)
+        .zip(&level.faces)
+        .filter(|(_, f): &(u32, &Face)| f.mark == Mark::Split)
+    {
         faces.extend(face_split::quarter(face, f, inner, &level.edges));
         inner += 3;
     }

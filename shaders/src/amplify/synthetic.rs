@@ -1,4 +1,5 @@
-//! A made-up control mesh for tests, benches and examples: a jittered icosphere with continents, rivers and lakes.
+//! A made-up control mesh for tests, benches and examples: a jittered icosphere with continents,
+//! rivers and lakes.
 //!
 //! No geology: heights are a few smooth waves and bumps, drained by a priority flood.
 
@@ -13,9 +14,17 @@ pub fn control_mesh(radius_m: u32, depth: u32, seed: u32) -> ControlMesh {
     let (points, triangles) = icosphere(depth);
     let points = jitter(&points, &triangles, seed);
     let (edges, faces) = connect(&triangles);
-    let vertices =
-        points.iter().enumerate().map(|(i, &p)| vertex(p, pcg(seed ^ pcg(i as u32)), seed)).collect();
-    let mut mesh = ControlMesh { radius_m, vertices, edges, faces };
+    let vertices = points
+        .iter()
+        .enumerate()
+        .map(|(i, &p)| vertex(p, pcg(seed ^ pcg(i as u32)), seed))
+        .collect();
+    let mut mesh = ControlMesh {
+        radius_m,
+        vertices,
+        edges,
+        faces,
+    };
     drain(&mut mesh);
     mesh
 }
@@ -33,7 +42,11 @@ fn icosphere(depth: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
     for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
         points.extend([[0.0, a, b], [a, b, 0.0], [b, 0.0, a]].map(unit));
     }
-    let distance = |i: usize, j: usize| (0..3).map(|k| (points[i][k] - points[j][k]).powf2()).sum::<f64>();
+    let distance = |i: usize, j: usize| {
+        (0..3)
+            .map(|k| (points[i][k] - points[j][k]).powf2())
+            .sum::<f64>()
+    };
     let mut triangles = Vec::new();
     for i in 0..12 {
         for j in i + 1..12 {
@@ -60,7 +73,11 @@ fn icosphere(depth: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
         };
         let mut finer = Vec::with_capacity(triangles.len() * 4);
         for [a, b, c] in triangles {
-            let m = [middle(a, b, &mut points), middle(b, c, &mut points), middle(c, a, &mut points)];
+            let m = [
+                middle(a, b, &mut points),
+                middle(b, c, &mut points),
+                middle(c, a, &mut points),
+            ];
             finer.extend([[a, m[0], m[2]], [b, m[1], m[0]], [c, m[2], m[1]], m]);
         }
         triangles = finer;
@@ -80,8 +97,15 @@ impl Square for f64 {
 
 /// Positive where three points turn counter-clockwise seen from outside.
 pub fn facing([a, b, c]: [Point; 3]) -> f64 {
-    let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
-    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let (u, v) = (
+        [0, 1, 2].map(|i| b[i] - a[i]),
+        [0, 1, 2].map(|i| c[i] - a[i]),
+    );
+    let n = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ];
     n[0] * a[0] + n[1] * a[1] + n[2] * a[2]
 }
 
@@ -94,11 +118,15 @@ fn jitter(points: &[Point], triangles: &[[u32; 3]], seed: u32) -> Vec<Point> {
             let v = t[k] as usize;
             if !std::mem::replace(&mut done[v], true) {
                 let random = |i| f64::from(share(pcg(seed ^ t[k]), i)) / 65_536.0 - 0.5;
-                let (a, b) = (points[t[(k + 1) % 3] as usize], points[t[(k + 2) % 3] as usize]);
-                let (x, y) = (random(1) * 0.45, random(2) * 0.45);
-                moved[v] = unit(
-                    [0, 1, 2].map(|i| points[v][i] + x * (a[i] - points[v][i]) + y * (b[i] - points[v][i])),
+                let (a, b) = (
+                    points[t[(k + 1) % 3] as usize],
+                    points[t[(k + 2) % 3] as usize],
                 );
+                let (x, y) = (random(1) * 0.45, random(2) * 0.45);
+                moved[v] =
+                    unit([0, 1, 2].map(|i| {
+                        points[v][i] + x * (a[i] - points[v][i]) + y * (b[i] - points[v][i])
+                    }));
             }
         }
     }
@@ -113,7 +141,11 @@ fn connect(triangles: &[[u32; 3]]) -> (Vec<ControlEdge>, Vec<ControlFace>) {
         let made = [0, 1, 2].map(|k| {
             let (a, b) = (t[k], t[(k + 1) % 3]);
             let e = *index.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                edges.push(ControlEdge { vertices: [a, b], faces: [f as u32, u32::MAX], river: 0 });
+                edges.push(ControlEdge {
+                    vertices: [a, b],
+                    faces: [f as u32, u32::MAX],
+                    river: 0,
+                });
                 edges.len() - 1
             });
             if edges[e].vertices != [a, b] {
@@ -121,7 +153,10 @@ fn connect(triangles: &[[u32; 3]]) -> (Vec<ControlEdge>, Vec<ControlFace>) {
             }
             e as u32
         });
-        faces.push(ControlFace { vertices: t, edges: made });
+        faces.push(ControlFace {
+            vertices: t,
+            edges: made,
+        });
     }
     (edges, faces)
 }
@@ -147,8 +182,16 @@ fn vertex(p: Point, seed: u32, planet: u32) -> ControlVertex {
         bed: height as i32,
         water: height as i32,
         flow: 0,
-        crust: if land { height as i32 * 2 + 300 * GRAINS } else { height as i32 },
-        kind: if land { VertexKind::Terrain } else { VertexKind::Sea } as u8,
+        crust: if land {
+            height as i32 * 2 + 300 * GRAINS
+        } else {
+            height as i32
+        },
+        kind: if land {
+            VertexKind::Terrain
+        } else {
+            VertexKind::Sea
+        } as u8,
         valley: (draw(seed, 4) & 3) as u8,
         age: (share(planet, 77) + (p[0] * 3000.0) as i32).clamp(0, 60_000) as u16,
         collision: q16(p[1]),
@@ -162,7 +205,8 @@ fn vertex(p: Point, seed: u32, planet: u32) -> ControlVertex {
     }
 }
 
-/// Priority flood from the sea: receivers, discharge, river edges with falling beds, lakes in the depressions.
+/// Priority flood from the sea: receivers, discharge, river edges with falling beds, lakes in the
+/// depressions.
 fn drain(mesh: &mut ControlMesh) {
     let n = mesh.vertices.len();
     let mut around = vec![Vec::new(); n];
@@ -212,14 +256,19 @@ fn drain(mesh: &mut ControlMesh) {
         }
         made.river = 1;
         let vertex = &mut mesh.vertices[v];
-        vertex.flow = ((discharge[v].min(u64::from(u32::MAX)) as f64).sqrt() as u32).min(Q16 as u32 - 1);
+        vertex.flow =
+            ((discharge[v].min(u64::from(u32::MAX)) as f64).sqrt() as u32).min(Q16 as u32 - 1);
         let depth = 2 * GRAINS + (vertex.flow as i32) * 40 / 64;
         if level[v] > vertex.height {
             vertex.kind = VertexKind::Lake as u8;
             (vertex.bed, vertex.water) = (vertex.height, level[v]);
         } else {
             vertex.kind = VertexKind::River as u8;
-            let floor = if lower.kind == VertexKind::Sea as u8 { -2000 } else { lower.bed };
+            let floor = if lower.kind == VertexKind::Sea as u8 {
+                -2000
+            } else {
+                lower.bed
+            };
             let water = lower.water.max(0);
             vertex.bed = (vertex.height - depth).max(floor + 2048);
             vertex.water = (vertex.bed + depth).max(water + 16);

@@ -1,7 +1,7 @@
 //! Edges and faces of one level, and how those of the next follow from them.
 //!
-//! A face (v₀, v₁, v₂) with midpoints m₀ (of v₀v₁), m₁, m₂ becomes the corner faces cₖ = (vₖ, mₖ, mₖ₋₁) and the
-//! middle c₃ = (m₀, m₁, m₂). Its inner edge iₖ = (mₖ, mₖ₋₁) cuts the corner k off.
+//! A face (v₀, v₁, v₂) with midpoints m₀ (of v₀v₁), m₁, m₂ becomes the corner faces cₖ = (vₖ, mₖ,
+//! mₖ₋₁) and the middle c₃ = (m₀, m₁, m₂). Its inner edge iₖ = (mₖ, mₖ₋₁) cuts the corner k off.
 
 use super::rules::EdgeKind;
 
@@ -15,8 +15,8 @@ pub enum Mark {
     /// Not at all: a leaf.
     #[default]
     Leaf = 0,
-    /// Beside a split face: its midpoints are computed and its inner edges decided, because the split face's
-    /// vertices depend on them, but it stays whole.
+    /// Beside a split face: its midpoints are computed and its inner edges decided, because the
+    /// split face's vertices depend on them, but it stays whole.
     Halo = 1,
     /// It is split.
     Split = 2,
@@ -28,13 +28,15 @@ pub enum Mark {
 pub struct Edge {
     /// Its ends.
     pub vertices: [u32; 2],
-    /// The faces of its level on both sides, or [`NONE`]; the first has the edge in its winding direction.
+    /// The faces of its level on both sides, or [`NONE`]; the first has the edge in its winding
+    /// direction.
     pub faces: [u32; 2],
     /// The vertex that halves it, or [`NONE`].
     pub mid: u32,
     /// Its first half in the next level, or [`NONE`]; the second follows.
     pub child: u32,
-    /// Discharge that arrives at the second vertex of a river edge, as [`Vertex::discharge`](super::vertex::Vertex::discharge).
+    /// Discharge that arrives at the second vertex of a river edge, as
+    /// [`Vertex::discharge`](super::vertex::Vertex::discharge).
     pub arriving: u32,
     /// What it is.
     pub kind: EdgeKind,
@@ -48,7 +50,16 @@ impl Edge {
     /// An edge that nothing has happened to.
     #[inline]
     pub const fn new(kind: EdgeKind, vertices: [u32; 2], faces: [u32; 2]) -> Self {
-        Self { vertices, faces, mid: NONE, child: NONE, arriving: 0, kind, birth: 0, mark: Mark::Leaf }
+        Self {
+            vertices,
+            faces,
+            mid: NONE,
+            child: NONE,
+            arriving: 0,
+            kind,
+            birth: 0,
+            mark: Mark::Leaf,
+        }
     }
 }
 
@@ -104,7 +115,14 @@ impl Face {
     /// A face that nothing has happened to.
     #[inline]
     pub const fn new(vertices: [u32; 3], edges: [u32; 3], parent: u32) -> Self {
-        Self { vertices, edges, child: NONE, parent, inner: [Inner::Terrain; 3], mark: Mark::Leaf }
+        Self {
+            vertices,
+            edges,
+            child: NONE,
+            parent,
+            inner: [Inner::Terrain; 3],
+            mark: Mark::Leaf,
+        }
     }
 
     /// Which corner a vertex is; 3 if none.
@@ -128,7 +146,8 @@ impl Face {
     }
 }
 
-/// Edges and faces of one level. A finest level may lack its edges, which its faces name none the less.
+/// Edges and faces of one level. A finest level may lack its edges, which its faces name none the
+/// less.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Level {
     /// Edges.

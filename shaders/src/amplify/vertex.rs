@@ -1,6 +1,8 @@
-//! What a vertex of the ground knows (paper 002 Table 1), and what the rules see of an edge that is split.
+//! What a vertex of the ground knows (paper 002 Table 1), and what the rules see of an edge that is
+//! split.
 //!
-//! A vertex is made once, by the edge that it halves, from data of coarser levels; no view changes a bit of it.
+//! A vertex is made once, by the edge that it halves, from data of coarser levels; no view changes
+//! a bit of it.
 
 use super::control::{ControlVertex, VertexKind};
 use super::fixed::{GRAINS, Q16};
@@ -11,7 +13,8 @@ pub const FAR: i32 = 2_000_000 * GRAINS;
 /// Age of land that no orogeny ever touched, 1/64 My.
 pub const NO_AGE: u16 = u16::MAX;
 
-/// A piece of river, carried by value by the vertices around it, so that their distance to it is a true one.
+/// A piece of river, carried by value by the vertices around it, so that their distance to it is a
+/// true one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct Segment {
@@ -23,14 +26,15 @@ pub struct Segment {
     pub water: [i32; 2],
     /// Flow φ at the ends, Q16.
     pub flow: [i32; 2],
-    /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so that ground of
-    /// coarser levels never lies in it; [`FAR`] for a river of the control mesh.
+    /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so
+    /// that ground of coarser levels never lies in it; [`FAR`] for a river of the control mesh.
     pub reach: i32,
     /// Level of the edge it was.
     pub level: u32,
 }
 
-/// Height of a valley's side at a place, and how much of the ground as the graphs made it is left there.
+/// Height of a valley's side at a place, and how much of the ground as the graphs made it is left
+/// there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct Section {
@@ -50,14 +54,18 @@ impl Section {
     /// Half-way between two places.
     #[inline]
     pub const fn between(a: Self, b: Self) -> Self {
-        Self { height: a.height + (b.height - a.height) / 2, own: (a.own + b.own) / 2 }
+        Self {
+            height: a.height + (b.height - a.height) / 2,
+            own: (a.own + b.own) / 2,
+        }
     }
 }
 
 /// One vertex of the ground.
 ///
-/// Most of its fields are a [`ControlVertex`]'s. It does not hold one: a control vertex is packed for whoever bakes a
-/// planet, with its flow and its kind as plain numbers, and rules and their twins name what they read without a path.
+/// Most of its fields are a [`ControlVertex`]'s. It does not hold one: a control vertex is packed
+/// for whoever bakes a planet, with its flow and its kind as plain numbers, and rules and their
+/// twins name what they read without a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct Vertex {
@@ -71,7 +79,8 @@ pub struct Vertex {
     pub bed: i32,
     /// Water surface, grains; equals `bed` at dry vertices.
     pub water: i32,
-    /// Discharge in 2⁻³² of 200,000 m³/s: an integer, so that junctions conserve it; 0 at dry vertices.
+    /// Discharge in 2⁻³² of 200,000 m³/s: an integer, so that junctions conserve it; 0 at dry
+    /// vertices.
     pub discharge: u32,
     /// The nearest river's segment; meaningless where `river_distance` is [`FAR`].
     pub river: Segment,
@@ -113,7 +122,8 @@ pub struct Vertex {
     pub ocean_age: u16,
     /// Fold direction (undirected, tangent), components times 32767; zero where there is none.
     pub fold: [i16; 3],
-    /// Ridge direction of the ocean floor (undirected, tangent), components times 32767; zero where there is none.
+    /// Ridge direction of the ocean floor (undirected, tangent), components times 32767; zero where
+    /// there is none.
     pub ridge: [i16; 3],
 }
 
@@ -128,7 +138,11 @@ impl Vertex {
     pub fn from_control(control: &ControlVertex) -> Self {
         let flow = control.flow.min(0xffff);
         let is_lake = control.kind == VertexKind::Lake as u8;
-        let lake = if is_lake { super::seed::pcg(control.water as u32) | 1 } else { 0 };
+        let lake = if is_lake {
+            super::seed::pcg(control.water as u32) | 1
+        } else {
+            0
+        };
         Self {
             direction: control.direction,
             height: control.height,
@@ -173,17 +187,19 @@ impl Vertex {
     }
 }
 
-/// What a vertex's rule sees: an edge, and the vertex that halves it with everything but its elevation.
+/// What a vertex's rule sees: an edge, and the vertex that halves it with everything but its
+/// elevation.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeContext<'a> {
     /// One end; the upstream one of a river edge, the wet one of an edge between a river and land.
     pub a: &'a Vertex,
     /// The other end.
     pub b: &'a Vertex,
-    /// The new vertex: displaced direction, seed, level (that of the edge + 1), distances to river and gully,
-    /// and the parents' average of C, A, W, P, B, collision, ocean and directions.
+    /// The new vertex: displaced direction, seed, level (that of the edge + 1), distances to river
+    /// and gully, and the parents' average of C, A, W, P, B, collision, ocean and directions.
     pub new: &'a Vertex,
-    /// Height of the flat face where the new vertex lies, grains: the mean of the ends, but for the sideways displacement.
+    /// Height of the flat face where the new vertex lies, grains: the mean of the ends, but for the
+    /// sideways displacement.
     pub face: i32,
     /// Length of the edge, grains.
     pub length: i32,

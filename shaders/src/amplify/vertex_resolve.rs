@@ -1,11 +1,13 @@
-//! Pass: a new vertex settles its kind and its distances, once the faces on both sides have decided.
+//! Pass: a new vertex settles its kind and its distances, once the faces on both sides have
+//! decided.
 //!
-//! Reads the two faces' decisions and what drains along their edges; writes the one vertex. A river outranks a gully,
-//! a gully outranks ground, whatever the order in which the faces asked.
+//! Reads the two faces' decisions and what drains along their edges; writes the one vertex. A river
+//! outranks a gully, a gully outranks ground, whatever the order in which the faces asked.
 //!
-//! The nearest river is a true distance to a segment. A vertex beside a river sees the river's newest halves; one
-//! farther off inherits its parents' segments (and its neighbours', while edges still move), which lag behind by as
-//! many levels as it is rings away: they are charged for how far the river may have moved since.
+//! The nearest river is a true distance to a segment. A vertex beside a river sees the river's
+//! newest halves; one farther off inherits its parents' segments (and its neighbours', while edges
+//! still move), which lag behind by as many levels as it is rings away: they are charged for how
+//! far the river may have moved since.
 
 use super::arith::isqrt;
 use super::control::VertexKind;
@@ -72,9 +74,19 @@ impl Settled {
 }
 
 /// What the faces around a vertex settle of it.
-pub fn resolve(planet: &Planet, rules: &Rules, level: u32, new: &Vertex, around: &Surroundings) -> Settled {
+pub fn resolve(
+    planet: &Planet,
+    rules: &Rules,
+    level: u32,
+    new: &Vertex,
+    around: &Surroundings,
+) -> Settled {
     let becomes_gully = around.gully_tip && !around.river_tip && new.kind == VertexKind::Terrain;
-    let kind = if becomes_gully { VertexKind::Gully } else { new.kind };
+    let kind = if becomes_gully {
+        VertexKind::Gully
+    } else {
+        new.kind
+    };
     let river = near_river(planet, level, new, around);
     let section = if river.is_beside {
         let mut at = *new;
@@ -83,13 +95,24 @@ pub fn resolve(planet: &Planet, rules: &Rules, level: u32, new: &Vertex, around:
     } else {
         new.section
     };
-    let (gully_bed, gully_distance) =
-        if kind == VertexKind::Gully { (new.height, 0) } else { near_gully(planet, new, around) };
-    Settled { kind, branched: around.branched, river, section, gully_bed, gully_distance }
+    let (gully_bed, gully_distance) = if kind == VertexKind::Gully {
+        (new.height, 0)
+    } else {
+        near_gully(planet, new, around)
+    };
+    Settled {
+        kind,
+        branched: around.branched,
+        river,
+        section,
+        gully_bed,
+        gully_distance,
+    }
 }
 
-/// Discharge that a tributary brings to a junction: a quarter to a half of what its river has gained since the
-/// upstream vertex, so that what came from upstream and what the tributary brings make the junction's discharge.
+/// Discharge that a tributary brings to a junction: a quarter to a half of what its river has
+/// gained since the upstream vertex, so that what came from upstream and what the tributary brings
+/// make the junction's discharge.
 #[inline]
 pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
     let gain = junction.discharge.saturating_sub(upstream.discharge);
@@ -97,16 +120,33 @@ pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
     quarter + super::fixed::mul_high(quarter, (share(junction.seed, 20) as u32) << 16)
 }
 
-/// The segment between two vertices of a river. `arriving` is the discharge at its lower end, where others may join it.
-pub fn segment(planet: &Planet, birth: u8, level: u32, [up, down]: [&Vertex; 2], arriving: u32) -> Segment {
+/// The segment between two vertices of a river. `arriving` is the discharge at its lower end, where
+/// others may join it.
+pub fn segment(
+    planet: &Planet,
+    birth: u8,
+    level: u32,
+    [up, down]: [&Vertex; 2],
+    arriving: u32,
+) -> Segment {
     // A lake's floor is that of its vertices: beside them lies a beach, no bed.
-    let bed = |v: &Vertex| if v.kind == VertexKind::Lake { v.water } else { v.bed };
+    let bed = |v: &Vertex| {
+        if v.kind == VertexKind::Lake {
+            v.water
+        } else {
+            v.bed
+        }
+    };
     Segment {
         ends: [up.direction, down.direction],
         bed: [bed(up), bed(down)],
         water: [up.water, down.water],
         flow: [up.flow(), isqrt(arriving) as i32],
-        reach: if birth == 0 { FAR } else { planet.edge_grains(u32::from(birth)) / 2 },
+        reach: if birth == 0 {
+            FAR
+        } else {
+            planet.edge_grains(u32::from(birth)) / 2
+        },
         level,
     }
 }
@@ -125,7 +165,13 @@ struct Nearest {
 impl Nearest {
     /// No river yet.
     fn none() -> Self {
-        Self { cost: i32::MAX, distance: FAR, along: 0, segment: Segment::default(), is_beside: false }
+        Self {
+            cost: i32::MAX,
+            distance: FAR,
+            along: 0,
+            segment: Segment::default(),
+            is_beside: false,
+        }
     }
 
     /// Tells a vertex.
@@ -142,7 +188,13 @@ impl Nearest {
         let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
         let cost = distance + charge + beyond;
         if cost < self.cost {
-            *self = Self { cost, distance, along, segment: *segment, ..*self };
+            *self = Self {
+                cost,
+                distance,
+                along,
+                segment: *segment,
+                ..*self
+            };
         }
     }
 }
@@ -150,11 +202,26 @@ impl Nearest {
 /// The nearest river of a vertex.
 fn near_river(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) -> Nearest {
     if new.is_wet() {
-        let segment = segment(planet, around.edge.birth, level + 1, [new, new], new.discharge);
-        return Nearest { cost: 0, distance: 0, along: 0, segment, is_beside: true };
+        let segment = segment(
+            planet,
+            around.edge.birth,
+            level + 1,
+            [new, new],
+            new.discharge,
+        );
+        return Nearest {
+            cost: 0,
+            distance: 0,
+            along: 0,
+            segment,
+            is_beside: true,
+        };
     }
     let is_beside = around.ends.iter().any(|end| end.is_wet());
-    let mut nearest = Nearest { is_beside, ..Nearest::none() };
+    let mut nearest = Nearest {
+        is_beside,
+        ..Nearest::none()
+    };
     for (edge, [up, down], mid) in around.beside.iter().flatten() {
         if edge.kind != EdgeKind::River {
             continue;
@@ -192,23 +259,39 @@ fn near_river(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) 
 }
 
 /// Offers the segments of the parents and, while edges move, of the opposite corners.
-fn inherit(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings, nearest: &mut Nearest) {
-    let opposite = if level < STRAIGHT_LEVEL { around.opposite } else { [None, None] };
+fn inherit(
+    planet: &Planet,
+    level: u32,
+    new: &Vertex,
+    around: &Surroundings,
+    nearest: &mut Nearest,
+) {
+    let opposite = if level < STRAIGHT_LEVEL {
+        around.opposite
+    } else {
+        [None, None]
+    };
     let [a, b] = around.ends.map(Some);
     let mut seen: [Option<&Segment>; 4] = [None; 4];
     for (i, from) in [a, b, opposite[0], opposite[1]].into_iter().enumerate() {
-        let Some(from) = from.filter(|v| v.river_distance < FAR) else { continue };
+        let Some(from) = from.filter(|v| v.river_distance < FAR) else {
+            continue;
+        };
         if seen.iter().flatten().any(|s| s.ends == from.river.ends) {
             continue;
         }
         seen[i] = Some(&from.river);
-        let moved =
-            if from.river.level >= STRAIGHT_LEVEL { 0 } else { planet.edge_grains(from.river.level) / 3 };
+        let moved = if from.river.level >= STRAIGHT_LEVEL {
+            0
+        } else {
+            planet.edge_grains(from.river.level) / 3
+        };
         nearest.offer(planet, new.direction, &from.river, moved);
     }
 }
 
-/// Bed and distance of the nearest gully: that of an edge beside the vertex, else the mean of what the parents know.
+/// Bed and distance of the nearest gully: that of an edge beside the vertex, else the mean of what
+/// the parents know.
 fn near_gully(planet: &Planet, new: &Vertex, around: &Surroundings) -> (i32, i32) {
     let [a, b] = around.ends;
     let (mut bed, mut nearest) = match (a.gully_distance, b.gully_distance) {

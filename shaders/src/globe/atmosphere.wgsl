@@ -4,8 +4,8 @@
 //      group 3         0 air (uniform)
 // Out: premultiplied colour, linear.
 //
-// From outside the front of the shell is drawn and covers the disc and its rim; from inside only the
-// back of the shell is seen, the sky.
+// From outside the front of the shell is drawn and covers the disc and its rim; from inside only
+// the back of the shell is seen, the sky.
 
 #import bevy_pbr::mesh_functions::get_world_from_local
 #import bevy_pbr::mesh_view_bindings::view

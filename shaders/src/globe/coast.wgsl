@@ -1,7 +1,7 @@
 // Coasts finer than the samples: noise that bends the coast by less than a spacing.
 //
-// It is made up, for the eye only: nothing but the coast changes, and what the planet holds does not
-// change at all. It depends on the direction alone, so it stands still.
+// It is made up, for the eye only: nothing but the coast changes, and what the planet holds does
+// not change at all. It depends on the direction alone, so it stands still.
 
 #define_import_path pangaea_shaders::globe::coast
 

@@ -49,12 +49,14 @@ fn shoulder(color: vec3<f32>) -> vec3<f32> {
     return min(color, vec3(0.7)) + 0.3 * (1.0 - exp(-over / 0.3));
 }
 
-// Air between the camera and the planet along one ray: rgb is premultiplied light, a is how much of what lies behind is hidden.
+// Air between the camera and the planet along one ray: rgb is premultiplied light, a is how much of
+// what lies behind is hidden.
 //
-// `nearest` is the distance of the ray's closest point from the centre in planet radii, `point` the unit
-// direction that the light is taken at: where the ray meets the ground, else its closest point.
-// `grazing` is the cosine between the ray and the vertical there; `ground` says whether the ray ends on the planet.
-// `thickness` is the scale height in planet radii. Columns follow Chapman's function to leading order.
+// `nearest` is the distance of the ray's closest point from the centre in planet radii, `point` the
+// unit direction that the light is taken at: where the ray meets the ground, else its closest
+// point. `grazing` is the cosine between the ray and the vertical there; `ground` says whether the
+// ray ends on the planet. `thickness` is the scale height in planet radii. Columns follow Chapman's
+// function to leading order.
 fn air(nearest: f32, point: vec3<f32>, grazing: f32, ground: bool, sun: vec3<f32>, eye: vec3<f32>, thickness: f32) -> vec4<f32> {
     let tangent = sqrt(6.2831853 / thickness);
     let slant = 1.0 / (grazing + 1.0 / (0.5 * tangent + grazing));

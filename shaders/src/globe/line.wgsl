@@ -2,7 +2,8 @@
 //
 // In:  vertex buffer   0 this end (f32x3, unit, globe axes)   1 other end (the same)
 //                      2 elevations of this and the other end in km (f32x2)
-//                      3 x: side of the line, -1 or 1; y: half the width in pixels of a 720 pixel high picture (f32x2)
+//                      3 x: side of the line, -1 or 1; y: half the width in pixels of a 720 pixel
+// high picture (f32x2)
 //                      4 colour, sRGB (unorm8x4)
 //      group 3         0 line (uniform)
 // Out: colour, linear.
@@ -16,7 +17,8 @@
 struct Line {
     // Exaggeration / planet radius in 1/km.
     relief: f32,
-    // How much nearer than they are lines are drawn, as a share of their distance: keeps them above the ground.
+    // How much nearer than they are lines are drawn, as a share of their distance: keeps them above
+    // the ground.
     lift: f32,
     pad0: f32,
     pad1: f32,

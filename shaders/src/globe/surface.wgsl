@@ -1,8 +1,8 @@
 // Pass: the ground and the sea of a globe, or its triangles as lines (WIREFRAME).
 //
 // In:  vertex buffer   0 direction (f32x3, unit, globe axes)   1 number of the sample (u32)
-//      group 3         0 globe (uniform)   1 samples (storage, four words a sample: see sample.wgsl)
-// Out: colour, linear.
+//      group 3         0 globe (uniform)   1 samples (storage, four words a sample: see
+// sample.wgsl) Out: colour, linear.
 
 #import bevy_pbr::mesh_functions::get_world_from_local
 #import bevy_pbr::mesh_view_bindings::view
@@ -17,8 +17,8 @@ struct Globe {
     sun: vec4<f32>,
     // Exaggeration / planet radius in 1/km.
     relief: f32,
-    // Bit 0: the surface stops at sea level. Bit 1: colour is the elevation's tint, else the samples' colour.
-    // Bit 2: the coast is drawn as a line.
+    // Bit 0: the surface stops at sea level. Bit 1: colour is the elevation's tint, else the
+    // samples' colour. Bit 2: the coast is drawn as a line.
     flags: u32,
     // Number of stops of the tint, 0..=24.
     stops: u32,
@@ -64,7 +64,8 @@ struct Varying {
     @location(4) sun: vec3<f32>,
     // Direction from the centre, globe axes, not of unit length.
     @location(5) site: vec3<f32>,
-    // Elevations of land and sea floor in km, side of the coast, how far it may move: see sample.wgsl.
+    // Elevations of land and sea floor in km, side of the coast, how far it may move: see
+    // sample.wgsl.
     @location(6) shape: vec4<f32>,
 }
 
@@ -84,7 +85,8 @@ fn vertex(in: Input) -> Varying {
     out.shape = vec4(s.land, s.floor, s.coast, s.rough);
     out.sun = normalize((world_from_local * vec4(globe.sun.xyz, 0.0)).xyz);
 #ifdef WIREFRAME
-    // Nearer by a ten-thousandth of the distance (depth is reversed): lines win over their triangles.
+    // Nearer by a ten-thousandth of the distance (depth is reversed): lines win over their
+    // triangles.
     out.clip.z *= 1.0003;
 #endif
     return out;

@@ -23,7 +23,15 @@ pub fn show(ui: &mut Ui, view: &View, ground: Option<DVec3>) {
     row(ui, "Place", text::place(direction));
     row(ui, "Elevation", format!("{:.2} km", point.elevation));
     row(ui, "Plate", plate.0.to_string());
-    row(ui, "Crust", if crust.is_continental(i) { "continental" } else { "oceanic" });
+    row(
+        ui,
+        "Crust",
+        if crust.is_continental(i) {
+            "continental"
+        } else {
+            "oceanic"
+        },
+    );
     row(ui, "Thickness", format!("{:.1} km", point.thickness));
     if crust.is_continental(i) {
         match crust.orogeny[i] {
@@ -33,15 +41,27 @@ pub fn show(ui: &mut Ui, view: &View, ground: Option<DVec3>) {
         };
         if crust.orogeny[i] != Orogeny::None {
             row(ui, "Folded", format!("{:.0} My ago", point.orogeny_age));
-            row(ui, "Fold direction", heading(direction, crust.fold[i].as_dvec3()));
+            row(
+                ui,
+                "Fold direction",
+                heading(direction, crust.fold[i].as_dvec3()),
+            );
         }
     } else {
         row(ui, "Floor age", format!("{:.0} My", point.ocean_age));
-        row(ui, "Ridge direction", heading(direction, crust.ridge[i].as_dvec3()));
+        row(
+            ui,
+            "Ridge direction",
+            heading(direction, crust.ridge[i].as_dvec3()),
+        );
     }
     let velocity = view.plates.angular_velocity(plate).cross(direction);
     let speed = velocity.length() * view.planet.radius;
-    row(ui, "Speed", format!("{speed:.1} km/My  {}", heading(direction, velocity)));
+    row(
+        ui,
+        "Speed",
+        format!("{speed:.1} km/My  {}", heading(direction, velocity)),
+    );
     if surface.trench[i] < -0.01 {
         row(ui, "Trench bend", format!("{:.2} km", surface.trench[i]));
     }
@@ -55,12 +75,20 @@ pub fn show(ui: &mut Ui, view: &View, ground: Option<DVec3>) {
 fn weather(ui: &mut Ui, bake: &Bake, direction: DVec3) {
     let i = bake.mesh().nearest(direction) as usize;
     let (climate, drainage) = (&bake.climate, &bake.drainage);
-    row(ui, "Temperature", format!("{:.1} °C", climate.temperature[i]));
+    row(
+        ui,
+        "Temperature",
+        format!("{:.1} °C", climate.temperature[i]),
+    );
     row(ui, "Rain", format!("{:.0} mm/y", climate.rain[i]));
     row(ui, "Wetness", format!("{:.2}", climate.wetness[i]));
     if drainage.strahler[i] > 0 {
         row(ui, "River, order", drainage.strahler[i].to_string());
-        row(ui, "Discharge", format!("{:.0} m³/s", flow::per_second(drainage.discharge[i])));
+        row(
+            ui,
+            "Discharge",
+            format!("{:.0} m³/s", flow::per_second(drainage.discharge[i])),
+        );
     }
     if let Some(kind) = drainage.lake_kind(i) {
         let end = match kind {
@@ -74,7 +102,11 @@ fn weather(ui: &mut Ui, bake: &Bake, direction: DVec3) {
 
 /// The heading of a tangent vector in degrees from north, or a dash where there is none.
 fn heading(at: DVec3, v: DVec3) -> String {
-    if v.length_squared() < 1e-18 { "–".into() } else { format!("{:.0}°", degrees(azimuth(at, v))) }
+    if v.length_squared() < 1e-18 {
+        "–".into()
+    } else {
+        format!("{:.0}°", degrees(azimuth(at, v)))
+    }
 }
 
 fn degrees(azimuth: f64) -> f64 {

@@ -14,7 +14,8 @@ struct Draft {
     sent_at: Option<f64>,
 }
 
-/// Shows a widget for a number that is `current` in the model. Returns the new number once it is settled.
+/// Shows a widget for a number that is `current` in the model. Returns the new number once it is
+/// settled.
 pub fn edit(
     ui: &mut Ui,
     key: impl core::hash::Hash + core::fmt::Debug + Copy,
@@ -23,17 +24,25 @@ pub fn edit(
 ) -> Option<f64> {
     let id = Id::new(("draft", key));
     let now = ui.input(|input| input.time);
-    let stored = ui
-        .data(|data| data.get_temp::<Draft>(id))
-        .filter(|draft| draft.sent_at.is_none_or(|sent| draft.value != current && now < sent + PATIENCE));
+    let stored = ui.data(|data| data.get_temp::<Draft>(id)).filter(|draft| {
+        draft
+            .sent_at
+            .is_none_or(|sent| draft.value != current && now < sent + PATIENCE)
+    });
     let mut value = stored.map_or(current, |draft| draft.value);
     let response = widget(ui, &mut value);
     let busy = response.dragged() || response.has_focus();
     let settled = response.drag_stopped() || response.lost_focus() || (response.changed() && !busy);
     let draft = if settled && value != current {
-        Some(Draft { value, sent_at: Some(now) })
+        Some(Draft {
+            value,
+            sent_at: Some(now),
+        })
     } else if busy || response.changed() {
-        Some(Draft { value, sent_at: None })
+        Some(Draft {
+            value,
+            sent_at: None,
+        })
     } else {
         stored.filter(|draft| draft.sent_at.is_some())
     };

@@ -4,7 +4,14 @@ use crate::explorer::style::{ACCENT, BRIGHT, FAINT, FIELD, TEXT, floating_frame}
 use bevy_egui::egui::{Button, Context, Frame, Grid, Id, Margin, Modal, RichText, Ui, vec2};
 
 const KEYS: [(&str, &[(&str, &str)]); 4] = [
-    ("Time", &[("Space", "play or pause"), ("S", "single step"), ("N", "grow the planet of the form")]),
+    (
+        "Time",
+        &[
+            ("Space", "play or pause"),
+            ("S", "single step"),
+            ("N", "grow the planet of the form"),
+        ],
+    ),
     (
         "Globe",
         &[
@@ -26,7 +33,15 @@ const KEYS: [(&str, &[(&str, &str)]); 4] = [
             ("Esc", "end a tool, deselect"),
         ],
     ),
-    ("Files", &[("F2", "picture of the window"), ("F5", "save"), ("F9", "load"), ("F1, H", "this page")]),
+    (
+        "Files",
+        &[
+            ("F2", "picture of the window"),
+            ("F5", "save"),
+            ("F9", "load"),
+            ("F1, H", "this page"),
+        ],
+    ),
 ];
 
 /// Draws the page over everything while `open`.
@@ -41,12 +56,19 @@ pub fn show(ctx: &Context, open: &mut bool) {
         ui.add_space(8.0);
         ui.horizontal_top(|ui| {
             for column in KEYS.chunks(2) {
-                ui.vertical(|ui| column.iter().for_each(|(title, keys)| group(ui, title, keys)));
+                ui.vertical(|ui| {
+                    column
+                        .iter()
+                        .for_each(|(title, keys)| group(ui, title, keys))
+                });
                 ui.add_space(18.0);
             }
         });
         ui.add_space(6.0);
-        if ui.add_sized(vec2(70.0, 24.0), Button::new("Close")).clicked() {
+        if ui
+            .add_sized(vec2(70.0, 24.0), Button::new("Close"))
+            .clicked()
+        {
             ui.close();
         }
     });
@@ -55,14 +77,21 @@ pub fn show(ctx: &Context, open: &mut bool) {
 
 fn group(ui: &mut Ui, title: &str, keys: &[(&str, &str)]) {
     ui.label(RichText::new(title).strong().color(ACCENT));
-    Grid::new(title).num_columns(2).spacing(vec2(14.0, 5.0)).show(ui, |ui| {
-        for (key, meaning) in keys {
-            Frame::new().fill(FIELD).corner_radius(3).inner_margin(Margin::symmetric(6, 1)).show(ui, |ui| {
-                ui.label(RichText::new(*key).monospace().color(BRIGHT));
-            });
-            ui.label(RichText::new(*meaning).color(TEXT));
-            ui.end_row();
-        }
-    });
+    Grid::new(title)
+        .num_columns(2)
+        .spacing(vec2(14.0, 5.0))
+        .show(ui, |ui| {
+            for (key, meaning) in keys {
+                Frame::new()
+                    .fill(FIELD)
+                    .corner_radius(3)
+                    .inner_margin(Margin::symmetric(6, 1))
+                    .show(ui, |ui| {
+                        ui.label(RichText::new(*key).monospace().color(BRIGHT));
+                    });
+                ui.label(RichText::new(*meaning).color(TEXT));
+                ui.end_row();
+            }
+        });
     ui.add_space(8.0);
 }

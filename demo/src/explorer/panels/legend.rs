@@ -5,8 +5,8 @@ use crate::explorer::style::{BRIGHT, FAINT, LINE, TEXT, floating_frame};
 use crate::explorer::text;
 use bevy::prelude::{Entity, Resource};
 use bevy_egui::egui::{
-    Align2, Area, Color32, Context, CornerRadius, FontId, Id, Mesh, Order, Painter, Rect, RichText, Sense,
-    Shape, Stroke, StrokeKind, Ui, pos2, vec2,
+    Align2, Area, Color32, Context, CornerRadius, FontId, Id, Mesh, Order, Painter, Rect, RichText,
+    Sense, Shape, Stroke, StrokeKind, Ui, pos2, vec2,
 };
 use bevy_pangaea::overlay::{BoundaryKind, Legend, LegendEntries, Overlay};
 
@@ -30,7 +30,9 @@ impl LegendCache {
 
 /// Draws the legend at the lower edge of the free area.
 pub fn show(ctx: &Context, free: Rect, view: &View, look: &Look, cache: &mut LegendCache) {
-    let Some(legend) = cache.get(view, look.overlay) else { return };
+    let Some(legend) = cache.get(view, look.overlay) else {
+        return;
+    };
     Area::new(Id::new("legend"))
         .order(Order::Middle)
         .interactable(false)
@@ -46,7 +48,12 @@ pub fn show(ctx: &Context, free: Rect, view: &View, look: &Look, cache: &mut Leg
                     }
                 }
                 if look.boundaries && look.overlay != Overlay::Plates {
-                    chips(ui, BoundaryKind::ALL.iter().map(|kind| (kind.label(), kind.color())));
+                    chips(
+                        ui,
+                        BoundaryKind::ALL
+                            .iter()
+                            .map(|kind| (kind.label(), kind.color())),
+                    );
                 }
             });
         });
@@ -63,7 +70,9 @@ fn title(ui: &mut Ui, legend: &Legend) {
 
 /// A bar of colours over a scale of round numbers.
 fn gradient(ui: &mut Ui, stops: &[(f32, [u8; 4])]) {
-    let (Some(first), Some(last)) = (stops.first(), stops.last()) else { return };
+    let (Some(first), Some(last)) = (stops.first(), stops.last()) else {
+        return;
+    };
     let (low, high) = (first.0, last.0);
     let (area, _) = ui.allocate_exact_size(vec2(340.0, 30.0), Sense::hover());
     let bar = Rect::from_min_size(area.min, vec2(area.width(), 12.0));
@@ -80,7 +89,12 @@ fn gradient(ui: &mut Ui, stops: &[(f32, [u8; 4])]) {
     }
     let painter = ui.painter();
     painter.add(Shape::mesh(mesh));
-    painter.rect_stroke(bar, CornerRadius::ZERO, Stroke::new(1.0, LINE), StrokeKind::Outside);
+    painter.rect_stroke(
+        bar,
+        CornerRadius::ZERO,
+        Stroke::new(1.0, LINE),
+        StrokeKind::Outside,
+    );
     scale(painter, bar, low, high, x);
 }
 
@@ -91,7 +105,13 @@ fn scale(painter: &Painter, bar: Rect, low: f32, high: f32, x: impl Fn(f32) -> f
         let at = pos2(x(tick), bar.bottom());
         painter.line_segment([at, at + vec2(0.0, 4.0)], Stroke::new(1.0, FAINT));
         let label = text::number(f64::from(tick));
-        painter.text(at + vec2(0.0, 5.0), Align2::CENTER_TOP, label, FontId::proportional(10.5), TEXT);
+        painter.text(
+            at + vec2(0.0, 5.0),
+            Align2::CENTER_TOP,
+            label,
+            FontId::proportional(10.5),
+            TEXT,
+        );
         tick += step;
     }
 }
@@ -102,7 +122,11 @@ fn round_step(least: f32) -> f32 {
     while power * 10.0 < least.max(1e-6) {
         power *= 10.0;
     }
-    [1.0, 2.0, 5.0, 10.0].map(|k| k * power).into_iter().find(|&s| s >= least).unwrap_or(1.0)
+    [1.0, 2.0, 5.0, 10.0]
+        .map(|k| k * power)
+        .into_iter()
+        .find(|&s| s >= least)
+        .unwrap_or(1.0)
 }
 
 fn chips<'a>(ui: &mut Ui, classes: impl Iterator<Item = (&'a str, [u8; 4])>) {
@@ -111,7 +135,8 @@ fn chips<'a>(ui: &mut Ui, classes: impl Iterator<Item = (&'a str, [u8; 4])>) {
         ui.horizontal(|ui| {
             for (name, color) in line {
                 let (chip, _) = ui.allocate_exact_size(vec2(11.0, 11.0), Sense::hover());
-                ui.painter().rect_filled(chip, CornerRadius::same(2), opaque(*color));
+                ui.painter()
+                    .rect_filled(chip, CornerRadius::same(2), opaque(*color));
                 ui.label(RichText::new(*name).size(11.0).color(TEXT));
                 ui.add_space(4.0);
             }
@@ -129,7 +154,13 @@ mod tests {
 
     #[test]
     fn scales_have_round_steps() {
-        for (least, step) in [(3.1, 5.0), (0.9, 1.0), (16.7, 20.0), (60.0, 100.0), (0.03, 0.05)] {
+        for (least, step) in [
+            (3.1, 5.0),
+            (0.9, 1.0),
+            (16.7, 20.0),
+            (60.0, 100.0),
+            (0.03, 0.05),
+        ] {
             assert!((round_step(least) - step).abs() < 1e-4 * step, "{least}");
         }
     }

@@ -12,20 +12,29 @@ pub fn show(ui: &mut Ui, messages: &mut Messages) {
         hint(ui, "Collisions, rifts and errors will be listed here.");
         return;
     }
-    ScrollArea::vertical().max_height(190.0).auto_shrink([false, true]).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 3.0;
-        for entry in messages.entries() {
-            line(ui, entry);
-        }
-    });
+    ScrollArea::vertical()
+        .max_height(190.0)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 3.0;
+            for entry in messages.entries() {
+                line(ui, entry);
+            }
+        });
     if ui.small_button("Clear").clicked() {
         messages.clear();
     }
 }
 
 fn line(ui: &mut Ui, entry: &Entry) {
-    let time = entry.time.map_or(String::new(), |time| format!("{time:.0} My  "));
-    let times = if entry.times > 1 { format!("  ×{}", entry.times) } else { String::new() };
+    let time = entry
+        .time
+        .map_or(String::new(), |time| format!("{time:.0} My  "));
+    let times = if entry.times > 1 {
+        format!("  ×{}", entry.times)
+    } else {
+        String::new()
+    };
     let text = RichText::new(format!("{time}{}{times}", entry.text)).size(11.0);
     ui.add(Label::new(text.color(color(entry.tone))).wrap());
 }
@@ -59,5 +68,7 @@ fn notice(ui: &mut Ui, entry: &Entry) {
         Tone::Error => (ERROR, floating_frame().stroke(Stroke::new(1.0, ERROR))),
         _ => (BRIGHT, floating_frame()),
     };
-    frame.show(ui, |ui| ui.add(Label::new(RichText::new(&entry.text).color(color)).wrap()));
+    frame.show(ui, |ui| {
+        ui.add(Label::new(RichText::new(&entry.text).color(color)).wrap())
+    });
 }

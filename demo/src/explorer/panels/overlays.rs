@@ -33,7 +33,10 @@ pub fn show(ui: &mut Ui, look: &mut Look) {
     ui.add_space(4.0);
     field(ui, "Relief", |ui| {
         ui.spacing_mut().slider_width = 100.0;
-        let slider = Slider::new(&mut look.exaggeration, EXAGGERATION_LIMITS.0..=EXAGGERATION_LIMITS.1);
+        let slider = Slider::new(
+            &mut look.exaggeration,
+            EXAGGERATION_LIMITS.0..=EXAGGERATION_LIMITS.1,
+        );
         ui.add(slider.max_decimals(0).suffix(" ×"))
             .on_hover_text("Exaggeration of the relief (+ and -); 1 is true to scale")
     });

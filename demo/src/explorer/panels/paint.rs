@@ -34,7 +34,12 @@ pub struct PaintForm {
 
 impl Default for PaintForm {
     fn default() -> Self {
-        Self { mode: Mode::Raise, amount: 1.0, level: 0.5, radius: 600.0 }
+        Self {
+            mode: Mode::Raise,
+            amount: 1.0,
+            level: 0.5,
+            radius: 600.0,
+        }
     }
 }
 
@@ -51,8 +56,14 @@ impl PaintForm {
 
     /// What a click at this place does.
     pub fn stroke(&self, at: DVec3) -> TectonicCommand {
-        let target = PaintTarget::Disc { center: lat_lon(at), radius: self.radius };
-        TectonicCommand::PaintCrust { target, brush: self.brush() }
+        let target = PaintTarget::Disc {
+            center: lat_lon(at),
+            radius: self.radius,
+        };
+        TectonicCommand::PaintCrust {
+            target,
+            brush: self.brush(),
+        }
     }
 }
 
@@ -73,10 +84,15 @@ pub fn show(ui: &mut Ui, radius: f64, tool: &mut Tool, form: &mut PaintForm, out
     });
     match form.mode {
         Mode::Raise | Mode::Lower => {
-            field(ui, "By", |ui| ui.add(Slider::new(&mut form.amount, 0.1..=8.0).suffix(" km")));
+            field(ui, "By", |ui| {
+                ui.add(Slider::new(&mut form.amount, 0.1..=8.0).suffix(" km"))
+            });
         }
         Mode::Level => {
-            let drag = DragValue::new(&mut form.level).range(-11.0..=10.0).speed(0.05).suffix(" km");
+            let drag = DragValue::new(&mut form.level)
+                .range(-11.0..=10.0)
+                .speed(0.05)
+                .suffix(" km");
             field(ui, "Height above the sea", |ui| ui.add(drag));
         }
         Mode::Continent | Mode::Ocean => {}
@@ -84,16 +100,32 @@ pub fn show(ui: &mut Ui, radius: f64, tool: &mut Tool, form: &mut PaintForm, out
     let largest = (radius * 0.8).max(100.0);
     form.radius = form.radius.min(largest);
     field(ui, "Radius", |ui| {
-        ui.add(Slider::new(&mut form.radius, 20.0..=largest).max_decimals(0).logarithmic(true).suffix(" km"))
+        ui.add(
+            Slider::new(&mut form.radius, 20.0..=largest)
+                .max_decimals(0)
+                .logarithmic(true)
+                .suffix(" km"),
+        )
     });
     let painting = *tool == Tool::Paint;
     ui.horizontal(|ui| {
-        let take =
-            toggle_button(ui, painting, if painting { "Put the brush down" } else { "Take the brush" });
+        let take = toggle_button(
+            ui,
+            painting,
+            if painting {
+                "Put the brush down"
+            } else {
+                "Take the brush"
+            },
+        );
         if take.on_hover_text("Then click on the globe (B)").clicked() {
             *tool = if painting { Tool::Select } else { Tool::Paint };
         }
-        if ui.button("Everywhere").on_hover_text("Applies the brush to the whole planet").clicked() {
+        if ui
+            .button("Everywhere")
+            .on_hover_text("Applies the brush to the whole planet")
+            .clicked()
+        {
             let (target, brush) = (PaintTarget::Everywhere, form.brush());
             out.command(TectonicCommand::PaintCrust { target, brush });
         }

@@ -15,7 +15,10 @@ pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
     ui.horizontal(|ui| {
         hint(ui, format!("{} changed from their defaults", changed.len()));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.add_enabled(!changed.is_empty(), Button::new("Reset all").small()).clicked() {
+            if ui
+                .add_enabled(!changed.is_empty(), Button::new("Reset all").small())
+                .clicked()
+            {
                 changed.into_iter().for_each(|command| out.command(command));
             }
         });
@@ -35,16 +38,28 @@ fn processes(ui: &mut Ui, view: &View, out: &mut Outbox) {
     let mut switches = view.params.processes;
     ui.columns_const(|columns: &mut [Ui; 2]| {
         for (i, name) in ProcessSwitches::NAMES.into_iter().enumerate() {
-            let Ok(on) = switches.get_mut(name) else { continue };
+            let Ok(on) = switches.get_mut(name) else {
+                continue;
+            };
             if columns[i % 2].checkbox(on, text::words(name)).changed() {
-                out.command(TectonicCommand::SetProcess { name: name.into(), on: *on });
+                out.command(TectonicCommand::SetProcess {
+                    name: name.into(),
+                    on: *on,
+                });
             }
         }
     });
     let mut printed = view.params.ocean_floor == OceanFloor::Paper;
     let printed_law = ui.checkbox(&mut printed, "Ocean floor sinks as printed");
-    if printed_law.on_hover_text("The form of the paper, in which old floor ends in a trench").changed() {
-        let law = if printed { OceanFloor::Paper } else { OceanFloor::Relaxing };
+    if printed_law
+        .on_hover_text("The form of the paper, in which old floor ends in a trench")
+        .changed()
+    {
+        let law = if printed {
+            OceanFloor::Paper
+        } else {
+            OceanFloor::Relaxing
+        };
         out.command(TectonicCommand::SetOceanFloor { law });
     }
 }
@@ -52,13 +67,18 @@ fn processes(ui: &mut Ui, view: &View, out: &mut Outbox) {
 fn parameter(ui: &mut Ui, view: &View, info: &'static ParamInfo, out: &mut Outbox) {
     let current = (info.get)(view.params);
     let changed = is_changed(info, view.params);
-    let set = |value: f64| TectonicCommand::SetParam { name: info.name.into(), value };
+    let set = |value: f64| TectonicCommand::SetParam {
+        name: info.name.into(),
+        value,
+    };
     ui.horizontal(|ui| {
         let color = if changed { ACCENT } else { TEXT };
-        ui.label(RichText::new(text::words(info.name)).color(color)).on_hover_text(tooltip(info));
+        ui.label(RichText::new(text::words(info.name)).color(color))
+            .on_hover_text(tooltip(info));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if changed {
-                let reset = ui.add(Button::new(RichText::new("reset").small().color(FAINT)).frame(false));
+                let reset =
+                    ui.add(Button::new(RichText::new("reset").small().color(FAINT)).frame(false));
                 let default = text::with_unit(info.default, info.unit);
                 if reset.on_hover_text(format!("Back to {default}")).clicked() {
                     out.command(set(info.default));
@@ -70,9 +90,12 @@ fn parameter(ui: &mut Ui, view: &View, info: &'static ParamInfo, out: &mut Outbo
         .scope(|ui| {
             ui.spacing_mut().slider_width = ui.available_width() - 98.0;
             ui.spacing_mut().interact_size = vec2(90.0, 20.0);
-            edit(ui, (view.entity.to_bits(), info.name), current, |ui, value| {
-                ui.add(slider(value, info)).on_hover_text(tooltip(info))
-            })
+            edit(
+                ui,
+                (view.entity.to_bits(), info.name),
+                current,
+                |ui, value| ui.add(slider(value, info)).on_hover_text(tooltip(info)),
+            )
         })
         .inner;
     if let Some(value) = chosen {
@@ -87,10 +110,18 @@ fn slider<'a>(value: &'a mut f64, info: &ParamInfo) -> Slider<'a> {
     let logarithmic = info.min >= 0.0 && info.default > 0.0 && info.default < 0.1 * span;
     Slider::new(value, info.min..=info.max)
         .logarithmic(logarithmic)
-        .smallest_positive(if info.default > 0.0 { info.default * 0.01 } else { span * 1e-3 })
+        .smallest_positive(if info.default > 0.0 {
+            info.default * 0.01
+        } else {
+            span * 1e-3
+        })
         .custom_formatter(|value, _| text::number(value))
         .custom_parser(|text| text.trim().parse().ok())
-        .suffix(if info.unit.is_empty() { String::new() } else { format!(" {}", info.unit) })
+        .suffix(if info.unit.is_empty() {
+            String::new()
+        } else {
+            format!(" {}", info.unit)
+        })
 }
 
 fn tooltip(info: &ParamInfo) -> String {
@@ -113,13 +144,19 @@ fn resets(params: &TectonicParams) -> Vec<TectonicCommand> {
     let (mut now, mut default) = (params.processes, ProcessSwitches::default());
     let switches = ProcessSwitches::NAMES.into_iter().filter_map(|name| {
         let on = *default.get_mut(name).ok()?;
-        let command = TectonicCommand::SetProcess { name: name.into(), on };
+        let command = TectonicCommand::SetProcess {
+            name: name.into(),
+            on,
+        };
         (*now.get_mut(name).ok()? != on).then_some(command)
     });
     let values = TectonicParams::TABLE
         .iter()
         .filter(|info| is_changed(info, params))
-        .map(|info| TectonicCommand::SetParam { name: info.name.into(), value: info.default });
+        .map(|info| TectonicCommand::SetParam {
+            name: info.name.into(),
+            value: info.default,
+        });
     let law = OceanFloor::default();
     let floor = (params.ocean_floor != law).then_some(TectonicCommand::SetOceanFloor { law });
     switches.chain(values).chain(floor).collect()

@@ -35,26 +35,55 @@ pub fn show(
         return;
     };
     ui.horizontal(|ui| {
-        ui.label(RichText::new(format!("Plate {}", plate.id.0)).heading().color(BRIGHT));
-        ui.with_layout(bevy_egui::egui::Layout::right_to_left(bevy_egui::egui::Align::Center), |ui| {
-            if ui.small_button("Deselect").on_hover_text("Esc").clicked() {
-                out.ask(Action::Select(None));
-            }
-        });
+        ui.label(
+            RichText::new(format!("Plate {}", plate.id.0))
+                .heading()
+                .color(BRIGHT),
+        );
+        ui.with_layout(
+            bevy_egui::egui::Layout::right_to_left(bevy_egui::egui::Align::Center),
+            |ui| {
+                if ui.small_button("Deselect").on_hover_text("Esc").clicked() {
+                    out.ask(Action::Select(None));
+                }
+            },
+        );
     });
     row(ui, "Area", text::area(plate.stats.area));
-    row(ui, "Continental", format!("{:.0} %", plate.stats.continental * 100.0));
-    row(ui, "Mean floor age", format!("{:.0} My", plate.stats.ocean_age));
-    row(ui, "Age of the plate", format!("{:.0} My", view.clock.time - plate.born));
+    row(
+        ui,
+        "Continental",
+        format!("{:.0} %", plate.stats.continental * 100.0),
+    );
+    row(
+        ui,
+        "Mean floor age",
+        format!("{:.0} My", plate.stats.ocean_age),
+    );
+    row(
+        ui,
+        "Age of the plate",
+        format!("{:.0} My", view.clock.time - plate.born),
+    );
     ui.separator();
     motion(ui, view, plate, out);
     ui.separator();
     rift(ui, plate, tool, form, out);
     ui.separator();
     field(ui, "Make all of it", |ui| {
-        for (kind, name) in [(CrustKind::Continental, "continental"), (CrustKind::Oceanic, "oceanic")] {
-            if ui.button(name).on_hover_text("Switches the crust type of the whole plate").clicked() {
-                out.command(TectonicCommand::SetPlateCrust { plate: plate.id, kind });
+        for (kind, name) in [
+            (CrustKind::Continental, "continental"),
+            (CrustKind::Oceanic, "oceanic"),
+        ] {
+            if ui
+                .button(name)
+                .on_hover_text("Switches the crust type of the whole plate")
+                .clicked()
+            {
+                out.command(TectonicCommand::SetPlateCrust {
+                    plate: plate.id,
+                    kind,
+                });
             }
         }
     });
@@ -66,20 +95,32 @@ fn motion(ui: &mut Ui, view: &View, plate: &PlateRow, out: &mut Outbox) {
     let limit = view.params.max_speed;
     let key = |what| (view.entity.to_bits(), plate.id.0, what);
     let send = |pole, speed, out: &mut Outbox| {
-        out.command(TectonicCommand::SetPlateMotion { plate: plate.id, pole, speed });
+        out.command(TectonicCommand::SetPlateMotion {
+            plate: plate.id,
+            pole,
+            speed,
+        });
     };
-    let number =
-        |ui: &mut Ui, label: &str, what: &'static str, now: f64, limit: f64, unit: &str, doc: &str| {
-            field(ui, label, |ui| {
-                edit(ui, key(what), now, |ui, value| {
-                    let drag = DragValue::new(value).range(-limit..=limit).speed(limit * 0.005);
-                    ui.add(drag.max_decimals(1).suffix(unit)).on_hover_text(doc)
-                })
-                // Leaving the field unchanged rounds to what it shows; that is no wish.
-                .filter(|value| (value - now).abs() > 0.0501)
+    let number = |ui: &mut Ui,
+                  label: &str,
+                  what: &'static str,
+                  now: f64,
+                  limit: f64,
+                  unit: &str,
+                  doc: &str| {
+        field(ui, label, |ui| {
+            edit(ui, key(what), now, |ui, value| {
+                let drag = DragValue::new(value)
+                    .range(-limit..=limit)
+                    .speed(limit * 0.005);
+                ui.add(drag.max_decimals(1).suffix(unit)).on_hover_text(doc)
             })
-        };
-    let doc = "Speed at 90 degrees from the pole; negative turns the other way. Drag, or click and type";
+            // Leaving the field unchanged rounds to what it shows; that is no wish.
+            .filter(|value| (value - now).abs() > 0.0501)
+        })
+    };
+    let doc =
+        "Speed at 90 degrees from the pole; negative turns the other way. Drag, or click and type";
     if let Some(value) = number(ui, "Speed", "speed", speed, limit, " km/My", doc) {
         send((lat, lon), value, out);
     }
@@ -94,8 +135,16 @@ fn motion(ui: &mut Ui, view: &View, plate: &PlateRow, out: &mut Outbox) {
         if ui.button("Stop").on_hover_text("Speed 0").clicked() {
             send((lat, lon), 0.0, out);
         }
-        if ui.button("Turn round").on_hover_text("The opposite motion").clicked() {
-            send((-lat, if lon > 0.0 { lon - 180.0 } else { lon + 180.0 }), speed, out);
+        if ui
+            .button("Turn round")
+            .on_hover_text("The opposite motion")
+            .clicked()
+        {
+            send(
+                (-lat, if lon > 0.0 { lon - 180.0 } else { lon + 180.0 }),
+                speed,
+                out,
+            );
         }
     });
 }
@@ -110,26 +159,58 @@ fn rift(ui: &mut Ui, plate: &PlateRow, tool: &mut Tool, form: &mut PlateForm, ou
     });
     let drawing = matches!(tool, Tool::RiftLine { .. });
     ui.horizontal(|ui| {
-        if primary_button(ui, !drawing, "Tear apart").on_hover_text("Along a random fracture").clicked() {
+        if primary_button(ui, !drawing, "Tear apart")
+            .on_hover_text("Along a random fracture")
+            .clicked()
+        {
             let fragments = form.fragments;
-            out.command(TectonicCommand::RiftPlate { plate: plate.id, line: Vec::new(), fragments });
+            out.command(TectonicCommand::RiftPlate {
+                plate: plate.id,
+                line: Vec::new(),
+                fragments,
+            });
         }
         let draw = toggle_button(ui, drawing, "Draw a rift line");
-        if draw.on_hover_text("Click points across the plate on the globe").clicked() {
-            *tool =
-                if drawing { Tool::Select } else { Tool::RiftLine { plate: plate.id, points: Vec::new() } };
+        if draw
+            .on_hover_text("Click points across the plate on the globe")
+            .clicked()
+        {
+            *tool = if drawing {
+                Tool::Select
+            } else {
+                Tool::RiftLine {
+                    plate: plate.id,
+                    points: Vec::new(),
+                }
+            };
         }
     });
     let mut done = false;
     if let Tool::RiftLine { points, .. } = tool {
-        hint(ui, format!("{} points. Click on the globe, from one border to the other.", points.len()));
+        hint(
+            ui,
+            format!(
+                "{} points. Click on the globe, from one border to the other.",
+                points.len()
+            ),
+        );
         ui.horizontal(|ui| {
-            if ui.add_enabled(points.len() >= 2, Button::new("Tear along the line")).clicked() {
+            if ui
+                .add_enabled(points.len() >= 2, Button::new("Tear along the line"))
+                .clicked()
+            {
                 let line = points.iter().map(|&p| lat_lon(p)).collect();
-                out.command(TectonicCommand::RiftPlate { plate: plate.id, line, fragments: 2 });
+                out.command(TectonicCommand::RiftPlate {
+                    plate: plate.id,
+                    line,
+                    fragments: 2,
+                });
                 done = true;
             }
-            if ui.add_enabled(!points.is_empty(), Button::new("Undo point")).clicked() {
+            if ui
+                .add_enabled(!points.is_empty(), Button::new("Undo point"))
+                .clicked()
+            {
                 points.pop();
             }
         });

@@ -11,12 +11,19 @@ pub fn show(ui: &mut Ui, view: Option<&View>, session: &Session, tool: &Tool, fr
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 14.0;
         if let Some(view) = view {
-            let (state, color) =
-                if view.clock.paused { ("⏸ paused", FAINT) } else { ("▶ running", GOOD) };
+            let (state, color) = if view.clock.paused {
+                ("⏸ paused", FAINT)
+            } else {
+                ("▶ running", GOOD)
+            };
             part(ui, state, color);
             part(ui, &format!("{:.1} My", view.clock.time), BRIGHT);
             part(ui, &format!("{} plates", view.plates.rows().len()), FAINT);
-            part(ui, &format!("{} samples", text::count(view.mesh.len())), FAINT);
+            part(
+                ui,
+                &format!("{} samples", text::count(view.mesh.len())),
+                FAINT,
+            );
         }
         if let Some(what) = session.busy() {
             ui.add(Spinner::new().size(13.0).color(ACCENT));
@@ -28,7 +35,10 @@ pub fn show(ui: &mut Ui, view: Option<&View>, session: &Session, tool: &Tool, fr
             Tool::RiftLine { points, .. } => {
                 part(
                     ui,
-                    &format!("Click adds a point to the rift line ({}) · Esc ends", points.len()),
+                    &format!(
+                        "Click adds a point to the rift line ({}) · Esc ends",
+                        points.len()
+                    ),
                     ACCENT,
                 );
             }

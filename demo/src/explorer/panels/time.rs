@@ -10,11 +10,22 @@ use bevy_egui::egui::{DragValue, Slider, Ui, vec2};
 /// Draws the panel.
 pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
     ui.horizontal(|ui| {
-        let label = if view.clock.paused { "▶  Play" } else { "⏸  Pause" };
-        if primary_button(ui, true, label).on_hover_text("Space").clicked() {
+        let label = if view.clock.paused {
+            "▶  Play"
+        } else {
+            "⏸  Pause"
+        };
+        if primary_button(ui, true, label)
+            .on_hover_text("Space")
+            .clicked()
+        {
             out.ask(Action::TogglePlay);
         }
-        if ui.button("⏭  Step").on_hover_text("One time step, then pause (S)").clicked() {
+        if ui
+            .button("⏭  Step")
+            .on_hover_text("One time step, then pause (S)")
+            .clicked()
+        {
             out.ask(Action::SingleStep);
         }
     });
@@ -38,13 +49,23 @@ pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
     row(
         ui,
         "Steps",
-        format!("{} × {} My", text::count(view.clock.step as usize), text::number(view.params.time_step)),
+        format!(
+            "{} × {} My",
+            text::count(view.clock.step as usize),
+            text::number(view.params.time_step)
+        ),
     );
-    row(ui, "Since resampling", format!("{} steps", view.clock.since_resample));
+    row(
+        ui,
+        "Since resampling",
+        format!("{} steps", view.clock.since_resample),
+    );
 }
 
 /// Draws a whole number with limits.
 pub fn whole(ui: &mut Ui, label: &str, value: &mut u32, range: core::ops::RangeInclusive<u32>) {
     let speed = (f64::from(*value) * 0.01).max(0.2);
-    field(ui, label, |ui| ui.add(DragValue::new(value).range(range).speed(speed)));
+    field(ui, label, |ui| {
+        ui.add(DragValue::new(value).range(range).speed(speed))
+    });
 }

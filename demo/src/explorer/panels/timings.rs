@@ -40,7 +40,11 @@ pub fn watch(time: Res<Time<bevy::time::Real>>, mut frames: ResMut<FrameTimes>) 
 pub fn show(ui: &mut Ui, view: &View, frames: &FrameTimes, out: &mut Outbox) {
     let timings = view.timings;
     row(ui, "Frame, mean", format!("{:.1} ms", frames.mean()));
-    row(ui, "Frame, longest of 180", format!("{:.1} ms", frames.longest()));
+    row(
+        ui,
+        "Frame, longest of 180",
+        format!("{:.1} ms", frames.longest()),
+    );
     frame_plot(ui, frames);
     let longest = timings.last_ms.iter().copied().fold(0.1, f64::max);
     for (stage, &ms) in Stage::ALL.iter().zip(&timings.last_ms) {
@@ -53,32 +57,59 @@ pub fn show(ui: &mut Ui, view: &View, frames: &FrameTimes, out: &mut Outbox) {
     row(ui, "Resampling", mean_of(timings.resample));
     row(ui, "Rifting", mean_of(timings.rift));
     hint(ui, "Steps without resampling and rifting.");
-    if ui.button("Resample now").on_hover_text("Even samples and new ocean crust at the next step").clicked()
+    if ui
+        .button("Resample now")
+        .on_hover_text("Even samples and new ocean crust at the next step")
+        .clicked()
     {
         out.command(TectonicCommand::Resample);
     }
 }
 
 fn mean_of((count, total): (u32, f64)) -> String {
-    if count == 0 { "none yet".into() } else { format!("{:.1} ms × {count}", total / f64::from(count)) }
+    if count == 0 {
+        "none yet".into()
+    } else {
+        format!("{:.1} ms × {count}", total / f64::from(count))
+    }
 }
 
 /// The stage's name, its time, and a bar behind both.
 fn bar(ui: &mut Ui, name: &str, ms: f64, longest: f64) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 15.0), Sense::hover());
     let share = (ms / longest).clamp(0.0, 1.0) as f32;
-    let filled = Rect::from_min_max(rect.min, pos2(rect.left() + rect.width() * share, rect.bottom()));
+    let filled = Rect::from_min_max(
+        rect.min,
+        pos2(rect.left() + rect.width() * share, rect.bottom()),
+    );
     let (painter, text) = (ui.painter(), ui.visuals().text_color());
     painter.rect_filled(rect, CornerRadius::same(2), ui.visuals().faint_bg_color);
     painter.rect_filled(filled, CornerRadius::same(2), FIELD);
     let font = FontId::proportional(11.0);
-    painter.text(rect.left_center() + vec2(5.0, 0.0), Align2::LEFT_CENTER, name, font.clone(), text);
+    painter.text(
+        rect.left_center() + vec2(5.0, 0.0),
+        Align2::LEFT_CENTER,
+        name,
+        font.clone(),
+        text,
+    );
     let label = format!("{ms:.2} ms");
-    painter.text(rect.right_center() - vec2(5.0, 0.0), Align2::RIGHT_CENTER, label, font, text);
+    painter.text(
+        rect.right_center() - vec2(5.0, 0.0),
+        Align2::RIGHT_CENTER,
+        label,
+        font,
+        text,
+    );
 }
 
 fn frame_plot(ui: &mut Ui, frames: &FrameTimes) {
-    let points: PlotPoints = frames.0.iter().enumerate().map(|(i, &ms)| [i as f64, ms]).collect();
+    let points: PlotPoints = frames
+        .0
+        .iter()
+        .enumerate()
+        .map(|(i, &ms)| [i as f64, ms])
+        .collect();
     Plot::new("frames")
         .height(54.0)
         .show_x(false)

@@ -1,5 +1,6 @@
-//! A 16-bit grey PNG whose scale is in a sidecar NAME.json: `{"metres_per_pixel", "metres_per_unit"}` for real
-//! ground, or `{"metres_per_pixel", "min_m", "max_m"}` as `export` writes it.
+//! A 16-bit grey PNG whose scale is in a sidecar NAME.json: `{"metres_per_pixel",
+//! "metres_per_unit"}` for real ground, or `{"metres_per_pixel", "min_m", "max_m"}` as `export`
+//! writes it.
 
 use super::{Dem, DemError, check_size, filled};
 use png::{ColorType, Decoder, Limits};
@@ -43,8 +44,15 @@ impl Sidecar {
     /// Height of black and of one step of grey in m.
     fn scale(&self) -> Result<[f64; 2], DemError> {
         let scale = match *self {
-            Self { metres_per_unit: Some(unit), .. } => [0.0, unit],
-            Self { min_m: Some(min), max_m: Some(max), .. } => [min, (max - min) / 65_535.0],
+            Self {
+                metres_per_unit: Some(unit),
+                ..
+            } => [0.0, unit],
+            Self {
+                min_m: Some(min),
+                max_m: Some(max),
+                ..
+            } => [min, (max - min) / 65_535.0],
             _ => {
                 return Err(DemError::Invalid(
                     "the sidecar has neither metres_per_unit nor min_m and max_m".into(),
@@ -54,7 +62,9 @@ impl Sidecar {
         if scale.iter().all(|x| x.is_finite()) && self.metres_per_pixel.is_finite() {
             Ok(scale)
         } else {
-            Err(DemError::Invalid("the sidecar's numbers are not finite".into()))
+            Err(DemError::Invalid(
+                "the sidecar's numbers are not finite".into(),
+            ))
         }
     }
 }
@@ -77,12 +87,16 @@ impl Greys {
     ) -> Result<Self, E> {
         let refused = |error: png::DecodingError| DemError::Invalid(error.to_string());
         let limits = Limits { bytes: 64 << 20 };
-        let mut reader = Decoder::new_with_limits(Cursor::new(bytes), limits).read_info().map_err(refused)?;
+        let mut reader = Decoder::new_with_limits(Cursor::new(bytes), limits)
+            .read_info()
+            .map_err(refused)?;
         let info = reader.info();
         let (size, depth) = ([info.width, info.height], info.bit_depth as u8);
         check(size[0], size[1])?;
         if info.color_type != ColorType::Grayscale || depth < 8 {
-            return Err(DemError::Invalid("the picture is not of 8-bit or 16-bit grey".into()).into());
+            return Err(
+                DemError::Invalid("the picture is not of 8-bit or 16-bit grey".into()).into(),
+            );
         }
         if info.interlaced {
             return Err(DemError::Invalid("interlaced pictures are not read".into()).into());
@@ -98,17 +112,36 @@ impl Greys {
                 }
             }
         }
-        Ok(Self { size, depth, values })
+        Ok(Self {
+            size,
+            depth,
+            values,
+        })
     }
 }
 
 /// Reads a picture of heights.
 pub(super) fn read(bytes: &[u8], sidecar: &Sidecar) -> Result<Dem, DemError> {
     let [black, step] = sidecar.scale()?;
-    let Greys { size: [width, height], depth, values } = Greys::read(bytes, check_size)?;
+    let Greys {
+        size: [width, height],
+        depth,
+        values,
+    } = Greys::read(bytes, check_size)?;
     if depth != 16 {
-        return Err(DemError::Invalid("the picture is not of 16-bit grey".into()));
+        return Err(DemError::Invalid(
+            "the picture is not of 16-bit grey".into(),
+        ));
     }
-    let heights = values.iter().map(|&grey| (black + step * f64::from(grey)) as f32).collect();
-    filled(width, height, heights, [sidecar.metres_per_pixel; 2], sidecar.lat.zip(sidecar.lon))
+    let heights = values
+        .iter()
+        .map(|&grey| (black + step * f64::from(grey)) as f32)
+        .collect();
+    filled(
+        width,
+        height,
+        heights,
+        [sidecar.metres_per_pixel; 2],
+        sidecar.lat.zip(sidecar.lon),
+    )
 }

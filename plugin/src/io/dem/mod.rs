@@ -81,7 +81,9 @@ pub fn dem_files(folder: &Path) -> Result<Vec<PathBuf>, IoError> {
     let entries = fs::read_dir(folder).map_err(|source| IoError::read(folder, source))?;
     let mut files = Vec::new();
     for entry in entries {
-        let path = entry.map_err(|source| IoError::read(folder, source))?.path();
+        let path = entry
+            .map_err(|source| IoError::read(folder, source))?
+            .path();
         if Format::of(&path).is_ok() && path.is_file() {
             files.push(path);
         }
@@ -93,20 +95,28 @@ pub fn dem_files(folder: &Path) -> Result<Vec<PathBuf>, IoError> {
 /// Reads an elevation model; its extension says of which kind.
 ///
 /// # Errors
-/// [`IoError::Read`] if the file, or a picture's sidecar, cannot be read; [`IoError::Dem`] if it makes no sense.
+/// [`IoError::Read`] if the file, or a picture's sidecar, cannot be read; [`IoError::Dem`] if it
+/// makes no sense.
 pub fn load_dem(path: &Path) -> Result<Dem, IoError> {
-    let refused = |source: DemError| IoError::Dem { path: path.to_path_buf(), source };
+    let refused = |source: DemError| IoError::Dem {
+        path: path.to_path_buf(),
+        source,
+    };
     let format = Format::of(path).map_err(refused)?;
     let bytes = read_limited(path)?;
     match format {
-        Format::Hgt => {
-            hgt::read(&path.file_stem().unwrap_or_default().to_string_lossy(), &bytes).map_err(refused)
-        }
+        Format::Hgt => hgt::read(
+            &path.file_stem().unwrap_or_default().to_string_lossy(),
+            &bytes,
+        )
+        .map_err(refused),
         Format::GeoTiff => geotiff::read(&bytes).map_err(refused),
         Format::Grey => {
             let side = path.with_extension("json");
-            let sidecar = Sidecar::parse(&read_limited(&side)?)
-                .map_err(|source| IoError::Dem { path: side.clone(), source })?;
+            let sidecar = Sidecar::parse(&read_limited(&side)?).map_err(|source| IoError::Dem {
+                path: side.clone(),
+                source,
+            })?;
             grey::read(&bytes, &sidecar).map_err(refused)
         }
     }
@@ -138,7 +148,10 @@ pub(super) fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
         .and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
         .map_err(|source| IoError::read(path, source))?;
     if bytes.len() as u64 > MAX_BYTES {
-        return Err(IoError::Dem { path: path.to_path_buf(), source: DemError::TooLarge });
+        return Err(IoError::Dem {
+            path: path.to_path_buf(),
+            source: DemError::TooLarge,
+        });
     }
     Ok(bytes)
 }
@@ -146,13 +159,19 @@ pub(super) fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
 /// Refuses pictures of too many or too few pixels.
 fn check_size(width: u32, height: u32) -> Result<(), DemError> {
     let good = 2..=MAX_SIDE;
-    if good.contains(&width) && good.contains(&height) { Ok(()) } else { Err(DemError::Size(width, height)) }
+    if good.contains(&width) && good.contains(&height) {
+        Ok(())
+    } else {
+        Err(DemError::Size(width, height))
+    }
 }
 
 /// Size in m of a pixel of `size` degrees at `latitude`, or why it has none.
 fn degrees_to_metres([across, down]: [f64; 2], latitude: f64) -> Result<[f64; 2], DemError> {
     if !(-90.0..=90.0).contains(&latitude) {
-        return Err(DemError::Invalid(format!("latitude {latitude} is not on the Earth")));
+        return Err(DemError::Invalid(format!(
+            "latitude {latitude} is not on the Earth"
+        )));
     }
     let cos = math::cos(latitude.to_radians());
     Ok([across * cos * DEGREE_M, down * DEGREE_M])
@@ -168,7 +187,9 @@ fn filled(
 ) -> Result<Dem, DemError> {
     let (width, height) = (width as usize, height as usize);
     if values.len() != width * height {
-        return Err(DemError::Invalid("the file does not hold as many values as it says".into()));
+        return Err(DemError::Invalid(
+            "the file does not hold as many values as it says".into(),
+        ));
     }
     if !pixel_m.iter().all(|pixel| (1e-3..=1e6).contains(pixel)) {
         return Err(DemError::Invalid(format!(
@@ -183,7 +204,16 @@ fn filled(
         }
     }
     let voids = voids::fill(width, &mut values).ok_or(DemError::OnlyVoids)?;
-    Ok(Dem { grid: HeightGrid { width, height, values, pixel_m }, centre, voids })
+    Ok(Dem {
+        grid: HeightGrid {
+            width,
+            height,
+            values,
+            pixel_m,
+        },
+        centre,
+        voids,
+    })
 }
 
 #[cfg(test)]

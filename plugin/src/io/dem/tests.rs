@@ -6,15 +6,20 @@ use tiff::tags::Tag;
 
 /// A ramp of 40 x 30 values in m.
 fn ramp() -> Vec<f32> {
-    (0..1200).map(|i| 100.0 + 7.0 * (i % 40) as f32 - 3.0 * (i / 40) as f32).collect()
+    (0..1200)
+        .map(|i| 100.0 + 7.0 * (i % 40) as f32 - 3.0 * (i / 40) as f32)
+        .collect()
 }
 
 /// A GeoTIFF of the ramp, f32 or i16, with a void in the middle; in degrees or in UTM.
 fn geotiff(float: bool, degrees: bool) -> Vec<u8> {
     let mut bytes = Cursor::new(Vec::new());
     let mut encoder = TiffEncoder::new(&mut bytes).unwrap();
-    let keys: &[u16] =
-        if degrees { &[1, 1, 0, 1, 1024, 0, 1, 2] } else { &[1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9001] };
+    let keys: &[u16] = if degrees {
+        &[1, 1, 0, 1, 1024, 0, 1, 2]
+    } else {
+        &[1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9001]
+    };
     let (scale, tie) = if degrees {
         (0.001, [0.0, 0.0, 0.0, 7.0, 46.0, 0.0])
     } else {
@@ -23,9 +28,18 @@ fn geotiff(float: bool, degrees: bool) -> Vec<u8> {
     macro_rules! write {
         ($color:ty, $values:expr) => {{
             let mut image = encoder.new_image::<$color>(40, 30).unwrap();
-            image.encoder().write_tag(Tag::ModelPixelScaleTag, &[scale, scale, 0.0_f64][..]).unwrap();
-            image.encoder().write_tag(Tag::ModelTiepointTag, &tie[..]).unwrap();
-            image.encoder().write_tag(Tag::GeoKeyDirectoryTag, keys).unwrap();
+            image
+                .encoder()
+                .write_tag(Tag::ModelPixelScaleTag, &[scale, scale, 0.0_f64][..])
+                .unwrap();
+            image
+                .encoder()
+                .write_tag(Tag::ModelTiepointTag, &tie[..])
+                .unwrap();
+            image
+                .encoder()
+                .write_tag(Tag::GeoKeyDirectoryTag, keys)
+                .unwrap();
             image.encoder().write_tag(Tag::GdalNodata, "-9999").unwrap();
             image.write_data($values).unwrap();
         }};
@@ -46,8 +60,15 @@ fn grey_png() -> Vec<u8> {
     let mut encoder = png::Encoder::new(&mut bytes, 40, 30);
     encoder.set_color(png::ColorType::Grayscale);
     encoder.set_depth(png::BitDepth::Sixteen);
-    let data: Vec<u8> = ramp().iter().flat_map(|&z| (z as u16).to_be_bytes()).collect();
-    encoder.write_header().unwrap().write_image_data(&data).unwrap();
+    let data: Vec<u8> = ramp()
+        .iter()
+        .flat_map(|&z| (z as u16).to_be_bytes())
+        .collect();
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(&data)
+        .unwrap();
     bytes
 }
 
@@ -55,7 +76,10 @@ fn grey_png() -> Vec<u8> {
 fn geotiffs_give_metres_whatever_they_count_in() {
     for float in [true, false] {
         let utm = geotiff::read(&geotiff(float, false)).unwrap();
-        assert_eq!((utm.grid.width, utm.grid.height, utm.voids, utm.centre), (40, 30, 1, None));
+        assert_eq!(
+            (utm.grid.width, utm.grid.height, utm.voids, utm.centre),
+            (40, 30, 1, None)
+        );
         assert_eq!(utm.grid.pixel_m, [30.0; 2]);
         assert_eq!((utm.grid.values[0], utm.grid.row(2)[3]), (100.0, 115.0));
         // The void lies in a plane.
@@ -64,7 +88,10 @@ fn geotiffs_give_metres_whatever_they_count_in() {
         let (lat, lon) = degrees.centre.unwrap();
         assert!((lat - 45.985).abs() < 1e-9 && (lon - 7.02).abs() < 1e-9);
         let [across, down] = degrees.grid.pixel_m;
-        assert!((down - 111.195).abs() < 1e-3 && (across / down - math::cos(lat.to_radians())).abs() < 1e-12);
+        assert!(
+            (down - 111.195).abs() < 1e-3
+                && (across / down - math::cos(lat.to_radians())).abs() < 1e-12
+        );
     }
 }
 
@@ -73,7 +100,10 @@ fn a_text_that_is_longer_than_the_file_is_refused() {
     let good = geotiff(true, false);
     assert!(geotiff::read(&good).is_ok());
     // The tag of the void's value: number 42113, type 2, six letters.
-    let tag: Vec<u8> = [42_113_u16, 2, 6, 0].into_iter().flat_map(u16::to_le_bytes).collect();
+    let tag: Vec<u8> = [42_113_u16, 2, 6, 0]
+        .into_iter()
+        .flat_map(u16::to_le_bytes)
+        .collect();
     let place = good.windows(8).position(|window| window == tag).unwrap();
     let mut bad = good;
     bad[place + 4..place + 8].copy_from_slice(&u32::MAX.to_le_bytes());
@@ -82,7 +112,8 @@ fn a_text_that_is_longer_than_the_file_is_refused() {
 
 #[test]
 fn pictures_are_scaled_by_their_sidecar() {
-    let feet = Sidecar::parse(br#"{ "metres_per_pixel": 92.6, "metres_per_unit": 0.3048 }"#).unwrap();
+    let feet =
+        Sidecar::parse(br#"{ "metres_per_pixel": 92.6, "metres_per_unit": 0.3048 }"#).unwrap();
     let dem = grey::read(&grey_png(), &feet).unwrap();
     assert_eq!((dem.grid.pixel_m, dem.centre), ([92.6; 2], None));
     assert!((dem.grid.row(2)[3] - 115.0 * 0.3048).abs() < 1e-4);
@@ -97,11 +128,20 @@ fn pictures_are_scaled_by_their_sidecar() {
         r#"{"metres_per_unit": 1}"#,
         r#"{"metres_per_pixel": "x"}"#,
     ] {
-        assert!(matches!(Sidecar::parse(bad.as_bytes()), Err(DemError::Invalid(_))), "{bad}");
+        assert!(
+            matches!(Sidecar::parse(bad.as_bytes()), Err(DemError::Invalid(_))),
+            "{bad}"
+        );
     }
     for pixel in [0.0, -1.0, 1e9] {
-        let sidecar = Sidecar { metres_per_pixel: pixel, ..feet };
-        assert!(matches!(grey::read(&grey_png(), &sidecar), Err(DemError::Invalid(_))), "{pixel}");
+        let sidecar = Sidecar {
+            metres_per_pixel: pixel,
+            ..feet
+        };
+        assert!(
+            matches!(grey::read(&grey_png(), &sidecar), Err(DemError::Invalid(_))),
+            "{pixel}"
+        );
     }
 }
 

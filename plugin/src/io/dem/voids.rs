@@ -1,20 +1,23 @@
-//! Missing values, filled from their neighbours: ring after ring from the edge of a hole inwards, each value the
-//! mean of those of its eight neighbours that were known before the ring.
+//! Missing values, filled from their neighbours: ring after ring from the edge of a hole inwards,
+//! each value the mean of those of its eight neighbours that were known before the ring.
 
-/// Fills all values that are not a number in rows of `width`. Returns how many there were; `None` if there is nothing
-/// else.
+/// Fills all values that are not a number in rows of `width`. Returns how many there were; `None`
+/// if there is nothing else.
 pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
     let missing: Vec<usize> = (0..values.len()).filter(|&i| values[i].is_nan()).collect();
     if missing.len() == values.len() {
         return None;
     }
-    let mut ring: Vec<(usize, f32)> =
-        missing.iter().filter_map(|&i| Some((i, mean_around(width, values, i)?))).collect();
+    let mut ring: Vec<(usize, f32)> = missing
+        .iter()
+        .filter_map(|&i| Some((i, mean_around(width, values, i)?)))
+        .collect();
     while !ring.is_empty() {
         for &(i, mean) in &ring {
             values[i] = mean;
         }
-        // The next ring is what lies around this one: every void is looked at a few times, however deep the hole.
+        // The next ring is what lies around this one: every void is looked at a few times, however
+        // deep the hole.
         let mut next: Vec<usize> = ring
             .iter()
             .flat_map(|&(i, _)| around(width, values.len(), i))
@@ -22,7 +25,10 @@ pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
             .collect();
         next.sort_unstable();
         next.dedup();
-        ring = next.into_iter().filter_map(|i| Some((i, mean_around(width, values, i)?))).collect();
+        ring = next
+            .into_iter()
+            .filter_map(|i| Some((i, mean_around(width, values, i)?)))
+            .collect();
     }
     Some(missing.len())
 }
@@ -31,12 +37,16 @@ pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
 fn around(width: usize, len: usize, i: usize) -> impl Iterator<Item = usize> {
     let (x, y) = (i % width, i / width);
     let rows = y.saturating_sub(1)..=(y + 1).min(len / width - 1);
-    rows.flat_map(move |row| (row * width + x.saturating_sub(1))..=(row * width + (x + 1).min(width - 1)))
+    rows.flat_map(move |row| {
+        (row * width + x.saturating_sub(1))..=(row * width + (x + 1).min(width - 1))
+    })
 }
 
 /// Mean of the known values among the eight around `i`.
 fn mean_around(width: usize, values: &[f32], i: usize) -> Option<f32> {
-    let known = around(width, values.len(), i).map(|j| f64::from(values[j])).filter(|z| !z.is_nan());
+    let known = around(width, values.len(), i)
+        .map(|j| f64::from(values[j]))
+        .filter(|z| !z.is_nan());
     let (sum, count) = known.fold((0.0, 0.0), |(sum, count), z| (sum + z, count + 1.0));
     (count > 0.0).then(|| (sum / count) as f32)
 }
@@ -53,7 +63,8 @@ mod tests {
         }
         assert_eq!(fill(7, &mut plane), Some(11));
         assert!(plane.iter().all(|z| z.is_finite()));
-        // The middle of a symmetric hole in a plane is on the plane; values stay within those around.
+        // The middle of a symmetric hole in a plane is on the plane; values stay within those
+        // around.
         assert!((plane[24] - 3.0).abs() < 1e-6);
         assert!(plane.iter().all(|&z| (0.0..=6.0).contains(&z)));
         assert_eq!(plane[8], 1.0, "known values stay");

@@ -1,5 +1,5 @@
-//! GeoTIFF (OGC 19-008r4): one band of f32 in m, in a coordinate system of its own: azimuthal equidistant about the
-//! middle of the square, on a sphere of the planet's radius.
+//! GeoTIFF (OGC 19-008r4): one band of f32 in m, in a coordinate system of its own: azimuthal
+//! equidistant about the middle of the square, on a sphere of the planet's radius.
 
 use super::ExportError;
 use crate::query::{HeightGrid, Square};
@@ -22,16 +22,27 @@ pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, Expo
     let mut bytes = Cursor::new(Vec::new());
     let mut encoder = TiffEncoder::new(&mut bytes).map_err(refused)?;
     let side = square.pixels() as u32;
-    let mut image = encoder.new_image::<colortype::Gray32Float>(side, side).map_err(refused)?;
+    let mut image = encoder
+        .new_image::<colortype::Gray32Float>(side, side)
+        .map_err(refused)?;
     let (pixel, half) = (square.pixel_m(), 0.5 * square.side_m());
     let (directory, doubles, text) = keys(square);
     let tags = image.encoder();
-    tags.write_tag(Tag::ModelPixelScaleTag, &[pixel, pixel, 0.0][..]).map_err(refused)?;
-    // The north west corner of the raster is half a side to the west and to the north of the middle.
-    tags.write_tag(Tag::ModelTiepointTag, &[0.0, 0.0, 0.0, -half, half, 0.0][..]).map_err(refused)?;
-    tags.write_tag(Tag::GeoKeyDirectoryTag, &directory[..]).map_err(refused)?;
-    tags.write_tag(Tag::GeoDoubleParamsTag, &doubles[..]).map_err(refused)?;
-    tags.write_tag(Tag::GeoAsciiParamsTag, text.as_str()).map_err(refused)?;
+    tags.write_tag(Tag::ModelPixelScaleTag, &[pixel, pixel, 0.0][..])
+        .map_err(refused)?;
+    // The north west corner of the raster is half a side to the west and to the north of the
+    // middle.
+    tags.write_tag(
+        Tag::ModelTiepointTag,
+        &[0.0, 0.0, 0.0, -half, half, 0.0][..],
+    )
+    .map_err(refused)?;
+    tags.write_tag(Tag::GeoKeyDirectoryTag, &directory[..])
+        .map_err(refused)?;
+    tags.write_tag(Tag::GeoDoubleParamsTag, &doubles[..])
+        .map_err(refused)?;
+    tags.write_tag(Tag::GeoAsciiParamsTag, text.as_str())
+        .map_err(refused)?;
     image.write_data(&grid.values).map_err(refused)?;
     Ok(bytes.into_inner())
 }
@@ -46,7 +57,8 @@ fn keys(square: &Square) -> (Vec<u16>, Vec<f64>, String) {
         (1024, Short(1)),
         (1025, Short(1)),
         (1026, Text("Azimuthal equidistant square|")),
-        // GeographicType, citation, datum, prime meridian (Greenwich), angular unit (degree), ellipsoid and its axes.
+        // GeographicType, citation, datum, prime meridian (Greenwich), angular unit (degree),
+        // ellipsoid and its axes.
         (2048, Short(USER_DEFINED)),
         (2049, Text("Sphere of the planet's radius|")),
         (2050, Short(USER_DEFINED)),
@@ -55,7 +67,8 @@ fn keys(square: &Square) -> (Vec<u16>, Vec<f64>, String) {
         (2056, Short(USER_DEFINED)),
         (2057, Double(projection.radius_m())),
         (2058, Double(projection.radius_m())),
-        // ProjectedCSType, citation, Projection, ProjCoordTrans (azimuthal equidistant), linear unit (metre).
+        // ProjectedCSType, citation, Projection, ProjCoordTrans (azimuthal equidistant), linear
+        // unit (metre).
         (3072, Short(USER_DEFINED)),
         (3073, Text("Azimuthal equidistant|")),
         (3074, Short(USER_DEFINED)),
@@ -76,7 +89,11 @@ fn keys(square: &Square) -> (Vec<u16>, Vec<f64>, String) {
             Short(value) => (0, 1, value),
             Double(value) => {
                 doubles.push(value);
-                (Tag::GeoDoubleParamsTag.to_u16(), 1, doubles.len() as u16 - 1)
+                (
+                    Tag::GeoDoubleParamsTag.to_u16(),
+                    1,
+                    doubles.len() as u16 - 1,
+                )
             }
             Text(value) => {
                 let start = text.len() as u16;

@@ -1,4 +1,5 @@
-//! A PNG of 16-bit grey from the lowest height, black, to the highest, white, and the sidecar that decodes it.
+//! A PNG of 16-bit grey from the lowest height, black, to the highest, white, and the sidecar that
+//! decodes it.
 
 use super::ExportError;
 use crate::io::dem::Sidecar;
@@ -6,12 +7,22 @@ use crate::io::png::grey_png;
 use crate::query::{HeightGrid, Square};
 
 /// The picture and its sidecar.
-pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<(Vec<u8>, Vec<u8>), ExportError> {
+pub(super) fn encode(
+    square: &Square,
+    grid: &HeightGrid,
+) -> Result<(Vec<u8>, Vec<u8>), ExportError> {
     let [low, high] = grid.range().unwrap_or_default().map(f64::from);
-    let scale = if high > low { 65_535.0 / (high - low) } else { 0.0 };
-    let greys = grid.values.iter().map(|&z| ((f64::from(z) - low) * scale + 0.5) as u16);
-    let picture =
-        grey_png(grid.width as u32, greys).map_err(|error| ExportError::Encode(error.to_string()))?;
+    let scale = if high > low {
+        65_535.0 / (high - low)
+    } else {
+        0.0
+    };
+    let greys = grid
+        .values
+        .iter()
+        .map(|&z| ((f64::from(z) - low) * scale + 0.5) as u16);
+    let picture = grey_png(grid.width as u32, greys)
+        .map_err(|error| ExportError::Encode(error.to_string()))?;
     let (lat, lon) = square.projection().lat_lon();
     let sidecar = Sidecar {
         min_m: Some(low),
@@ -21,8 +32,8 @@ pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<(Vec<u8>, Vec
         lat: Some(lat),
         lon: Some(lon),
     };
-    let mut text =
-        serde_json::to_vec_pretty(&sidecar).map_err(|error| ExportError::Encode(error.to_string()))?;
+    let mut text = serde_json::to_vec_pretty(&sidecar)
+        .map_err(|error| ExportError::Encode(error.to_string()))?;
     text.push(b'\n');
     Ok((picture, text))
 }

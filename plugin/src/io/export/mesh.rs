@@ -1,7 +1,9 @@
-//! A mesh as binary glTF 2.0 (Khronos 2021, §4.4: GLB): one primitive with positions, normals and u32 indices.
+//! A mesh as binary glTF 2.0 (Khronos 2021, §4.4: GLB): one primitive with positions, normals and
+//! u32 indices.
 //!
-//! A vertex stands at the centre of each pixel, where it is on the planet: the mesh is curved as the planet is. The
-//! origin is the middle of the square at sea level; +x is east, +y up, -z north, as glTF has it. Lengths are in m.
+//! A vertex stands at the centre of each pixel, where it is on the planet: the mesh is curved as
+//! the planet is. The origin is the middle of the square at sea level; +x is east, +y up, -z north,
+//! as glTF has it. Lengths are in m.
 
 use super::ExportError;
 use crate::query::{HeightGrid, Square, grid_triangles};
@@ -20,8 +22,14 @@ pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, Expo
     let normals = normals(square.pixels(), &positions);
     let triangles = grid_triangles(square.pixels());
     let (vertices, corners) = (positions.len(), 3 * triangles.len());
-    let bounds =
-        |best: fn(Vec3, Vec3) -> Vec3| positions.iter().copied().reduce(best).unwrap_or_default().to_array();
+    let bounds = |best: fn(Vec3, Vec3) -> Vec3| {
+        positions
+            .iter()
+            .copied()
+            .reduce(best)
+            .unwrap_or_default()
+            .to_array()
+    };
     let (low, high) = (bounds(Vec3::min), bounds(Vec3::max));
     let view = |offset: usize, length: usize, target: u32| json!({ "buffer": 0, "byteOffset": offset, "byteLength": length, "target": target });
     let json = json!({
@@ -45,7 +53,12 @@ pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, Expo
     });
     let mut binary = Vec::with_capacity(24 * vertices + 4 * corners);
     for column in [&positions, &normals] {
-        binary.extend(column.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes));
+        binary.extend(
+            column
+                .iter()
+                .flat_map(|v| v.to_array())
+                .flat_map(f32::to_le_bytes),
+        );
     }
     binary.extend(triangles.iter().flatten().flat_map(|i| i.to_le_bytes()));
     glb(json.to_string().into_bytes(), &binary)
@@ -86,7 +99,11 @@ fn normals(side: usize, positions: &[Vec3]) -> Vec<Vec3> {
         let (x, y) = (i % side, i / side);
         let eastward = at((x + 1).min(side - 1), y) - at(x.saturating_sub(1), y);
         let northward = at(x, y.saturating_sub(1)) - at(x, (y + 1).min(side - 1));
-        eastward.cross(northward).try_normalize().unwrap_or(DVec3::Y).as_vec3()
+        eastward
+            .cross(northward)
+            .try_normalize()
+            .unwrap_or(DVec3::Y)
+            .as_vec3()
     };
     (0..positions.len()).into_par_iter().map(normal).collect()
 }

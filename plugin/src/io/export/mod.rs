@@ -63,7 +63,12 @@ impl Format {
     /// # Errors
     /// [`ExportError::Extension`]
     pub fn of(path: &Path) -> Result<Self, ExportError> {
-        match path.extension().unwrap_or_default().to_ascii_lowercase().to_str() {
+        match path
+            .extension()
+            .unwrap_or_default()
+            .to_ascii_lowercase()
+            .to_str()
+        {
             Some("tif" | "tiff") => Ok(Self::GeoTiff),
             Some("png") => Ok(Self::Grey),
             Some("glb") => Ok(Self::Mesh),
@@ -94,11 +99,20 @@ impl Format {
     /// [`ExportError::Pixels`]
     pub fn check(self, pixels: usize) -> Result<(), ExportError> {
         let most = self.max_pixels();
-        if pixels <= most { Ok(()) } else { Err(ExportError::Pixels { format: self.name(), most, pixels }) }
+        if pixels <= most {
+            Ok(())
+        } else {
+            Err(ExportError::Pixels {
+                format: self.name(),
+                most,
+                pixels,
+            })
+        }
     }
 }
 
-/// The files that show `grid`, the heights of `square`: the one at `path`, and a sidecar beside a picture.
+/// The files that show `grid`, the heights of `square`: the one at `path`, and a sidecar beside a
+/// picture.
 ///
 /// # Errors
 /// [`ExportError::Extension`], [`ExportError::Pixels`], [`ExportError::Encode`].
@@ -113,7 +127,9 @@ pub fn encode(
         || grid.height != square.pixels()
         || !grid.values.iter().all(|z| z.is_finite())
     {
-        return Err(ExportError::Encode("the heights are not those of the square".into()));
+        return Err(ExportError::Encode(
+            "the heights are not those of the square".into(),
+        ));
     }
     let path = path.to_path_buf();
     match format {
@@ -127,8 +143,8 @@ pub fn encode(
     }
 }
 
-/// Writes a square of the ground at the level that its pixels ask for; the extension of `path` says in which format.
-/// Returns the files, which are written all or none.
+/// Writes a square of the ground at the level that its pixels ask for; the extension of `path` says
+/// in which format. Returns the files, which are written all or none.
 ///
 /// # Errors
 /// [`ExportError`]; nothing is written then.

@@ -24,11 +24,16 @@ pub(super) fn ledger(state: &PlanetState) -> Vec<u8> {
 pub(super) fn read_ledger(bytes: &[u8]) -> Result<Ledger, SaveError> {
     let mut read = Decoder(bytes);
     if read.count(16)? != Cause::ALL.len() {
-        return Err(invalid("its ledger has other causes than this program".into()));
+        return Err(invalid(
+            "its ledger has other causes than this program".into(),
+        ));
     }
     let mut ledger = Ledger::default();
     for amount in core::iter::once(&mut ledger.initial).chain(&mut ledger.booked) {
-        *amount = Amount { area: read.f64()?, volume: read.f64()? };
+        *amount = Amount {
+            area: read.f64()?,
+            volume: read.f64()?,
+        };
     }
     ledger.carried_area = read.f64()?;
     ledger.unexplained_max = read.f64()?;
@@ -63,10 +68,14 @@ fn commands(list: &[TimedCommand]) -> Vec<u8> {
 }
 
 fn read_commands(bytes: &[u8], what: &str) -> Result<Vec<TimedCommand>, SaveError> {
-    let text = core::str::from_utf8(bytes).map_err(|_| invalid(format!("the {what} is no UTF-8")))?;
+    let text =
+        core::str::from_utf8(bytes).map_err(|_| invalid(format!("the {what} is no UTF-8")))?;
     let commands: Vec<TimedCommand> =
         ron::from_str(text).map_err(|error| invalid(format!("the {what}: {}", error.code)))?;
-    match commands.iter().find_map(|timed| timed.command.check().err()) {
+    match commands
+        .iter()
+        .find_map(|timed| timed.command.check().err())
+    {
         Some(problem) => Err(invalid(format!("the {what}: {problem}"))),
         None => Ok(commands),
     }

@@ -53,13 +53,29 @@ pub(super) fn read_mesh(bytes: &[u8]) -> Result<Lattice, SaveError> {
 }
 
 pub(super) fn read_crust(columns: &[&[u8]], n: usize, frames: usize) -> Result<Crust, SaveError> {
-    let &[frame, kind, thickness, elevation, ocean_age, ridge, orogeny_age, orogeny, fold] = columns else {
+    let &[
+        frame,
+        kind,
+        thickness,
+        elevation,
+        ocean_age,
+        ridge,
+        orogeny_age,
+        orogeny,
+        fold,
+    ] = columns
+    else {
         return Err(SaveError::Truncated);
     };
     if frame.len() != 2 * n || kind.len() != n || orogeny.len() != n {
         return Err(invalid("the columns have not one entry per sample".into()));
     }
-    let frame: Vec<u16> = frame.as_chunks::<2>().0.iter().map(|&b| u16::from_le_bytes(b)).collect();
+    let frame: Vec<u16> = frame
+        .as_chunks::<2>()
+        .0
+        .iter()
+        .map(|&b| u16::from_le_bytes(b))
+        .collect();
     if let Some(f) = frame.iter().find(|&&f| usize::from(f) >= frames) {
         return Err(invalid(format!("a sample lies in frame {f} of {frames}")));
     }
@@ -79,8 +95,8 @@ pub(super) fn read_crust(columns: &[&[u8]], n: usize, frames: usize) -> Result<C
     })
 }
 
-/// Crust lies on plates that exist. Until the next resample there may be frames of plates that are gone,
-/// but without samples.
+/// Crust lies on plates that exist. Until the next resample there may be frames of plates that are
+/// gone, but without samples.
 pub(super) fn carried(
     crust: &Crust,
     frames: &Frames,
@@ -88,10 +104,16 @@ pub(super) fn carried(
 ) -> Result<(), SaveError> {
     let gone: Vec<bool> = frames
         .iter()
-        .map(|frame| plates.binary_search_by_key(&frame.plate, |&(id, ..)| id).is_err())
+        .map(|frame| {
+            plates
+                .binary_search_by_key(&frame.plate, |&(id, ..)| id)
+                .is_err()
+        })
         .collect();
     match crust.frame.iter().find(|&&f| gone[usize::from(f)]) {
-        Some(f) => Err(invalid(format!("a sample lies in frame {f}, whose plate does not exist"))),
+        Some(f) => Err(invalid(format!(
+            "a sample lies in frame {f}, whose plate does not exist"
+        ))),
         None => Ok(()),
     }
 }

@@ -32,7 +32,10 @@ pub(super) fn plates(state: &PlanetState) -> Vec<u8> {
     out.0
 }
 
-pub(super) fn read_plates(bytes: &[u8], next: u32) -> Result<(Vec<Row>, Vec<PlateStats>), SaveError> {
+pub(super) fn read_plates(
+    bytes: &[u8],
+    next: u32,
+) -> Result<(Vec<Row>, Vec<PlateStats>), SaveError> {
     let mut read = Decoder(bytes);
     let count = read.count(96)?;
     let mut plates: Vec<Row> = Vec::with_capacity(count);
@@ -43,7 +46,10 @@ pub(super) fn read_plates(bytes: &[u8], next: u32) -> Result<(Vec<Row>, Vec<Plat
             return Err(invalid(format!("plate {} is out of order", id.0)));
         }
         let axis = unit(read.dvec3()?, "axis of a plate")?;
-        let motion = PlateMotion { axis, speed: read.within("speed of a plate", 0.0, 100.0)? };
+        let motion = PlateMotion {
+            axis,
+            speed: read.within("speed of a plate", 0.0, 100.0)?,
+        };
         plates.push((id, motion, read.within("birth of a plate", 0.0, 1e9)?));
         stats.push(PlateStats {
             samples: read.u32()?,
@@ -54,7 +60,11 @@ pub(super) fn read_plates(bytes: &[u8], next: u32) -> Result<(Vec<Row>, Vec<Plat
         });
     }
     read.end()?;
-    if plates.is_empty() { Err(invalid("it has no plates".into())) } else { Ok((plates, stats)) }
+    if plates.is_empty() {
+        Err(invalid("it has no plates".into()))
+    } else {
+        Ok((plates, stats))
+    }
 }
 
 pub(super) fn frames(state: &PlanetState) -> Vec<u8> {
@@ -75,13 +85,20 @@ pub(super) fn read_frames(bytes: &[u8], next: u32) -> Result<Frames, SaveError> 
     for _ in 0..count {
         let plate = PlateId(read.u32()?);
         if plate.0 >= next {
-            return Err(invalid(format!("a frame belongs to plate {}, which never was", plate.0)));
+            return Err(invalid(format!(
+                "a frame belongs to plate {}, which never was",
+                plate.0
+            )));
         }
         let rotation = read.dquat()?;
         if (rotation.length_squared() - 1.0).abs() > 1e-6 {
             return Err(invalid("a rotation has no unit length".into()));
         }
-        frames.push(Frame { plate, rotation, terrane: flag(read.u8()?)? });
+        frames.push(Frame {
+            plate,
+            rotation,
+            terrane: flag(read.u8()?)?,
+        });
     }
     read.end()?;
     Ok(Frames(frames))
@@ -106,9 +123,18 @@ pub(super) fn read_polarity(bytes: &[u8]) -> Result<PolarityMemory, SaveError> {
     let mut segments: Vec<Segment> = Vec::with_capacity(count);
     for _ in 0..count {
         let pair = (PlateId(read.u32()?), PlateId(read.u32()?));
-        let segment = Segment { pair, bin: read.u16()?, first_under: flag(read.u8()?)?, held: read.u16()? };
+        let segment = Segment {
+            pair,
+            bin: read.u16()?,
+            first_under: flag(read.u8()?)?,
+            held: read.u16()?,
+        };
         let key = |s: &Segment| (s.pair, s.bin);
-        if pair.0 >= pair.1 || segments.last().is_some_and(|last| key(last) >= key(&segment)) {
+        if pair.0 >= pair.1
+            || segments
+                .last()
+                .is_some_and(|last| key(last) >= key(&segment))
+        {
             return Err(invalid("the memory of polarity is out of order".into()));
         }
         segments.push(segment);
@@ -147,27 +173,57 @@ pub(super) fn read_fronts(bytes: &[u8], samples: u32) -> Result<SavedFronts, Sav
     let mut front: Vec<(u32, u8)> = Vec::with_capacity(count);
     for _ in 0..count {
         let (sample, age) = (read.u32()?, read.u8()?);
-        if sample >= samples || age >= HOLD || front.last().is_some_and(|&(last, _)| last >= sample) {
+        if sample >= samples || age >= HOLD || front.last().is_some_and(|&(last, _)| last >= sample)
+        {
             return Err(invalid("a front is out of order".into()));
         }
         front.push((sample, age));
     }
     if read.0.len() != 4 * samples as usize {
-        return Err(invalid("the distances to fronts have not one entry per sample".into()));
+        return Err(invalid(
+            "the distances to fronts have not one entry per sample".into(),
+        ));
     }
-    let source: Vec<u32> = read.0.as_chunks::<4>().0.iter().map(|&b| u32::from_le_bytes(b)).collect();
-    if source.iter().any(|&source| source != UNREACHED && source >= samples) {
+    let source: Vec<u32> = read
+        .0
+        .as_chunks::<4>()
+        .0
+        .iter()
+        .map(|&b| u32::from_le_bytes(b))
+        .collect();
+    if source
+        .iter()
+        .any(|&source| source != UNREACHED && source >= samples)
+    {
         return Err(invalid("a front lies at a sample that is not there".into()));
     }
-    Ok(SavedFronts { stale, reach, front, source })
+    Ok(SavedFronts {
+        stale,
+        reach,
+        front,
+        source,
+    })
 }
 
 impl SavedFronts {
     /// The field on its mesh.
     pub(super) fn field(self, mesh: &SphereMesh) -> FrontField {
-        let Self { stale, reach, front, .. } = self;
-        let field = FrontField { stale, reach, front, ..FrontField::new(mesh.len()) };
-        for (i, source) in (0..).zip(self.source).filter(|&(_, source)| source != UNREACHED) {
+        let Self {
+            stale,
+            reach,
+            front,
+            ..
+        } = self;
+        let field = FrontField {
+            stale,
+            reach,
+            front,
+            ..FrontField::new(mesh.len())
+        };
+        for (i, source) in (0..)
+            .zip(self.source)
+            .filter(|&(_, source)| source != UNREACHED)
+        {
             let chord2 = mesh.point(i).distance_squared(mesh.point(source));
             field.nearest.set(i, source, chord2 as f32);
         }

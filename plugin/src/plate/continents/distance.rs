@@ -2,8 +2,8 @@
 //! reach it, from the ridges.
 //!
 //! Each sample learns its nearest point from a neighbour and measures the chord to it. So distances
-//! are not sums over edges, and their isolines show nothing of the lattice. Samples wait in buckets of
-//! cost (Dial 1969), so that hardly any is visited twice.
+//! are not sums over edges, and their isolines show nothing of the lattice. Samples wait in buckets
+//! of cost (Dial 1969), so that hardly any is visited twice.
 
 use crate::plate::continents::field::arc;
 use crate::sphere::SphereMesh;
@@ -36,7 +36,10 @@ pub(super) struct Nearest {
 pub(super) fn nearest(mesh: &SphereMesh, sources: &[Source]) -> Nearest {
     let mut cost = vec![f64::INFINITY; mesh.len()];
     let mut source = vec![0; mesh.len()];
-    let fastest = sources.iter().map(|s| s.slowness).fold(f64::INFINITY, f64::min);
+    let fastest = sources
+        .iter()
+        .map(|s| s.slowness)
+        .fold(f64::INFINITY, f64::min);
     let width = 0.5 * mesh.spacing() * fastest;
     let bucket = |cost: f64| (cost / width) as usize;
     let mut buckets: Vec<Vec<u32>> = Vec::new();

@@ -1,8 +1,8 @@
 //! "Continentality": how far in rad a sample lies inside the continents' lobes, with fractal noise.
 //!
-//! The coast is a level line of this field. A lobe's noise is limited by its radius, so that a small
-//! island is rough but not blown away; short wavelengths are strong in some regions and weak in
-//! others, so that there are smooth coasts and broken ones.
+//! The coast is a level line of this field. A lobe's noise is limited by its radius, so that a
+//! small island is rough but not blown away; short wavelengths are strong in some regions and weak
+//! in others, so that there are smooth coasts and broken ones.
 
 use super::lobes::{Continents, Lobe};
 use crate::math;
@@ -60,7 +60,10 @@ impl Coast {
     /// The first `count` octaves at `p`.
     fn ripple(&self, p: DVec3, count: usize) -> Ripple {
         let rough = 0.35 + 1.1 * math::smoothstep(0.5 + 1.3 * self.roughness.fractal(p, 2.2, 2));
-        let mut ripple = Ripple { plain: [0.0; MAX_OCTAVES + 1], scaled: [0.0; MAX_OCTAVES + 1] };
+        let mut ripple = Ripple {
+            plain: [0.0; MAX_OCTAVES + 1],
+            scaled: [0.0; MAX_OCTAVES + 1],
+        };
         let mut octaves = [0.0; MAX_OCTAVES];
         for (o, value) in octaves.iter_mut().enumerate().take(count.min(self.octaves)) {
             let q = p * (FREQUENCY * f64::from(1_u32 << o)) + DVec3::splat(17.3 * (o + 1) as f64);
@@ -96,8 +99,17 @@ impl Disc {
     fn new(lobe: &Lobe, scale: f64, noise: f64) -> Self {
         let radius = lobe.radius * scale;
         let limit = SHARE_OF_RADIUS * radius;
-        let limited = (0..MAX_OCTAVES).take_while(|&o| amplitude(o) > limit).count();
-        Self { center: lobe.center, radius, limit, limited, noise, melt: (0.5 * radius).min(0.08) }
+        let limited = (0..MAX_OCTAVES)
+            .take_while(|&o| amplitude(o) > limit)
+            .count();
+        Self {
+            center: lobe.center,
+            radius,
+            limit,
+            limited,
+            noise,
+            melt: (0.5 * radius).min(0.08),
+        }
     }
 
     fn depth(&self, p: DVec3, ripple: &Ripple) -> f64 {
@@ -106,7 +118,8 @@ impl Disc {
     }
 }
 
-/// Angle in rad that belongs to a chord: within 1 % up to 128 degrees, 14 % too small for opposite points.
+/// Angle in rad that belongs to a chord: within 1 % up to 128 degrees, 14 % too small for opposite
+/// points.
 pub(super) fn arc(chord: f64) -> f64 {
     let x = 0.25 * chord * chord;
     chord * (1.0 + x * (1.0 / 6.0 + x * (3.0 / 40.0 + x * (5.0 / 112.0 + x * 0.06))))
@@ -123,7 +136,11 @@ fn depth(discs: &[Disc], p: DVec3, ripple: &Ripple) -> f64 {
 }
 
 /// The field of every sample, in rad. Land is where it exceeds a level near 0.
-pub(super) fn continentality(recipe: &PlanetRecipe, mesh: &SphereMesh, continents: &Continents) -> Vec<f64> {
+pub(super) fn continentality(
+    recipe: &PlanetRecipe,
+    mesh: &SphereMesh,
+    continents: &Continents,
+) -> Vec<f64> {
     let coast = Coast::new(recipe, mesh);
     let (scale, noise) = if recipe.continents.is_empty() {
         (fit(recipe, mesh, continents, &coast), 1.0)
@@ -137,7 +154,11 @@ pub(super) fn continentality(recipe: &PlanetRecipe, mesh: &SphereMesh, continent
             let p = mesh.point(i as u32);
             let coarse = depth(&discs, p, &coast.ripple(p, COARSE));
             // Far from every coast finer octaves do not matter.
-            if coarse.abs() > FAR { coarse } else { depth(&discs, p, &coast.ripple(p, MAX_OCTAVES)) }
+            if coarse.abs() > FAR {
+                coarse
+            } else {
+                depth(&discs, p, &coast.ripple(p, MAX_OCTAVES))
+            }
         };
         range.map(field).collect::<Vec<_>>()
     });
@@ -147,15 +168,22 @@ pub(super) fn continentality(recipe: &PlanetRecipe, mesh: &SphereMesh, continent
 /// The factor of the lobes' radii that gives about the wanted share of land.
 fn fit(recipe: &PlanetRecipe, mesh: &SphereMesh, continents: &Continents, coast: &Coast) -> f64 {
     let stride = mesh.len().div_ceil(FIT_SAMPLES);
-    let points: Vec<_> =
-        mesh.points().iter().step_by(stride).map(|&p| (p, coast.ripple(p, COARSE))).collect();
+    let points: Vec<_> = mesh
+        .points()
+        .iter()
+        .step_by(stride)
+        .map(|&p| (p, coast.ripple(p, COARSE)))
+        .collect();
     let wanted = (recipe.land * points.len() as f64) as usize;
     let (mut low, mut high) = (0.1, 6.0);
     for _ in 0..16 {
         let scale = 0.5 * (low + high);
         let disc = |lobe: &Lobe| Disc::new(lobe, scale, 1.0);
         let discs: Vec<_> = continents.lobes.iter().map(disc).collect();
-        let land = points.iter().filter(|(p, ripple)| depth(&discs, *p, ripple) > 0.0).count();
+        let land = points
+            .iter()
+            .filter(|(p, ripple)| depth(&discs, *p, ripple) > 0.0)
+            .count();
         *if land < wanted { &mut low } else { &mut high } = scale;
     }
     0.5 * (low + high)

@@ -26,11 +26,16 @@ pub(super) struct Land {
     level: f64,
 }
 
-/// Chooses the land: where `field` is highest to the given share of the area, or above 0 without one.
+/// Chooses the land: where `field` is highest to the given share of the area, or above 0 without
+/// one.
 pub(super) fn land(mesh: &SphereMesh, field: Vec<f64>, share: Option<f64>) -> Land {
     // Specks and puddles are decided once and for all: their field is put beyond every level.
     let mut ranked = field.clone();
-    let mut land = Land { mask: Vec::new(), field, level: 0.0 };
+    let mut land = Land {
+        mask: Vec::new(),
+        field,
+        level: 0.0,
+    };
     let samples: Vec<u32> = (0..mesh.len() as u32).collect();
     for round in 0..ROUNDS {
         if round < LEVEL_ROUNDS {
@@ -48,7 +53,11 @@ pub(super) fn land(mesh: &SphereMesh, field: Vec<f64>, share: Option<f64>) -> La
         };
         let mut clean = true;
         for i in (0..mesh.len()).filter(|&i| small(regions.region[i])) {
-            ranked[i] = if land.mask[i] { f64::NEG_INFINITY } else { f64::INFINITY };
+            ranked[i] = if land.mask[i] {
+                f64::NEG_INFINITY
+            } else {
+                f64::INFINITY
+            };
             land.mask[i] = !land.mask[i];
             clean = false;
         }
@@ -77,7 +86,13 @@ fn level(mesh: &SphereMesh, field: &[f64], share: f64) -> f64 {
 impl Land {
     /// Area of the land in steradian.
     pub(super) fn area(&self, mesh: &SphereMesh) -> f64 {
-        crate::parallel::sum(mesh.len(), |i| if self.mask[i] { mesh.area(i as u32) } else { 0.0 })
+        crate::parallel::sum(mesh.len(), |i| {
+            if self.mask[i] {
+                mesh.area(i as u32)
+            } else {
+                0.0
+            }
+        })
     }
 
     /// Distance of every sample to the nearest coast in rad, infinite where there is none.
@@ -85,20 +100,32 @@ impl Land {
         let mut sources = Vec::new();
         for i in 0..mesh.len() as u32 {
             let over = |j: u32| self.field[j as usize] - self.level;
-            for &j in mesh.ring(i).iter().filter(|&&j| self.mask[i as usize] != self.mask[j as usize]) {
+            for &j in mesh
+                .ring(i)
+                .iter()
+                .filter(|&&j| self.mask[i as usize] != self.mask[j as usize])
+            {
                 // Where the field crosses its level; half way if a speck or puddle was removed.
                 let crossing = over(i) / (over(i) - over(j));
-                let share = if crossing > 0.0 && crossing < 1.0 { crossing.clamp(0.15, 0.85) } else { 0.5 };
+                let share = if crossing > 0.0 && crossing < 1.0 {
+                    crossing.clamp(0.15, 0.85)
+                } else {
+                    0.5
+                };
                 let point = mesh.point(i).lerp(mesh.point(j), share).normalize();
-                sources.push(Source { sample: i, point, slowness: 1.0 });
+                sources.push(Source {
+                    sample: i,
+                    point,
+                    slowness: 1.0,
+                });
             }
         }
         nearest(mesh, &sources).cost
     }
 }
 
-/// The highest sea samples with a total area of `area` steradian, none deeper than `deepest` km, and
-/// the few that these enclose.
+/// The highest sea samples with a total area of `area` steradian, none deeper than `deepest` km,
+/// and the few that these enclose.
 pub(super) fn shelf(
     mesh: &SphereMesh,
     land: &[bool],
@@ -107,8 +134,9 @@ pub(super) fn shelf(
     deepest: f32,
 ) -> Vec<u32> {
     let z = |i: u32| elevation[i as usize];
-    let mut order: Vec<u32> =
-        (0..mesh.len() as u32).filter(|&i| !land[i as usize] && z(i) >= deepest).collect();
+    let mut order: Vec<u32> = (0..mesh.len() as u32)
+        .filter(|&i| !land[i as usize] && z(i) >= deepest)
+        .collect();
     order.par_sort_unstable_by(|&a, &b| z(b).total_cmp(&z(a)).then(a.cmp(&b)));
     let mut covered = 0.0;
     let fits = |&&i: &&u32| {

@@ -1,7 +1,7 @@
 //! Which plates carry continents, and the discs that make their rough shapes.
 //!
-//! As on Earth a few continents hold most of the land and lie on large plates, off their centres, so
-//! that one coast is near a border and the other is not. Each is a core with side lobes along an
+//! As on Earth a few continents hold most of the land and lie on large plates, off their centres,
+//! so that one coast is near a border and the other is not. Each is a core with side lobes along an
 //! axis; small blocks, some of them off a large coast, make islands.
 
 use crate::math;
@@ -38,14 +38,17 @@ pub(in crate::plate) struct Continents {
 }
 
 impl Continents {
-    /// The discs of the recipe, or random continents on some of `sites`; none for a planet without land.
+    /// The discs of the recipe, or random continents on some of `sites`; none for a planet without
+    /// land.
     pub(in crate::plate) fn new(recipe: &PlanetRecipe, sites: &[Site]) -> Self {
         if !recipe.continents.is_empty() {
             let lobe = |disc: &crate::planet::DiscRecipe| Lobe {
                 center: disc.direction(),
                 radius: (disc.radius / recipe.radius).min(math::PI),
             };
-            return Self { lobes: recipe.continents.iter().map(lobe).collect() };
+            return Self {
+                lobes: recipe.continents.iter().map(lobe).collect(),
+            };
         }
         if recipe.land <= 0.0 {
             return Self::default();
@@ -53,7 +56,10 @@ impl Continents {
         let cores = cores(recipe, sites);
         let mut lobes: Vec<Lobe> = Vec::new();
         for (k, core) in cores.iter().enumerate() {
-            lobes.extend(shape(core, &Stream::new(recipe.seed, Purpose::Continents, 10 + k as u64)));
+            lobes.extend(shape(
+                core,
+                &Stream::new(recipe.seed, Purpose::Continents, 10 + k as u64),
+            ));
         }
         lobes.extend(blocks(recipe, &cores));
         Self { lobes }
@@ -84,13 +90,23 @@ fn cores(recipe: &PlanetRecipe, sites: &[Site]) -> Vec<Lobe> {
         let tries = (0..TRIES).map(|t| {
             let host = hosts[(draw.bits(3 * t) % hosts.len() as u64) as usize];
             let off = sites[host].radius * draw.range(3 * t + 1, 0.0, 0.5);
-            (host, step(sites[host].centroid, draw.range(3 * t + 2, 0.0, math::TAU), off))
+            (
+                host,
+                step(
+                    sites[host].centroid,
+                    draw.range(3 * t + 2, 0.0, math::TAU),
+                    off,
+                ),
+            )
         });
         let score = |(host, center): (usize, DVec3)| {
-            let room = |c: &Lobe| math::angle_between(center, c.center) - 1.05 * (radius + c.radius);
+            let room =
+                |c: &Lobe| math::angle_between(center, c.center) - 1.05 * (radius + c.radius);
             let room = cores.iter().map(room).fold(0.5, f64::min);
-            // A plate that carries a continent already, or is too small for this one, is second choice.
-            room - if used[host] { 0.3 } else { 0.0 } - 2.0 * (radius - 0.85 * sites[host].radius).max(0.0)
+            // A plate that carries a continent already, or is too small for this one, is second
+            // choice.
+            room - if used[host] { 0.3 } else { 0.0 }
+                - 2.0 * (radius - 0.85 * sites[host].radius).max(0.0)
         };
         if let Some((host, center)) = first_or_best(tries, score, 0.0) {
             used[host] = true;
@@ -104,15 +120,34 @@ fn cores(recipe: &PlanetRecipe, sites: &[Site]) -> Vec<Lobe> {
 fn shape(core: &Lobe, stream: &Stream) -> Vec<Lobe> {
     let axis = stream.range(0, 0.0, math::TAU);
     let sides = 3 + stream.bits(1) % 3;
-    let mut lobes = vec![Lobe { center: core.center, radius: 0.6 * core.radius }];
+    let mut lobes = vec![Lobe {
+        center: core.center,
+        radius: 0.6 * core.radius,
+    }];
     for k in 0..sides {
         let draw = |j: u64, low, high| stream.range(10 * (k + 1) + j, low, high);
         // Two lobes lie along the axis, the others anywhere.
-        let bearing =
-            if k < 2 { axis + math::PI * k as f64 + draw(0, -0.5, 0.5) } else { draw(0, 0.0, math::TAU) };
-        let radius = core.radius * if k < 2 { draw(1, 0.4, 0.65) } else { draw(1, 0.25, 0.5) };
-        let off = core.radius * if k < 2 { draw(2, 0.7, 1.1) } else { draw(2, 0.6, 0.9) };
-        lobes.push(Lobe { center: step(core.center, bearing, off), radius });
+        let bearing = if k < 2 {
+            axis + math::PI * k as f64 + draw(0, -0.5, 0.5)
+        } else {
+            draw(0, 0.0, math::TAU)
+        };
+        let radius = core.radius
+            * if k < 2 {
+                draw(1, 0.4, 0.65)
+            } else {
+                draw(1, 0.25, 0.5)
+            };
+        let off = core.radius
+            * if k < 2 {
+                draw(2, 0.7, 1.1)
+            } else {
+                draw(2, 0.6, 0.9)
+            };
+        lobes.push(Lobe {
+            center: step(core.center, bearing, off),
+            radius,
+        });
     }
     lobes
 }
@@ -126,9 +161,11 @@ fn blocks(recipe: &PlanetRecipe, cores: &[Lobe]) -> Vec<Lobe> {
         let radius = cap_radius((1.0 - CONTINENT_SHARE) * recipe.land * weight(k) / total);
         let draw = |j: usize| stream.unit((4 * k + j) as u64);
         let center = match cores.get(k / 2 % cores.len().max(1)) {
-            Some(core) if k.is_multiple_of(2) => {
-                step(core.center, math::TAU * draw(0), core.radius * (1.1 + 0.5 * draw(1)) + radius)
-            }
+            Some(core) if k.is_multiple_of(2) => step(
+                core.center,
+                math::TAU * draw(0),
+                core.radius * (1.1 + 0.5 * draw(1)) + radius,
+            ),
             _ => Stream::new(recipe.seed, Purpose::Continents, 2).direction(k as u64),
         };
         Lobe { center, radius }

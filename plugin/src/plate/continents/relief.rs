@@ -23,7 +23,8 @@ const RISE: f64 = 350.0;
 const SHELF_DEPTH: f64 = 0.14;
 /// Narrowest and widest shelf in km.
 const SHELF: [f64; 2] = [25.0, 190.0];
-/// Width of slope and rise together, relative to the parameter `margin_width`, which is that of the rise.
+/// Width of slope and rise together, relative to the parameter `margin_width`, which is that of the
+/// rise.
 const SLOPE: f64 = 2.0;
 /// Distance of neighbours that a slope spans at least.
 const SLOPE_SAMPLES: f64 = 5.5;
@@ -86,7 +87,11 @@ impl Relief {
         let parts = map_chunks(mesh.len(), |range| {
             let elevation = |i: usize| {
                 let p = mesh.point(i as u32);
-                let z = if land[i] { self.land(p, coast[i]) } else { self.sea(p, coast[i], floor[i]) };
+                let z = if land[i] {
+                    self.land(p, coast[i])
+                } else {
+                    self.sea(p, coast[i], floor[i])
+                };
                 z as f32
             };
             range.map(elevation).collect::<Vec<_>>()
@@ -125,7 +130,12 @@ impl Relief {
         const STEP: f64 = 1e-3;
         let present = math::smoothstep(2.5 * self.extent.fractal(p, 1.7, 2) + 0.1);
         if present == 0.0 {
-            return Belt { strength: 0.0, fold: DVec3::ZERO, age: 0.0, collision: false };
+            return Belt {
+                strength: 0.0,
+                fold: DVec3::ZERO,
+                age: 0.0,
+                collision: false,
+            };
         }
         let value = |q: DVec3| self.belts.fractal(q, BELT_FREQUENCY, 2);
         let east = math::any_tangent(p);

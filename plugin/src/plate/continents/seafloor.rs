@@ -1,8 +1,9 @@
 //! Age, elevation and ridge direction of the initial ocean floor.
 //!
-//! The borders along which plates draw apart are ridges from the start. The age is the shortest time in
-//! which crust could have come from one of them, and levels off at [`OLDEST`]; the elevation is `z_a + (z_r - z_a) exp(-age / subsidence_time)`, thermal subsidence
-//! to the abyss (Parsons and Sclater 1977).
+//! The borders along which plates draw apart are ridges from the start. The age is the shortest
+//! time in which crust could have come from one of them, and levels off at [`OLDEST`]; the
+//! elevation is `z_a + (z_r - z_a) exp(-age / subsidence_time)`, thermal subsidence to the abyss
+//! (Parsons and Sclater 1977).
 
 use super::distance::{Source, nearest};
 use crate::crust::FrameId;
@@ -17,11 +18,13 @@ use bevy::math::{DVec3, Vec3};
 /// Age that the floor approaches far from every ridge, in My; Earth's oldest is 180.
 pub(super) const OLDEST: f64 = 160.0;
 
-/// Slowest half-speed of a ridge in km/My; slower ones would drop to the abyss within a few samples.
+/// Slowest half-speed of a ridge in km/My; slower ones would drop to the abyss within a few
+/// samples.
 const SLOWEST: f64 = 9.0;
 
-/// Past speed at which crust left a ridge, relative to that at which the plates part now. The time from
-/// the nearest ridge is the least that the age can be; this makes its mean that of Earth's floor, 60 My.
+/// Past speed at which crust left a ridge, relative to that at which the plates part now. The time
+/// from the nearest ridge is the least that the age can be; this makes its mean that of Earth's
+/// floor, 60 My.
 pub(super) const PAST: f64 = 0.18;
 
 /// A border is a ridge where it opens with at least this share of the relative speed.
@@ -55,7 +58,11 @@ pub(super) fn seafloor(
         };
         if open(i) {
             let speed = (PAST * relative * recipe.radius).max(SLOWEST);
-            sources.push(Source { sample: i as u32, point, slowness: recipe.radius / speed });
+            sources.push(Source {
+                sample: i as u32,
+                point,
+                slowness: recipe.radius / speed,
+            });
         }
     }
     let near = nearest(mesh, &sources);
@@ -66,12 +73,22 @@ pub(super) fn seafloor(
             let age = OLDEST * (1.0 - math::exp(-near.cost[i] / OLDEST));
             let z = z_a + (z_r - z_a) * math::exp(-age / params.subsidence_time);
             let p = mesh.point(i as u32);
-            let q = sources.get(near.source[i] as usize).map_or(p, |source| source.point);
-            (age as f32, z as f32, (p - q).cross(p).normalize_or_zero().as_vec3())
+            let q = sources
+                .get(near.source[i] as usize)
+                .map_or(p, |source| source.point);
+            (
+                age as f32,
+                z as f32,
+                (p - q).cross(p).normalize_or_zero().as_vec3(),
+            )
         };
         range.map(column).collect::<Vec<_>>()
     });
-    let mut floor = Seafloor { age: Vec::new(), elevation: Vec::new(), ridge: Vec::new() };
+    let mut floor = Seafloor {
+        age: Vec::new(),
+        elevation: Vec::new(),
+        ridge: Vec::new(),
+    };
     for (age, elevation, ridge) in parts.into_iter().flatten() {
         floor.age.push(age);
         floor.elevation.push(elevation);
@@ -81,15 +98,31 @@ pub(super) fn seafloor(
     floor
 }
 
-/// The point of a diverging border beside sample `i`, and the speed in rad/My at which the plates part.
-fn border(mesh: &SphereMesh, owner: &[FrameId], motions: &[PlateMotion], i: usize) -> Option<(DVec3, f64)> {
+/// The point of a diverging border beside sample `i`, and the speed in rad/My at which the plates
+/// part.
+fn border(
+    mesh: &SphereMesh,
+    owner: &[FrameId],
+    motions: &[PlateMotion],
+    i: usize,
+) -> Option<(DVec3, f64)> {
     let p = mesh.point(i as u32);
     let ring = mesh.ring(i as u32);
-    let other = ring.iter().find(|&&j| owner[j as usize] != owner[i]).map(|&j| owner[j as usize])?;
-    let across = ring.iter().filter(|&&j| owner[j as usize] == other).map(|&j| mesh.point(j));
+    let other = ring
+        .iter()
+        .find(|&&j| owner[j as usize] != owner[i])
+        .map(|&j| owner[j as usize])?;
+    let across = ring
+        .iter()
+        .filter(|&&j| owner[j as usize] == other)
+        .map(|&j| mesh.point(j));
     let (sum, count) = across.fold((DVec3::ZERO, 0.0), |(sum, n), q| (sum + q, n + 1.0));
     let away = p - sum / count;
-    let velocity = |plate: FrameId| motions.get(usize::from(plate)).map(|motion| motion.velocity(p));
+    let velocity = |plate: FrameId| {
+        motions
+            .get(usize::from(plate))
+            .map(|motion| motion.velocity(p))
+    };
     let relative = velocity(owner[i])? - velocity(other)?;
     let opening = relative.dot(away) / away.length();
     let point = (p - 0.5 * away).normalize();

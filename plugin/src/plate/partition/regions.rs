@@ -14,7 +14,8 @@ pub struct Regions {
     pub label: Vec<u16>,
 }
 
-/// Finds the connected regions of `samples`, where neighbours with equal entries of `labels` belong together.
+/// Finds the connected regions of `samples`, where neighbours with equal entries of `labels` belong
+/// together.
 pub fn connected_regions(mesh: &SphereMesh, samples: &[u32], labels: &[u16]) -> Regions {
     regions(mesh, samples, labels, &entries(mesh, samples))
 }
@@ -37,10 +38,15 @@ pub fn keep_connected(mesh: &SphereMesh, samples: &[u32], labels: &mut [u16]) {
     }
     let kept = |entry: usize| largest[usize::from(labels[entry])] == Some(regions.region[entry]);
     let mut settled: Vec<bool> = (0..samples.len()).map(kept).collect();
-    let mut stray: Vec<usize> = (0..samples.len()).filter(|&entry| !settled[entry]).collect();
+    let mut stray: Vec<usize> = (0..samples.len())
+        .filter(|&entry| !settled[entry])
+        .collect();
     while !stray.is_empty() {
         let decide = |&entry: &usize| {
-            let ring = mesh.ring(samples[entry]).iter().map(|&j| entries[j as usize]);
+            let ring = mesh
+                .ring(samples[entry])
+                .iter()
+                .map(|&j| entries[j as usize]);
             let near = ring.filter(|&e| e != OUTSIDE && settled[e as usize]);
             most_common(near.map(|e| labels[e as usize])).map(|label| (entry, label))
         };
@@ -59,7 +65,10 @@ pub fn keep_connected(mesh: &SphereMesh, samples: &[u32], labels: &mut [u16]) {
 /// The position of each sample of the mesh in `samples`.
 fn entries(mesh: &SphereMesh, samples: &[u32]) -> Vec<u32> {
     let mut entries = vec![OUTSIDE; mesh.len()];
-    samples.iter().enumerate().for_each(|(entry, &i)| entries[i as usize] = entry as u32);
+    samples
+        .iter()
+        .enumerate()
+        .for_each(|(entry, &i)| entries[i as usize] = entry as u32);
     entries
 }
 
@@ -69,7 +78,10 @@ fn regions(mesh: &SphereMesh, samples: &[u32], labels: &[u16], entries: &[u32]) 
     let together = |i: u32, j: u32| labels[entry(i) as usize] == labels[entry(j) as usize];
     let components = Components::new(mesh, member, together);
     let mut number = vec![OUTSIDE; components.count];
-    let mut found = Regions { region: vec![OUTSIDE; samples.len()], ..Regions::default() };
+    let mut found = Regions {
+        region: vec![OUTSIDE; samples.len()],
+        ..Regions::default()
+    };
     for (entry, &i) in samples.iter().enumerate() {
         let number = &mut number[components.of[i as usize] as usize];
         if *number == OUTSIDE {
@@ -86,5 +98,7 @@ fn regions(mesh: &SphereMesh, samples: &[u32], labels: &[u16], entries: &[u32]) 
 /// The most common of a few labels, the lowest among equals.
 fn most_common(labels: impl Iterator<Item = u16> + Clone) -> Option<u16> {
     let count = |label: u16| labels.clone().filter(|&other| other == label).count();
-    labels.clone().max_by_key(|&label| (count(label), core::cmp::Reverse(label)))
+    labels
+        .clone()
+        .max_by_key(|&label| (count(label), core::cmp::Reverse(label)))
 }

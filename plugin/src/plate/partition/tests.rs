@@ -8,7 +8,11 @@ fn mesh(samples: u32) -> SphereMesh {
 }
 
 fn recipe(seed: u64, plate_count: u32) -> PlanetRecipe {
-    PlanetRecipe { seed, plate_count, ..Default::default() }
+    PlanetRecipe {
+        seed,
+        plate_count,
+        ..Default::default()
+    }
 }
 
 fn all(mesh: &SphereMesh) -> Vec<u32> {
@@ -22,13 +26,24 @@ fn centroids(n: u64) -> Vec<DVec3> {
 
 /// Number of edges between samples of different plates, each counted twice.
 fn perimeter(mesh: &SphereMesh, owner: &[u16]) -> usize {
-    let foreign = |i: u32| mesh.ring(i).iter().filter(|&&j| owner[j as usize] != owner[i as usize]).count();
+    let foreign = |i: u32| {
+        mesh.ring(i)
+            .iter()
+            .filter(|&&j| owner[j as usize] != owner[i as usize])
+            .count()
+    };
     (0..mesh.len() as u32).map(foreign).sum()
 }
 
 #[test]
 fn every_plate_is_one_region() {
-    for (samples, plates) in [(100, 2), (100, 10), (2000, 200), (10_000, 1000), (20_000, 40)] {
+    for (samples, plates) in [
+        (100, 2),
+        (100, 10),
+        (2000, 200),
+        (10_000, 1000),
+        (20_000, 40),
+    ] {
         let mesh = mesh(samples);
         for seed in 1..4 {
             let (motions, owner) = initial_plates(&recipe(seed, plates), &mesh);
@@ -45,8 +60,15 @@ fn every_plate_is_one_region() {
 
 #[test]
 fn plates_on_the_same_spot_still_have_samples() {
-    let plate = PlateRecipe { centroid: (10.0, 20.0), pole: None, speed: 0.0 };
-    let recipe = PlanetRecipe { plates: vec![plate; 5], ..Default::default() };
+    let plate = PlateRecipe {
+        centroid: (10.0, 20.0),
+        pole: None,
+        speed: 0.0,
+    };
+    let recipe = PlanetRecipe {
+        plates: vec![plate; 5],
+        ..Default::default()
+    };
     let mesh = mesh(500);
     let (_, owner) = initial_plates(&recipe, &mesh);
     let regions = connected_regions(&mesh, &all(&mesh), &owner);
@@ -59,11 +81,16 @@ fn sizes_vary_as_on_earth() {
     for seed in 1..6 {
         let (_, owner) = initial_plates(&recipe(seed, 40), &mesh);
         let mut share = [0.0; 40];
-        owner.iter().for_each(|&plate| share[usize::from(plate)] += 1.0 / 20_000.0);
+        owner
+            .iter()
+            .for_each(|&plate| share[usize::from(plate)] += 1.0 / 20_000.0);
         share.sort_by(f64::total_cmp);
         assert!((0.08..0.3).contains(&share[39]), "largest {}", share[39]);
         assert!((0.0005..0.012).contains(&share[0]), "smallest {}", share[0]);
-        assert!(share[20..].iter().sum::<f64>() > 0.75, "half of the plates hold most");
+        assert!(
+            share[20..].iter().sum::<f64>() > 0.75,
+            "half of the plates hold most"
+        );
     }
 }
 
@@ -71,7 +98,10 @@ fn sizes_vary_as_on_earth() {
 fn the_partition_does_not_depend_on_threads() {
     let mesh = mesh(12_000);
     let run = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
         pool.install(|| initial_plates(&recipe(8, 30), &mesh))
     };
     assert_eq!(run(1), run(3));
@@ -130,7 +160,10 @@ fn warp_makes_borders_irregular_but_not_speckled() {
     let stray = connected_regions(&mesh, &all(&mesh), &warped).size.len() - 40;
     assert!(stray < 200, "{stray} stray pieces");
     keep_connected(&mesh, &all(&mesh), &mut warped);
-    assert_eq!(connected_regions(&mesh, &all(&mesh), &warped).size.len(), 40);
+    assert_eq!(
+        connected_regions(&mesh, &all(&mesh), &warped).size.len(),
+        40
+    );
     let ratio = perimeter(&mesh, &warped) as f64 / perimeter(&mesh, &plain) as f64;
     assert!((1.15..2.5).contains(&ratio), "perimeter grew {ratio} times");
 }
@@ -165,19 +198,35 @@ fn only_strays_change_and_the_largest_region_stays() {
 #[test]
 fn a_part_of_the_mesh_is_its_own_world() {
     let mesh = mesh(4000);
-    let part: Vec<u32> = all(&mesh).into_iter().filter(|&i| mesh.point(i).z > 0.3).collect();
-    let sites = [math::direction(60.0, 0.0), math::direction(60.0, 120.0), math::direction(60.0, 240.0)];
+    let part: Vec<u32> = all(&mesh)
+        .into_iter()
+        .filter(|&i| mesh.point(i).z > 0.3)
+        .collect();
+    let sites = [
+        math::direction(60.0, 0.0),
+        math::direction(60.0, 120.0),
+        math::direction(60.0, 240.0),
+    ];
     let noise = Noise::new(4, Purpose::RiftWarp, 0);
     let mut labels = warped_voronoi(&mesh, &part, &sites, &[], &noise, 0.4);
     keep_connected(&mesh, &part, &mut labels);
     let regions = connected_regions(&mesh, &part, &labels);
     assert_eq!(regions.label.len(), 3);
-    assert!(regions.size.iter().all(|&size| size as usize * 8 > part.len()));
+    assert!(
+        regions
+            .size
+            .iter()
+            .all(|&size| size as usize * 8 > part.len())
+    );
 }
 
 #[test]
 fn given_motions_are_kept() {
-    let plate = |centroid, pole, speed| PlateRecipe { centroid, pole, speed };
+    let plate = |centroid, pole, speed| PlateRecipe {
+        centroid,
+        pole,
+        speed,
+    };
     let recipe = PlanetRecipe {
         radius: 3000.0,
         plates: vec![
@@ -195,7 +244,11 @@ fn given_motions_are_kept() {
     assert!((east(1, 0.0) - DVec3::new(0.0, -30.0, 0.0)).length() < 1e-12);
     assert!(motions[2].speed * recipe.radius > 10.0);
     assert!((motions[3].speed * recipe.radius - 25.0).abs() < 1e-12);
-    assert!(motions.iter().all(|m| m.speed >= 0.0 && (m.axis.length() - 1.0).abs() < 1e-12));
+    assert!(
+        motions
+            .iter()
+            .all(|m| m.speed >= 0.0 && (m.axis.length() - 1.0).abs() < 1e-12)
+    );
 }
 
 #[test]
@@ -234,7 +287,10 @@ fn presets_are_valid() {
     }
     assert!(count >= 6);
     assert_eq!(preset("earth_like"), PlanetRecipe::default());
-    assert_eq!(preset("paper").params.ocean_floor, crate::params::OceanFloor::Paper);
+    assert_eq!(
+        preset("paper").params.ocean_floor,
+        crate::params::OceanFloor::Paper
+    );
 }
 
 #[test]

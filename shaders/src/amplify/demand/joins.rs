@@ -1,4 +1,5 @@
-//! What joins what, made as far as it is asked for: faces of the control mesh, halves of edges, quarters of faces.
+//! What joins what, made as far as it is asked for: faces of the control mesh, halves of edges,
+//! quarters of faces.
 
 use super::super::base::Base;
 use super::super::rules::EdgeKind;
@@ -13,11 +14,17 @@ impl<B: Deref<Target = Base>> Demand<B> {
         if let Some(&place) = self.placed[2].get(&face) {
             return place;
         }
-        let Face { vertices, edges, .. } = self.base.level.faces[face as usize];
+        let Face {
+            vertices, edges, ..
+        } = self.base.level.faces[face as usize];
         let vertices = vertices.map(|v| self.base_vertex(v));
         let edges = edges.map(|e| self.base_edge(e));
         let faces = &mut self.layers[0].faces;
-        faces.push(KnownFace { face: Face::new(vertices, edges, face), decided: false, dry: None });
+        faces.push(KnownFace {
+            face: Face::new(vertices, edges, face),
+            decided: false,
+            dry: None,
+        });
         let place = faces.len() as u32 - 1;
         self.placed[2].insert(face, place);
         place
@@ -37,9 +44,21 @@ impl<B: Deref<Target = Base>> Demand<B> {
         }
         let from = self.base.level.edges[edge as usize];
         let vertices = from.vertices.map(|v| self.base_vertex(v));
-        let made = Known::new(Edge { vertices, faces: [NONE; 2], ..from }, edge, 0);
+        let made = Known::new(
+            Edge {
+                vertices,
+                faces: [NONE; 2],
+                ..from
+            },
+            edge,
+            0,
+        );
         let edges = &mut self.layers[0].edges;
-        edges.push(Known { has_kind: true, has_arriving: true, ..made });
+        edges.push(Known {
+            has_kind: true,
+            has_arriving: true,
+            ..made
+        });
         let place = edges.len() as u32 - 1;
         self.placed[1].insert(edge, place);
         place
@@ -55,7 +74,8 @@ impl<B: Deref<Target = Base>> Demand<B> {
                     let face = self.base_face(face);
                     self.edge_mut(0, edge).edge.faces[side] = face;
                 } else {
-                    let parent = self.faces(level - 1, known.parent)[side ^ usize::from(known.reversed)];
+                    let parent =
+                        self.faces(level - 1, known.parent)[side ^ usize::from(known.reversed)];
                     self.quarter(level - 1, parent);
                 }
             }
@@ -74,7 +94,11 @@ impl<B: Deref<Target = Base>> Demand<B> {
             let halves = &mut self.layers[level + 1].edges;
             let child = halves.len() as u32;
             for (slot, ends) in [(0, [a, mid]), (1, [mid, b])] {
-                halves.push(Known::new(Edge::new(EdgeKind::Terrain, ends, [NONE; 2]), edge, slot));
+                halves.push(Known::new(
+                    Edge::new(EdgeKind::Terrain, ends, [NONE; 2]),
+                    edge,
+                    slot,
+                ));
             }
             let known = self.edge_mut(level, edge);
             (known.edge.mid, known.edge.child) = (mid, child);
@@ -107,14 +131,26 @@ impl<B: Deref<Target = Base>> Demand<B> {
         let inner = layer.edges.len() as u32;
         for k in 0..3 {
             let other = (k + 2) % 3;
-            let edge = Edge::new(EdgeKind::Terrain, [mids[k], mids[other]], [child + k as u32, child + 3]);
+            let edge = Edge::new(
+                EdgeKind::Terrain,
+                [mids[k], mids[other]],
+                [child + k as u32, child + 3],
+            );
             layer.edges.push(Known::new(edge, face, 2 + k as u8));
             let edges = [halves[k][0], inner + k as u32, halves[other][1]];
             let corner = Face::new([made.vertices[k], mids[k], mids[other]], edges, face);
-            layer.faces.push(KnownFace { face: corner, decided: false, dry: None });
+            layer.faces.push(KnownFace {
+                face: corner,
+                decided: false,
+                dry: None,
+            });
         }
         let middle = Face::new(mids, [inner + 1, inner + 2, inner], face);
-        layer.faces.push(KnownFace { face: middle, decided: false, dry: None });
+        layer.faces.push(KnownFace {
+            face: middle,
+            decided: false,
+            dry: None,
+        });
         self.layers[level].faces[face as usize].face.child = child;
         child
     }

@@ -29,7 +29,13 @@ impl<B: Deref<Target = Base>> Demand<B> {
                 }
             }
             let along = [up, parent.mid, down].map(|v| self.vertex(v));
-            (kind, reversed) = half_kind(&self.rules, above, parent.kind, usize::from(known.slot), along);
+            (kind, reversed) = half_kind(
+                &self.rules,
+                above,
+                parent.kind,
+                usize::from(known.slot),
+                along,
+            );
             birth = parent.birth;
         } else {
             (kind, reversed) = self.decide(level - 1, known.parent)[known.slot as usize - 2].edge();
@@ -37,7 +43,12 @@ impl<B: Deref<Target = Base>> Demand<B> {
         }
         let birth = if kind == EdgeKind::River { birth } else { 0 };
         let known = self.edge_mut(level, edge);
-        (known.edge.kind, known.edge.birth, known.has_kind, known.reversed) = (kind, birth, true, reversed);
+        (
+            known.edge.kind,
+            known.edge.birth,
+            known.has_kind,
+            known.reversed,
+        ) = (kind, birth, true, reversed);
         if reversed {
             known.edge.vertices.swap(0, 1);
             known.edge.faces.swap(0, 1);
@@ -91,14 +102,19 @@ impl<B: Deref<Target = Base>> Demand<B> {
         dry
     }
 
-    /// Whether none of a face's edges is a river or gully; in the straight levels that holds for its children too.
+    /// Whether none of a face's edges is a river or gully; in the straight levels that holds for
+    /// its children too.
     fn is_dry_face(&mut self, level: usize, face: u32) -> bool {
         let known = self.layers[level].faces[face as usize];
         if let Some(dry) = known.dry {
             return dry;
         }
         let dry = if level as u32 == STRAIGHT_LEVEL {
-            known.face.edges.into_iter().all(|e| self.settle_kind(level, e) == EdgeKind::Terrain)
+            known
+                .face
+                .edges
+                .into_iter()
+                .all(|e| self.settle_kind(level, e) == EdgeKind::Terrain)
         } else {
             self.is_dry_face(level - 1, known.face.parent)
         };

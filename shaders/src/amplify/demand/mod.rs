@@ -1,8 +1,9 @@
 //! The passes on demand: any one vertex of any level, from no more than it depends on.
 //!
-//! What joins what is made without a vertex being computed (`joins`); a vertex, a face's decision (`stages`), an
-//! edge's kind (`kinds`) are computed by the passes' own functions when first asked for, and kept. So the bits are
-//! those of a whole refinement, and away from rivers a level costs half a dozen vertices.
+//! What joins what is made without a vertex being computed (`joins`); a vertex, a face's decision
+//! (`stages`), an edge's kind (`kinds`) are computed by the passes' own functions when first asked
+//! for, and kept. So the bits are those of a whole refinement, and away from rivers a level costs
+//! half a dozen vertices.
 
 mod joins;
 mod kinds;
@@ -29,8 +30,8 @@ enum Stage {
 #[derive(Clone, Copy, Debug)]
 struct Known {
     edge: Edge,
-    /// The edge that it halves (slots 0, 1), the face whose corner 0..3 it cuts off (slots 2..5), or the edge of the
-    /// control mesh.
+    /// The edge that it halves (slots 0, 1), the face whose corner 0..3 it cuts off (slots 2..5),
+    /// or the edge of the control mesh.
     parent: u32,
     slot: u8,
     has_kind: bool,
@@ -84,7 +85,8 @@ pub struct Demand<B> {
     /// Level and edge that each vertex halves; level 255 for a vertex of the control mesh.
     origins: Vec<(u8, u32)>,
     layers: Vec<Layer>,
-    /// Where vertices, edges and faces of the control mesh are: of half a million items, some hundred.
+    /// Where vertices, edges and faces of the control mesh are: of half a million items, some
+    /// hundred.
     placed: [Places; 3],
 }
 
@@ -124,7 +126,12 @@ impl<B: Deref<Target = Base>> Demand<B> {
     /// How many vertices are named only, have their place, are settled.
     pub fn counts(&self) -> [usize; 3] {
         let mut counts = [0; 3];
-        for known in self.layers.iter().flat_map(|l| &l.edges).filter(|k| k.edge.mid != NONE) {
+        for known in self
+            .layers
+            .iter()
+            .flat_map(|l| &l.edges)
+            .filter(|k| k.edge.mid != NONE)
+        {
             counts[known.stage as usize] += 1;
         }
         counts

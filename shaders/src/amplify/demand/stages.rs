@@ -37,7 +37,9 @@ impl<B: Deref<Target = Base>> Demand<B> {
         self.ensure(b);
         let mut far = [NONE; 2];
         if (level as u32) < STRAIGHT_LEVEL {
-            far = self.faces(level, edge).map(|f| self.face(level, f).opposite(edge));
+            far = self
+                .faces(level, edge)
+                .map(|f| self.face(level, f).opposite(edge));
             for v in far {
                 self.ensure(v);
             }
@@ -62,7 +64,9 @@ impl<B: Deref<Target = Base>> Demand<B> {
         if known.decided || level as u32 >= STRAIGHT_LEVEL {
             return known.face.inner;
         }
-        let Face { vertices, edges, .. } = known.face;
+        let Face {
+            vertices, edges, ..
+        } = known.face;
         let kinds = edges.map(|e| self.settle_kind(level, e));
         let mut inner = [Inner::Terrain; 3];
         if kinds != [EdgeKind::Terrain; 3] {
@@ -72,7 +76,9 @@ impl<B: Deref<Target = Base>> Demand<B> {
                 self.ensure(vertices[k]);
                 if kinds[k] != EdgeKind::Terrain {
                     let [f, g] = self.faces(level, edges[k]);
-                    beyond[k] = self.face(level, if f == face { g } else { f }).opposite(edges[k]);
+                    beyond[k] = self
+                        .face(level, if f == face { g } else { f })
+                        .opposite(edges[k]);
                     self.ensure(beyond[k]);
                 }
             }
@@ -135,20 +141,33 @@ impl<B: Deref<Target = Base>> Demand<B> {
         let beside = others.map(|e| -> Option<Beside> {
             let other = &self.layers[level].edges.get(e as usize)?.edge;
             let mid = if straight { None } else { at(other.mid) };
-            Some((other, other.vertices.map(|v| &self.vertices[v as usize]), mid))
+            Some((
+                other,
+                other.vertices.map(|v| &self.vertices[v as usize]),
+                mid,
+            ))
         });
         let around = Surroundings {
             edge: &known.edge,
             ends: known.edge.vertices.map(|v| &self.vertices[v as usize]),
-            opposite: if straight { [None; 2] } else { opposite.map(at) },
+            opposite: if straight {
+                [None; 2]
+            } else {
+                opposite.map(at)
+            },
             gully_tip: asked.0,
             river_tip: asked.1,
             branched: asked.2,
             beside,
         };
         let mid = known.edge.mid;
-        let settled =
-            resolve(&self.base.planet, &self.rules, level as u32, &self.vertices[mid as usize], &around);
+        let settled = resolve(
+            &self.base.planet,
+            &self.rules,
+            level as u32,
+            &self.vertices[mid as usize],
+            &around,
+        );
         settled.write(&mut self.vertices[mid as usize]);
         self.edge_mut(level, edge).stage = Stage::Resolved;
     }

@@ -10,9 +10,9 @@ use super::{Ground, terrain};
 
 /// The vertex of an edge with an end in the sea, or along the shore.
 ///
-/// Between land and sea it keeps the mean elevation, as the release does, drawn a little at random: the sign of the
-/// height makes the shore. Along the shore bays and headlands alternate. Under water the floor is smooth: its relief is noise,
-/// laid on once the subdivision is done.
+/// Between land and sea it keeps the mean elevation, as the release does, drawn a little at random:
+/// the sign of the height makes the shore. Along the shore bays and headlands alternate. Under
+/// water the floor is smooth: its relief is noise, laid on once the subdivision is done.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
     use VertexKind::{Coast, Sea};
     let (a, b) = (context.a, context.b);
@@ -22,16 +22,25 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
         _ => {
             let (low, high) = terrain::ordered(a.height, b.height);
             let xi = share(context.new.seed, 0);
-            // Where the shore crosses an edge is drawn anew at every level: no length of coast is straight.
-            let spread = if rules.landforms { 54_000 - 2_000 * context.level.min(16) as i32 } else { 0 };
+            // Where the shore crosses an edge is drawn anew at every level: no length of coast is
+            // straight.
+            let spread = if rules.landforms {
+                54_000 - 2_000 * context.level.min(16) as i32
+            } else {
+                0
+            };
             let height = mix(low, high, Q16 / 2 + mul_q16(xi - Q16 / 2, spread));
-            if height <= 0 { under_water(height) } else { Ground::dry(VertexKind::Terrain, height) }
+            if height <= 0 {
+                under_water(height)
+            } else {
+                Ground::dry(VertexKind::Terrain, height)
+            }
         }
     }
 }
 
-/// The middle of an edge along the shore: a bay or a headland in ours, so that no coast runs straight; the shore itself
-/// at the finest levels, and in print and release.
+/// The middle of an edge along the shore: a bay or a headland in ours, so that no coast runs
+/// straight; the shore itself at the finest levels, and in print and release.
 fn along_shore(rules: &Rules, context: &EdgeContext) -> Ground {
     if !rules.landforms || context.level > 11 {
         return Ground::dry(VertexKind::Coast, 0);
@@ -39,11 +48,15 @@ fn along_shore(rules: &Rules, context: &EdgeContext) -> Ground {
     // Six in a thousand of the edge either way, at most 40 m; headlands a little oftener than bays.
     let toss = share(context.new.seed, 1) - 26_214;
     let height = mul_q16(mul_q16(context.length, 393).min(40 * GRAINS), 2 * toss);
-    if height < 0 { under_water(height) } else { Ground::dry(VertexKind::Terrain, height.max(1)) }
+    if height < 0 {
+        under_water(height)
+    } else {
+        Ground::dry(VertexKind::Terrain, height.max(1))
+    }
 }
 
-/// Height of the sea floor between two places of it: the mean, and in ours a little to either side, in proportion to the
-/// fall and to the edge, so that no facet of the control mesh shows.
+/// Height of the sea floor between two places of it: the mean, and in ours a little to either side,
+/// in proportion to the fall and to the edge, so that no facet of the control mesh shows.
 fn floor(rules: &Rules, context: &EdgeContext) -> i32 {
     let (a, b) = (context.a.height, context.b.height);
     if !rules.landforms {
@@ -61,5 +74,10 @@ fn floor(rules: &Rules, context: &EdgeContext) -> i32 {
 
 /// Sea floor: its water is the sea's.
 fn under_water(height: i32) -> Ground {
-    Ground { kind: VertexKind::Sea, height, bed: height, water: 0.max(height) }
+    Ground {
+        kind: VertexKind::Sea,
+        height,
+        bed: height,
+        water: 0.max(height),
+    }
 }

@@ -9,8 +9,8 @@ use super::landform::dryness;
 use super::preset::Rules;
 use super::{Ground, crest};
 
-/// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet land, or high in the
-/// mountains, on the coarse levels only.
+/// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet
+/// land, or high in the mountains, on the coarse levels only.
 pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u16) -> i32 {
     if level >= rules.lake_levels || river.bed <= 10 * GRAINS || river.branched {
         return 0;
@@ -27,15 +27,19 @@ pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u1
     mul_q16(mul_q16(mul_q16(rules.lake_chance, coarse), high), wet)
 }
 
-/// Chance that a lake reaches half the way to land beside it. In ours on all levels: bays and points of all sizes make
-/// its shore, as they make a coast.
+/// Chance that a lake reaches half the way to land beside it. In ours on all levels: bays and
+/// points of all sizes make its shore, as they make a coast.
 fn spread(rules: &Rules) -> i32 {
     if rules.landforms { 30_000 } else { 0 }
 }
 
 /// R3 with a lake: the new vertex lies under the river's water, or nothing where no lake forms.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
-    let (river, land) = if context.a.is_wet() { (context.a, context.b) } else { (context.b, context.a) };
+    let (river, land) = if context.a.is_wet() {
+        (context.a, context.b)
+    } else {
+        (context.b, context.a)
+    };
     let on_land = matches!(land.kind, VertexKind::Terrain | VertexKind::Gully);
     // Land lower than the water is the valley below: no lake there.
     if !on_land || river.water <= river.bed || land.height <= river.water {
@@ -43,8 +47,11 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
     }
     let new = context.new;
     let born = river.kind == VertexKind::River;
-    let chance =
-        if born { chance(rules, context.level, river, new.crust, new.wetness) } else { spread(rules) };
+    let chance = if born {
+        chance(rules, context.level, river, new.crust, new.wetness)
+    } else {
+        spread(rules)
+    };
     if share(new.seed, 10) >= chance {
         return None;
     }
@@ -55,7 +62,12 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
         // The floor shelves towards the shore.
         river.bed + (river.water - river.bed) / 2
     };
-    Some(Ground { kind: VertexKind::Lake, height: bed, bed, water: river.water })
+    Some(Ground {
+        kind: VertexKind::Lake,
+        height: bed,
+        bed,
+        water: river.water,
+    })
 }
 
 /// Between two lake vertices: the floor of their lake, or a crest between two lakes.
@@ -65,5 +77,10 @@ pub fn between(rules: &Rules, context: &EdgeContext) -> Ground {
         return crest::between_rivers(rules, context);
     }
     let bed = a.bed + (b.bed - a.bed) / 2;
-    Ground { kind: VertexKind::Lake, height: bed, bed, water: a.water }
+    Ground {
+        kind: VertexKind::Lake,
+        height: bed,
+        bed,
+        water: a.water,
+    }
 }

@@ -1,8 +1,9 @@
-//! What kind of land a vertex lies in: how old, how dry, how steep (paper 002 §3; DESIGN's Andean and Himalayan belts).
+//! What kind of land a vertex lies in: how old, how dry, how steep (paper 002 §3; DESIGN's Andean
+//! and Himalayan belts).
 //!
-//! Steepness stands for rock and uplift: real young belts of collision keep slopes near 30° at all scales, those of
-//! subduction near 25°, old belts near 12°, and it falls with the crust's height above the sea, which is all the relief
-//! that rivers have to cut.
+//! Steepness stands for rock and uplift: real young belts of collision keep slopes near 30° at all
+//! scales, those of subduction near 25°, old belts near 12°, and it falls with the crust's height
+//! above the sea, which is all the relief that rivers have to cut.
 
 use super::super::arith::{mix, mul_q16, ratio, smoothstep, square};
 use super::super::fixed::{GRAINS, Q16};
@@ -35,7 +36,11 @@ impl Landform {
         let dry = dryness(vertex.wetness);
         let aged = worn(vertex) + mul_q16(dry, 24_904);
         let old = if aged < Q16 { aged } else { Q16 };
-        Self { old, dry, steep: steepness(rules, vertex) }
+        Self {
+            old,
+            dry,
+            steep: steepness(rules, vertex),
+        }
     }
 }
 
@@ -50,7 +55,11 @@ pub fn steepness(rules: &Rules, vertex: &Vertex) -> i32 {
     if !rules.landforms {
         return rules.steep_old;
     }
-    let young = mix(rules.steep_subduction, rules.steep_collision, i32::from(vertex.collision));
+    let young = mix(
+        rules.steep_subduction,
+        rules.steep_collision,
+        i32::from(vertex.collision),
+    );
     let steep = mix(young, rules.steep_old, worn(vertex));
     // Low land has little to cut: a plain at 0.2 km is a tenth as steep as a belt at 1.5 km.
     let crust = vertex.crust.max(0);

@@ -1,8 +1,9 @@
-//! The rules that give a new vertex its ground: paper 002 §5.2, §5.3, §6 and Appendix A; paper 000 §5 for the ocean.
+//! The rules that give a new vertex its ground: paper 002 §5.2, §5.3, §6 and Appendix A; paper 000
+//! §5 for the ocean.
 //!
-//! Pure functions of grains, shares in Q16 and seeds, in the 32-bit operations that WGSL has. [`halve`] picks the
-//! compute graph by the edge's configuration; each graph has its file. No rule reads anything finer than the edge, so
-//! no view changes a bit of what it yields.
+//! Pure functions of grains, shares in Q16 and seeds, in the 32-bit operations that WGSL has.
+//! [`halve`] picks the compute graph by the edge's configuration; each graph has its file. No rule
+//! reads anything finer than the edge, so no view changes a bit of what it yields.
 
 pub mod nodes;
 pub mod noise;
@@ -27,8 +28,9 @@ use super::control::VertexKind;
 use super::vertex::EdgeContext;
 pub use preset::Rules;
 
-/// First level, in our rules, at which a vertex lies on the face where it was moved to, not at its edge's height: edges
-/// of 800 m and less on an Earth-sized planet, the size of a hillside. An even slope stays even under sideways moves.
+/// First level, in our rules, at which a vertex lies on the face where it was moved to, not at its
+/// edge's height: edges of 800 m and less on an Earth-sized planet, the size of a hillside. An even
+/// slope stays even under sideways moves.
 const FACE_LEVEL: u32 = 6;
 
 /// What an edge is (the paper's edge types R and T; gullies have their own).
@@ -61,11 +63,17 @@ impl Ground {
     /// Dry ground of one kind.
     #[inline]
     pub const fn dry(kind: VertexKind, height: i32) -> Self {
-        Self { kind, height, bed: height, water: height }
+        Self {
+            kind,
+            height,
+            bed: height,
+            water: height,
+        }
     }
 }
 
-/// The ground of the vertex that halves an edge: picks the rule by the configuration (kind, edge, kind).
+/// The ground of the vertex that halves an edge: picks the rule by the configuration (kind, edge,
+/// kind).
 pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> Ground {
     use VertexKind::{Coast, Gully, Lake, River, Sea};
     let (a, b) = (context.a.kind, context.b.kind);

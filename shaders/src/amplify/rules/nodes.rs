@@ -1,8 +1,9 @@
-//! The procedural nodes of the compute graphs: mountains young and old, peaks, terraces, hills, plateaus.
+//! The procedural nodes of the compute graphs: mountains young and old, peaks, terraces, hills,
+//! plateaus.
 //!
-//! Source: paper 002 Appendix A; the released source differs for young mountains and hills, see [`Form`].
-//! ξ and χ are uniform in 0..1 (Q16), h in grains. A node never panics and never leaves 32 bits for heights within
-//! ±100 km.
+//! Source: paper 002 Appendix A; the released source differs for young mountains and hills, see
+//! [`Form`]. ξ and χ are uniform in 0..1 (Q16), h in grains. A node never panics and never leaves
+//! 32 bits for heights within ±100 km.
 
 use super::super::arith::{mix, mul_q16, pow_1_5, ratio, saturate, smooth, square};
 use super::super::fixed::{GRAINS, Q16};
@@ -68,7 +69,8 @@ pub const fn peak_old_wet(xi: i32, crust: i32) -> i32 {
 /// Height of a step of terraced mountains, grains: 700 m.
 pub const TERRACE_STEP: i32 = 700 * GRAINS;
 
-/// Terraces: treads at multiples of `step`, Hermite risers between them. Keeps multiples where they are.
+/// Terraces: treads at multiples of `step`, Hermite risers between them. Keeps multiples where they
+/// are.
 #[inline]
 pub const fn terrace(height: i32, step: i32) -> i32 {
     let tread = floor_to(height, step);
@@ -79,14 +81,18 @@ pub const fn terrace(height: i32, step: i32) -> i32 {
 #[inline]
 pub const fn floor_to(height: i32, step: i32) -> i32 {
     let down = height % step;
-    if down < 0 { height - down - step } else { height - down }
+    if down < 0 {
+        height - down - step
+    } else {
+        height - down
+    }
 }
 
 /// Highest hill, grains: 800 m.
 pub const HILL_LIMIT: i32 = 800 * GRAINS;
 
-/// Offset of hills: min(800 m, (1 - ξ²)/2 · ε)·B, ε the edge's length, or with χ < ½ a third (printed) or 0.3
-/// (released) of it downwards.
+/// Offset of hills: min(800 m, (1 - ξ²)/2 · ε)·B, ε the edge's length, or with χ < ½ a third
+/// (printed) or 0.3 (released) of it downwards.
 #[inline]
 pub const fn hill(form: Form, xi: i32, chi: i32, length: i32, presence: i32) -> i32 {
     let epsilon = if chi >= Q16 / 2 {
@@ -98,7 +104,14 @@ pub const fn hill(form: Form, xi: i32, chi: i32, length: i32, presence: i32) -> 
         }
     };
     let offset = mul_q16(epsilon, Q16 - square(xi)) / 2;
-    mul_q16(if offset < HILL_LIMIT { offset } else { HILL_LIMIT }, presence)
+    mul_q16(
+        if offset < HILL_LIMIT {
+            offset
+        } else {
+            HILL_LIMIT
+        },
+        presence,
+    )
 }
 
 /// A plateau holds a height at its base level: h' blended towards it by 0.88·P.
@@ -110,7 +123,11 @@ pub const fn plateau(height: i32, base: i32, presence: i32) -> i32 {
 /// A height between two others, h = (1 - α) h₋ + α h₊, whichever of them is the higher.
 #[inline]
 pub const fn between(a: i32, b: i32, alpha: i32) -> i32 {
-    if a < b { mix(a, b, alpha) } else { mix(b, a, alpha) }
+    if a < b {
+        mix(a, b, alpha)
+    } else {
+        mix(b, a, alpha)
+    }
 }
 
 #[cfg(test)]
@@ -134,8 +151,16 @@ mod tests {
             let d = 1.0 - 0.4 * f64::from(level.min(10)) / 10.0;
             close(delta, d * UNIT, 0.51);
             for (xi, x) in shares() {
-                close(young(Form::Paper, delta, xi), (0.5 + d / 2.0 * (x * x.sqrt() - 1.0)) * UNIT, 3.0);
-                close(young(Form::Release, delta, xi), (0.5 - 0.5 * d + d * x * x.sqrt()) * UNIT, 4.0);
+                close(
+                    young(Form::Paper, delta, xi),
+                    (0.5 + d / 2.0 * (x * x.sqrt() - 1.0)) * UNIT,
+                    3.0,
+                );
+                close(
+                    young(Form::Release, delta, xi),
+                    (0.5 - 0.5 * d + d * x * x.sqrt()) * UNIT,
+                    4.0,
+                );
                 close(old_dry(delta, xi), (0.5 + 0.4 * d * (x - 1.0)) * UNIT, 2.0);
                 close(old_wet(delta, xi), (1.0 + 0.6 * d * (x - 1.0)) * UNIT, 2.0);
             }
@@ -168,7 +193,11 @@ mod tests {
         for (xi, x) in shares() {
             close(peak_young(xi, crust), x * x * f64::from(crust), 95.0);
             close(peak_old_dry(xi, crust), x * f64::from(crust), 1.0);
-            close(peak_old_wet(xi, crust), (1.0 - x * x) * f64::from(crust), 95.0);
+            close(
+                peak_old_wet(xi, crust),
+                (1.0 - x * x) * f64::from(crust),
+                95.0,
+            );
         }
     }
 
@@ -180,7 +209,11 @@ mod tests {
             let got = terrace(height, step);
             let beta = f64::from(height.rem_euclid(step)) / f64::from(step);
             let tread = f64::from(height.div_euclid(step)) * f64::from(step);
-            close(got, tread + beta * beta * (3.0 - 2.0 * beta) * f64::from(step), 60.0);
+            close(
+                got,
+                tread + beta * beta * (3.0 - 2.0 * beta) * f64::from(step),
+                60.0,
+            );
             assert!(got + 40 >= last, "monotone but for rounding");
             last = got;
         }
@@ -193,7 +226,11 @@ mod tests {
         for (xi, x) in shares() {
             for length in [400 * GRAINS, 26_000 * GRAINS] {
                 let up = hill(Form::Paper, xi, Q16, length, Q16);
-                close(up, (f64::from(length) * (1.0 - x * x) / 2.0).min(f64::from(HILL_LIMIT)), 410.0);
+                close(
+                    up,
+                    (f64::from(length) * (1.0 - x * x) / 2.0).min(f64::from(HILL_LIMIT)),
+                    410.0,
+                );
                 let down = hill(Form::Paper, xi, 0, length, Q16 / 2);
                 close(down, -f64::from(length) * (1.0 - x * x) / 12.0, 410.0);
                 assert_eq!(hill(Form::Release, xi, 0, length, 0), 0);
@@ -204,7 +241,11 @@ mod tests {
     #[test]
     fn plateaus_flatten() {
         assert_eq!(plateau(5_000, 1_000, 0), 5_000);
-        close(plateau(500_000, 100_000, Q16), 500_000.0 - 0.88 * 400_000.0, 7.0);
+        close(
+            plateau(500_000, 100_000, Q16),
+            500_000.0 - 0.88 * 400_000.0,
+            7.0,
+        );
     }
 
     #[test]

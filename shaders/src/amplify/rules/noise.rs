@@ -1,14 +1,16 @@
-//! Gradient noise on integer directions: an exact lattice of cells of 2ᵏ units, from continents to half a metre.
+//! Gradient noise on integer directions: an exact lattice of cells of 2ᵏ units, from continents to
+//! half a metre.
 //!
-//! A cell's address and the place within it are the high and low bits of a direction component, so nothing is lost at
-//! any frequency: 3 mm on Earth, whatever the wavelength. Corner gradients are the twelve edge directions of a cube,
-//! drawn by hash; the fade is the quintic 6t⁵ - 15t⁴ + 10t³ (K. Perlin, Improving noise, 2002). Shares in Q16.
+//! A cell's address and the place within it are the high and low bits of a direction component, so
+//! nothing is lost at any frequency: 3 mm on Earth, whatever the wavelength. Corner gradients are
+//! the twelve edge directions of a cube, drawn by hash; the fade is the quintic 6t⁵ - 15t⁴ + 10t³
+//! (K. Perlin, Improving noise, 2002). Shares in Q16.
 
 use super::super::arith::mul_q16;
 use super::super::fixed::Q16;
 
-/// A hash of a lattice cell, well mixed in all bits (three rounds in the manner of pcg3d, M. Jarzynski and M. Olano,
-/// Hash functions for GPU rendering, 2020).
+/// A hash of a lattice cell, well mixed in all bits (three rounds in the manner of pcg3d, M.
+/// Jarzynski and M. Olano, Hash functions for GPU rendering, 2020).
 #[inline]
 pub const fn cell_hash(x: u32, y: u32, z: u32, seed: u32) -> u32 {
     let mut a = x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223) ^ seed;
@@ -33,7 +35,8 @@ pub const fn fade(t: i32) -> i32 {
     mul_q16(cube, mul_q16(t, 6 * t - 15 * Q16) + 10 * Q16)
 }
 
-/// Dot product of a corner's gradient, one of the twelve (±1, ±1, 0) and their like, with the offset from it.
+/// Dot product of a corner's gradient, one of the twelve (±1, ±1, 0) and their like, with the
+/// offset from it.
 #[inline]
 const fn gradient_dot(hash: u32, x: i32, y: i32, z: i32) -> i32 {
     // Sixteen cases, four of them twice, as in Perlin's table.
@@ -48,7 +51,8 @@ const fn gradient_dot(hash: u32, x: i32, y: i32, z: i32) -> i32 {
     (if hash & 1 == 0 { u } else { -u }) + (if hash & 2 == 0 { v } else { -v })
 }
 
-/// What was drawn at the corners of a cell of one lattice. Most of a noise's work; points of a patch share it.
+/// What was drawn at the corners of a cell of one lattice. Most of a noise's work; points of a
+/// patch share it.
 #[derive(Clone, Copy, Debug)]
 pub struct Corners {
     address: [u32; 3],
@@ -59,7 +63,10 @@ pub struct Corners {
 impl Default for Corners {
     /// Those of no cell: addresses have 31 bits at most.
     fn default() -> Self {
-        Self { address: [u32::MAX; 3], hashes: [0; 8] }
+        Self {
+            address: [u32::MAX; 3],
+            hashes: [0; 8],
+        }
     }
 }
 
@@ -70,14 +77,19 @@ impl Corners {
             let at = |axis: usize| (address[axis] + (k >> axis & 1)) & top;
             cell_hash(at(0), at(1), at(2), seed) >> 7
         };
-        Self { address, hashes: [0, 1, 2, 3, 4, 5, 6, 7].map(hash) }
+        Self {
+            address,
+            hashes: [0, 1, 2, 3, 4, 5, 6, 7].map(hash),
+        }
     }
 }
 
-/// Gradient noise of wavelength 2^`cell` direction units at a point, about -1..1 in Q16, mean 0; `cell` 1..=30. `kept`
-/// is what the last point of the same `cell` and `seed` left; it changes no bit.
+/// Gradient noise of wavelength 2^`cell` direction units at a point, about -1..1 in Q16, mean 0;
+/// `cell` 1..=30. `kept` is what the last point of the same `cell` and `seed` left; it changes no
+/// bit.
 ///
-/// Continuous with its first two derivatives, exact at any frequency: the lattice is addressed by the bits themselves.
+/// Continuous with its first two derivatives, exact at any frequency: the lattice is addressed by
+/// the bits themselves.
 pub fn gradient(kept: &mut Corners, point: [i32; 3], cell: u32, seed: u32) -> i32 {
     // Every seed has its own origin, so that octaves do not share the zeros of their lattices.
     let mask = (1_u32 << cell) - 1;
@@ -89,7 +101,11 @@ pub fn gradient(kept: &mut Corners, point: [i32; 3], cell: u32, seed: u32) -> i3
         let moved = (point[axis] as u32).wrapping_add(offset);
         address[axis] = moved >> cell;
         let inside = moved & mask;
-        place[axis] = if cell > 16 { (inside >> (cell - 16)) as i32 } else { (inside << (16 - cell)) as i32 };
+        place[axis] = if cell > 16 {
+            (inside >> (cell - 16)) as i32
+        } else {
+            (inside << (16 - cell)) as i32
+        };
         axis += 1;
     }
     if kept.address != address {
@@ -100,7 +116,11 @@ pub fn gradient(kept: &mut Corners, point: [i32; 3], cell: u32, seed: u32) -> i3
     let row = |j: usize, k: usize| {
         let (dy, dz) = (y - j as i32 * Q16, z - k as i32 * Q16);
         let [near, far] = [0, 1].map(|i| kept.hashes[i + 2 * j + 4 * k]);
-        blend(gradient_dot(near, x, dy, dz), gradient_dot(far, x - Q16, dy, dz), u)
+        blend(
+            gradient_dot(near, x, dy, dz),
+            gradient_dot(far, x - Q16, dy, dz),
+            u,
+        )
     };
     let layer = |k: usize| blend(row(0, k), row(1, k), v);
     blend(layer(0), layer(1), w)
@@ -111,8 +131,8 @@ const fn blend(a: i32, b: i32, t: i32) -> i32 {
     a + mul_q16(b - a, t)
 }
 
-/// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of the last. As many as
-/// there are `kept` cells, at most `cell`.
+/// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of
+/// the last. As many as there are `kept` cells, at most `cell`.
 pub fn fbm(kept: &mut [Corners], point: [i32; 3], cell: u32, gain: i32, seed: u32) -> i32 {
     let mut sum = 0;
     let mut weight = Q16;
@@ -146,8 +166,9 @@ mod tests {
     #[test]
     fn mean_is_zero_and_spread_is_that_of_gradient_noise() {
         for cell in [24, 17, 12, 8] {
-            let values: Vec<f64> =
-                points(40_000).map(|p| f64::from(gradient(p, cell, 7)) / 65_536.0).collect();
+            let values: Vec<f64> = points(40_000)
+                .map(|p| f64::from(gradient(p, cell, 7)) / 65_536.0)
+                .collect();
             let mean = values.iter().sum::<f64>() / values.len() as f64;
             let rms = (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt();
             assert!(mean.abs() < 0.01, "{cell}: {mean}");
@@ -158,13 +179,21 @@ mod tests {
 
     #[test]
     fn continuous_across_cells() {
-        // Along a line through many cells, steps of a 256th of a cell: the slope of the noise is below 4.
+        // Along a line through many cells, steps of a 256th of a cell: the slope of the noise is
+        // below 4.
         for cell in [20, 12, 9] {
             let step = 1_i32 << (cell - 8);
             let mut last = None;
             for i in 0..4_096 {
-                let value =
-                    gradient([1_000_003 + i * step, -77_777_777 + i * step / 3, 9 - i * step / 2], cell, 3);
+                let value = gradient(
+                    [
+                        1_000_003 + i * step,
+                        -77_777_777 + i * step / 3,
+                        9 - i * step / 2,
+                    ],
+                    cell,
+                    3,
+                );
                 if let Some(last) = last {
                     let change: i32 = value - last;
                     assert!(change.abs() < 4 * 256 + 8, "{cell}: {change}");
@@ -176,28 +205,45 @@ mod tests {
 
     #[test]
     fn slopes_are_isotropic() {
-        // Mean squared differences along three axes and three diagonals agree: no direction of the lattice shows.
+        // Mean squared differences along three axes and three diagonals agree: no direction of the
+        // lattice shows.
         let cell = 16;
         let d = 1 << 13;
         let e = 4_730; // d / √3
-        let axes = [[d, 0, 0], [0, d, 0], [0, 0, d], [e, e, e], [e, -e, e], [-e, e, e]];
+        let axes = [
+            [d, 0, 0],
+            [0, d, 0],
+            [0, 0, d],
+            [e, e, e],
+            [e, -e, e],
+            [-e, e, e],
+        ];
         let energies = axes.map(|a| {
             points(30_000)
                 .map(|p| {
-                    let q = [p[0].wrapping_add(a[0]), p[1].wrapping_add(a[1]), p[2].wrapping_add(a[2])];
+                    let q = [
+                        p[0].wrapping_add(a[0]),
+                        p[1].wrapping_add(a[1]),
+                        p[2].wrapping_add(a[2]),
+                    ];
                     let change = f64::from(gradient(q, cell, 11) - gradient(p, cell, 11));
                     change * change
                 })
                 .sum::<f64>()
         });
         let mean = energies.iter().sum::<f64>() / 6.0;
-        assert!(energies.iter().all(|e| (e / mean - 1.0).abs() < 0.12), "{energies:?}");
+        assert!(
+            energies.iter().all(|e| (e / mean - 1.0).abs() < 0.12),
+            "{energies:?}"
+        );
     }
 
     #[test]
     fn octaves_are_independent() {
         let dot: f64 = points(20_000)
-            .map(|p| f64::from(gradient(p, 16, 1)) * f64::from(gradient(p, 16, 2)) / 65_536.0 / 65_536.0)
+            .map(|p| {
+                f64::from(gradient(p, 16, 1)) * f64::from(gradient(p, 16, 2)) / 65_536.0 / 65_536.0
+            })
             .sum::<f64>()
             / 20_000.0;
         assert!(dot.abs() < 0.002, "{dot}");
@@ -211,7 +257,10 @@ mod tests {
                 // Every point twice, the second time a little farther on.
                 for step in [0, 1 << cell >> (k % 8)] {
                     let at = p.map(|x| x.wrapping_add(step));
-                    assert_eq!(super::gradient(&mut kept, at, cell, 5), gradient(at, cell, 5));
+                    assert_eq!(
+                        super::gradient(&mut kept, at, cell, 5),
+                        gradient(at, cell, 5)
+                    );
                 }
             }
         }
@@ -223,7 +272,13 @@ mod tests {
         let got = [
             gradient([ONE, 0, 0], 24, 5),
             gradient([-3, 1 << 30, 77], 10, 6),
-            fbm(&mut [Corners::default(); 6], [ONE / 3, ONE / 3, ONE / 2], 20, 32_768, 9),
+            fbm(
+                &mut [Corners::default(); 6],
+                [ONE / 3, ONE / 3, ONE / 2],
+                20,
+                32_768,
+                9,
+            ),
         ];
         assert_eq!(got, [29_333, -4_965, 4_097]);
     }

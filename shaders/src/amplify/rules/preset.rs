@@ -3,14 +3,14 @@
 use super::super::fixed::Q16;
 use super::nodes::Form;
 
-/// Constants of the subdivision rules. Shares and tangents are Q16, heights and lengths grains, levels are the paper's
-/// λ: 0 halves the control mesh's edges of about 52 km.
+/// Constants of the subdivision rules. Shares and tangents are Q16, heights and lengths grains,
+/// levels are the paper's λ: 0 halves the control mesh's edges of about 52 km.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rules {
     /// Form of the young mountains' α and of the hills.
     pub form: Form,
-    /// Whether crests and slopes follow the landform's own steepness, and fade with the level so that the ground's
-    /// spectrum is that of real relief; off, they follow the printed constants.
+    /// Whether crests and slopes follow the landform's own steepness, and fade with the level so
+    /// that the ground's spectrum is that of real relief; off, they follow the printed constants.
     pub landforms: bool,
     /// Rise of a crest over the higher river, per length of the edge halved: 0.2.
     pub crest_rise: i32,
@@ -24,8 +24,8 @@ pub struct Rules {
     pub fine_level: u32,
     /// Levels of internal edges that may become tributaries, first and one beyond the last.
     pub tributary_levels: [u32; 2],
-    /// One beyond the last level on which a tributary's edge goes on above its new spring (R4a); from there on that half
-    /// is ground (R4b, always so in the release).
+    /// One beyond the last level on which a tributary's edge goes on above its new spring (R4a);
+    /// from there on that half is ground (R4b, always so in the release).
     pub extension_levels: u32,
     /// One beyond the last level of internal edges that may become gullies.
     pub gully_levels: u32,

@@ -11,7 +11,8 @@ use super::preset::Rules;
 /// First level whose river edges are halved evenly; coarser ones give the long profile its hollow.
 const EVEN_LEVEL: u32 = 8;
 
-/// The vertex that halves a river edge: a bed between those of its ends, or the spring of a tributary.
+/// The vertex that halves a river edge: a bed between those of its ends, or the spring of a
+/// tributary.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
     match (context.a.is_wet(), context.b.is_wet()) {
         (true, false) if context.b.kind == VertexKind::Terrain => {
@@ -22,14 +23,23 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
     }
 }
 
-/// R1: the bed falls from one end to the other, three quarters of the way on the first half at the coarse levels, so
-/// that the long profile is hollow. Water likewise.
+/// R1: the bed falls from one end to the other, three quarters of the way on the first half at the
+/// coarse levels, so that the long profile is hollow. Water likewise.
 fn along(context: &EdgeContext) -> Ground {
     let (up, down) = (context.a, context.b);
-    let share_of_fall = if context.level < EVEN_LEVEL && context.level > 0 { 42_598 } else { Q16 / 2 };
+    let share_of_fall = if context.level < EVEN_LEVEL && context.level > 0 {
+        42_598
+    } else {
+        Q16 / 2
+    };
     let bed = descend(up.bed, down.bed, share_of_fall);
     let water = descend(up.water, down.water, share_of_fall).max(bed);
-    Ground { kind: VertexKind::River, height: bed, bed, water }
+    Ground {
+        kind: VertexKind::River,
+        height: bed,
+        bed,
+        water,
+    }
 }
 
 /// A height between two others, strictly where they leave room.
@@ -41,12 +51,23 @@ pub(super) fn descend(up: i32, down: i32, share_of_fall: i32) -> i32 {
     up - mul_q16(fall, share_of_fall).clamp(1, fall - 1)
 }
 
-/// R4: the spring of a tributary, on the way from its mouth to the land above. The half beyond it stays land.
+/// R4: the spring of a tributary, on the way from its mouth to the land above. The half beyond it
+/// stays land.
 fn spring(rules: &Rules, context: &EdgeContext, mouth: &Vertex, land: &Vertex) -> Ground {
-    let gentle = mouth.bed + mul_q16(mul_q16(context.length, rules.spring_slope), 39_322).min(1_500 * GRAINS);
+    let gentle = mouth.bed
+        + mul_q16(mul_q16(context.length, rules.spring_slope), 39_322).min(1_500 * GRAINS);
     let xi = share(context.new.seed, 0);
-    let halfway = mix(mouth.bed, land.height.max(mouth.bed + 2), 26_214 + mul_q16(xi, 13_107));
+    let halfway = mix(
+        mouth.bed,
+        land.height.max(mouth.bed + 2),
+        26_214 + mul_q16(xi, 13_107),
+    );
     let bed = gentle.min(halfway).max(mouth.bed + 1);
     let water = bed.max(mouth.water.min(bed + GRAINS / 4));
-    Ground { kind: VertexKind::River, height: bed, bed, water }
+    Ground {
+        kind: VertexKind::River,
+        height: bed,
+        bed,
+        water,
+    }
 }

@@ -1,7 +1,9 @@
-//! How far a new vertex moves sideways from the middle of its edge (paper 002 §5.2, "Horizontal displacement").
+//! How far a new vertex moves sideways from the middle of its edge (paper 002 §5.2, "Horizontal
+//! displacement").
 //!
-//! It lies at `along` of the edge, then moves by `inward` towards the barycentre of the triangle on one side, then back
-//! towards the middle where `weight` is below 1. Within a third of its triangle, so that no face turns over.
+//! It lies at `along` of the edge, then moves by `inward` towards the barycentre of the triangle on
+//! one side, then back towards the middle where `weight` is below 1. Within a third of its
+//! triangle, so that no face turns over.
 
 use super::super::arith::{linear_step, mul_q16, smooth};
 use super::super::control::VertexKind;
@@ -46,13 +48,20 @@ pub fn shift(
 fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, wetness: u16) -> i32 {
     use VertexKind::{Coast, Lake, Sea};
     let has = |kind| kinds[0] == kind || kinds[1] == kind;
-    // Ours moves less in between: what was moved often stretches its triangles. Rocks are broken again.
-    let calm = if rules.landforms && (4..8).contains(&level) { 46_000 } else { Q16 };
+    // Ours moves less in between: what was moved often stretches its triangles. Rocks are broken
+    // again.
+    let calm = if rules.landforms && (4..8).contains(&level) {
+        46_000
+    } else {
+        Q16
+    };
     match edge {
         EdgeKind::Gully if rules.landforms => mul_q16(calm, 40_000),
         EdgeKind::Gully => Q16,
         // The finest reaches straighten.
-        EdgeKind::River if rules.landforms || level > 2 => Q16 - smooth(linear_step(8, 16, level as i32)) / 2,
+        EdgeKind::River if rules.landforms || level > 2 => {
+            Q16 - smooth(linear_step(8, 16, level as i32)) / 2
+        }
         EdgeKind::River => 0,
         EdgeKind::Terrain if has(Lake) => Q16 / 4,
         EdgeKind::Terrain if has(Coast) || has(Sea) => {

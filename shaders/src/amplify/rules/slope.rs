@@ -1,4 +1,5 @@
-//! (r, T, t) and (g, T, t): the ground between a river or a gully and the land above it (paper 002 Fig. 12; rule R3).
+//! (r, T, t) and (g, T, t): the ground between a river or a gully and the land above it (paper 002
+//! Fig. 12; rule R3).
 
 use super::super::arith::{mix, mul_q16, square};
 use super::super::control::VertexKind;
@@ -10,22 +11,44 @@ use super::{Ground, fine, rise};
 
 /// The slope beside a river.
 pub fn from_river(rules: &Rules, context: &EdgeContext) -> Ground {
-    let (wet, dry) = if context.a.is_wet() { (context.a, context.b) } else { (context.b, context.a) };
+    let (wet, dry) = if context.a.is_wet() {
+        (context.a, context.b)
+    } else {
+        (context.b, context.a)
+    };
     let least = context.new.crust - wet.height;
-    Ground::dry(VertexKind::Terrain, height(rules, context, wet, dry, least.max(100 * GRAINS), 13_107))
+    Ground::dry(
+        VertexKind::Terrain,
+        height(rules, context, wet, dry, least.max(100 * GRAINS), 13_107),
+    )
 }
 
 /// The slope beside a gully.
 pub fn from_gully(rules: &Rules, context: &EdgeContext) -> Ground {
     let gully_first = context.a.kind == VertexKind::Gully;
-    let (gully, land) = if gully_first { (context.a, context.b) } else { (context.b, context.a) };
+    let (gully, land) = if gully_first {
+        (context.a, context.b)
+    } else {
+        (context.b, context.a)
+    };
     let least = context.new.crust - land.height;
-    Ground::dry(VertexKind::Terrain, height(rules, context, gully, land, least.max(10 * GRAINS), 6_554))
+    Ground::dry(
+        VertexKind::Terrain,
+        height(rules, context, gully, land, least.max(10 * GRAINS), 6_554),
+    )
 }
 
-/// Height between a drain and the land above it: a share 0.1 + 0.9r of the rise, r = ξ, on plateaus 1 - ξ³, so that
-/// those break off steeply. Land below its drain rises again by `rise` (Q16) of the length, at most `least`.
-fn height(rules: &Rules, context: &EdgeContext, drain: &Vertex, land: &Vertex, least: i32, rise: i32) -> i32 {
+/// Height between a drain and the land above it: a share 0.1 + 0.9r of the rise, r = ξ, on plateaus
+/// 1 - ξ³, so that those break off steeply. Land below its drain rises again by `rise` (Q16) of the
+/// length, at most `least`.
+fn height(
+    rules: &Rules,
+    context: &EdgeContext,
+    drain: &Vertex,
+    land: &Vertex,
+    least: i32,
+    rise: i32,
+) -> i32 {
     let new = context.new;
     let xi = share(new.seed, 0);
     let cliff = Q16 - mul_q16(square(xi), xi);

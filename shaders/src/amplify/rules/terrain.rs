@@ -1,9 +1,12 @@
 //! (t, T, t): the ground between two vertices of dry land (paper 002 Fig. 10, Appendix A; rule R5).
 //!
-//! Print and release: mountains young and old blended by age and wetness, terraces on dry rock, peaks at the coarse
-//! levels, hills, plateau. Ours: what the graphs of slopes share ([`rise`]) in place of mountains and peaks.
+//! Print and release: mountains young and old blended by age and wetness, terraces on dry rock,
+//! peaks at the coarse levels, hills, plateau. Ours: what the graphs of slopes share ([`rise`]) in
+//! place of mountains and peaks.
 
-use super::super::arith::{linear_step, mix, mul_q16, saturate, smooth, smoothstep, sqrt_q16, square};
+use super::super::arith::{
+    linear_step, mix, mul_q16, saturate, smooth, smoothstep, sqrt_q16, square,
+};
 use super::super::control::VertexKind;
 use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
@@ -38,17 +41,27 @@ pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     nodes::plateau(hilly, base, i32::from(new.plateau))
 }
 
-/// Ours: the common rise, then terraces on dry rock, hills no steeper than a few degrees, and plateaus. It stays above
-/// its lower end, so that it drains there, and under the crust.
+/// Ours: the common rise, then terraces on dry rock, hills no steeper than a few degrees, and
+/// plateaus. It stays above its lower end, so that it drains there, and under the crust.
 fn shaped(rules: &Rules, context: &EdgeContext) -> i32 {
     let new = context.new;
     let form = Landform::of(rules, new);
     let (low, high) = ordered(context.a.height, context.b.height);
-    let terraced = terraced(new, form, context.level, rise::height(rules, context, 90_000));
+    let terraced = terraced(
+        new,
+        form,
+        context.level,
+        rise::height(rules, context, 90_000),
+    );
     // tan 8.5° = 0.15 in lands of hills alone.
     let limit = mul_q16(context.length, form.steep.max(9_830)) / 4;
-    let hill = hills(rules, context, form, peak_fading(new.crust, context.level)).clamp(-limit, limit);
-    let level = nodes::plateau(terraced + hill, low + (high - low) / 2, i32::from(new.plateau));
+    let hill =
+        hills(rules, context, form, peak_fading(new.crust, context.level)).clamp(-limit, limit);
+    let level = nodes::plateau(
+        terraced + hill,
+        low + (high - low) / 2,
+        i32::from(new.plateau),
+    );
     level.min(high.max(new.crust)).max(low + 1)
 }
 
@@ -63,7 +76,11 @@ fn mountain(rules: &Rules, context: &EdgeContext, form: Landform, low: i32, high
     let delta = nodes::scale_dependency(context.level);
     let xi = share(context.new.seed, 0);
     let young = nodes::young(rules.form, delta, xi);
-    let old = mix(nodes::old_wet(delta, xi), nodes::old_dry(delta, xi), form.dry);
+    let old = mix(
+        nodes::old_wet(delta, xi),
+        nodes::old_dry(delta, xi),
+        form.dry,
+    );
     let late = mul_q16(form.old, Q16 - level_share(context.level));
     let alpha = saturate(mix(young, old, late));
     mix(low, high, alpha)
@@ -83,11 +100,17 @@ fn terraced(new: &Vertex, form: Landform, level: u32, height: i32) -> i32 {
     // Lowest terrace: 3.7 km, lower in deserts and in youth.
     let least = 3_788_800 - mul_q16(form.dry, 4_096_000 - mul_q16(form.old, 2_867_200));
     let room = linear_step(least, least + 256 * GRAINS, height);
-    let weight = mul_q16(mul_q16(form.old, Q16 - square(share_of_level)), mul_q16(sqrt_q16(form.dry), room));
+    let weight = mul_q16(
+        mul_q16(form.old, Q16 - square(share_of_level)),
+        mul_q16(sqrt_q16(form.dry), room),
+    );
     let stepped = nodes::terrace(height, nodes::TERRACE_STEP);
     let raw = nodes::floor_to(height, nodes::TERRACE_STEP);
-    let ragged =
-        mul_q16(share(new.seed, 1), Q16 - smoothstep(2_000 * GRAINS, 2_800 * GRAINS, height)) / 10 * 9;
+    let ragged = mul_q16(
+        share(new.seed, 1),
+        Q16 - smoothstep(2_000 * GRAINS, 2_800 * GRAINS, height),
+    ) / 10
+        * 9;
     mix(height, mix(stepped, raw, ragged), weight)
 }
 
@@ -104,7 +127,11 @@ fn peaks(new: &Vertex, form: Landform, low: i32, height: i32, fading: i32) -> i3
         return height;
     }
     let xi = share(new.seed, 2);
-    let old = mix(nodes::peak_old_wet(xi, new.crust), nodes::peak_old_dry(xi, new.crust), form.dry);
+    let old = mix(
+        nodes::peak_old_wet(xi, new.crust),
+        nodes::peak_old_dry(xi, new.crust),
+        form.dry,
+    );
     let peak = mix(nodes::peak_young(xi, new.crust), old, form.old) + 10 * GRAINS;
     let rise = 72 * GRAINS + mul_q16(linear_step(0, FULL_CRUST, new.crust), 614 * GRAINS);
     // No more than a tenth of the crust above the lower end, so that plains stay plain.
@@ -119,8 +146,11 @@ fn hills(rules: &Rules, context: &EdgeContext, form: Landform, fading: i32) -> i
     if new.hills == 0 || form.dry > 58_982 {
         return 0;
     }
-    let away =
-        if new.river_distance >= FAR { Q16 } else { smoothstep(0, 25_000 * GRAINS, new.river_distance) };
+    let away = if new.river_distance >= FAR {
+        Q16
+    } else {
+        smoothstep(0, 25_000 * GRAINS, new.river_distance)
+    };
     let xi = share(new.seed, 3);
     let chi = share(new.seed, 4);
     let offset = nodes::hill(rules.form, xi, chi, context.length, i32::from(new.hills));

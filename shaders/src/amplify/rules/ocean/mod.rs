@@ -1,9 +1,10 @@
 //! The ocean floor's relief, laid on once the subdivision is done (paper 000 §5).
 //!
-//! Three layers: transform faults, narrow troughs perpendicular to the ridge, hundreds of kilometres long; abyssal hills,
-//! low waves parallel to it, here high and there hardly to be seen; and fine gradient noise. The first two follow the
-//! recorded ridge direction r, are strong where the floor is young and are buried by sediment as it ages. All fade out
-//! towards the shore, and none rises above the sea.
+//! Three layers: transform faults, narrow troughs perpendicular to the ridge, hundreds of
+//! kilometres long; abyssal hills, low waves parallel to it, here high and there hardly to be seen;
+//! and fine gradient noise. The first two follow the recorded ridge direction r, are strong where
+//! the floor is young and are buried by sediment as it ages. All fade out towards the shore, and
+//! none rises above the sea.
 
 pub mod phasor;
 
@@ -16,7 +17,8 @@ use phasor::{Packets, phasor};
 /// Age at which half of the young floor's relief is left, 1/64 My: 25 My.
 const HALF_AGE: i32 = 25 * 64;
 
-/// What the noises drew for the last vertex: vertices of a patch share most of it. It changes no bit of a relief.
+/// What the noises drew for the last vertex: vertices of a patch share most of it. It changes no
+/// bit of a relief.
 #[derive(Clone, Debug, Default)]
 pub struct Kept {
     fine: [Corners; 13],
@@ -25,8 +27,8 @@ pub struct Kept {
     hills: Packets,
 }
 
-/// Offset of the sea floor at a vertex, grains. `edge` is the mean edge of the control mesh, grains: on small planets
-/// the relief shrinks with it.
+/// Offset of the sea floor at a vertex, grains. `edge` is the mean edge of the control mesh,
+/// grains: on small planets the relief shrinks with it.
 pub fn relief(kept: &mut Kept, vertex: &Vertex, edge: i32) -> i32 {
     let depth = -vertex.height;
     if depth <= 0 {
@@ -52,14 +54,34 @@ fn ridge_relief(kept: &mut Kept, vertex: &Vertex, uneven: i32) -> i32 {
     }
     let young = ratio(HALF_AGE, HALF_AGE + i32::from(vertex.ocean_age));
     // Packets of 200 km, three waves each: faults run on as far as they agree.
-    let faults = phasor(&mut kept.faults, vertex.direction, vertex.ridge, 26, 196_608, 0x0cea_0003);
+    let faults = phasor(
+        &mut kept.faults,
+        vertex.direction,
+        vertex.ridge,
+        26,
+        196_608,
+        0x0cea_0003,
+    );
     // A trough where the cosine is -1: ((1 - cos) / 2)⁴, sharp.
     let trough = square(square((Q16 - faults.cosine) / 2));
-    let deep = mul_q16(mul_q16(900 * GRAINS, Q16 / 6 - trough), smoothstep(9_830, 45_875, faults.presence));
-    let hills = phasor(&mut kept.hills, vertex.direction, spreading(vertex), 22, 131_072, 0x0cea_0004);
-    let low = mul_q16(mul_q16(mul_q16(180 * GRAINS, uneven), hills.cosine), hills.presence);
-    let buried =
-        mul_q16(deep, Q16 / 5 + mul_q16(young, 52_429)) + mul_q16(low, Q16 / 4 + mul_q16(young, 49_152));
+    let deep = mul_q16(
+        mul_q16(900 * GRAINS, Q16 / 6 - trough),
+        smoothstep(9_830, 45_875, faults.presence),
+    );
+    let hills = phasor(
+        &mut kept.hills,
+        vertex.direction,
+        spreading(vertex),
+        22,
+        131_072,
+        0x0cea_0004,
+    );
+    let low = mul_q16(
+        mul_q16(mul_q16(180 * GRAINS, uneven), hills.cosine),
+        hills.presence,
+    );
+    let buried = mul_q16(deep, Q16 / 5 + mul_q16(young, 52_429))
+        + mul_q16(low, Q16 / 4 + mul_q16(young, 49_152));
     mul_q16(buried, i32::from(vertex.oceanic))
 }
 
@@ -68,7 +90,8 @@ fn spreading(vertex: &Vertex) -> [i16; 3] {
     let n = vertex.direction.map(|c| c >> 16);
     let r = vertex.ridge.map(i32::from);
     let one = ONE >> 16;
-    let cross = |a: usize, b: usize| ((n[a] * r[b] - n[b] * r[a]) / one).clamp(-32_767, 32_767) as i16;
+    let cross =
+        |a: usize, b: usize| ((n[a] * r[b] - n[b] * r[a]) / one).clamp(-32_767, 32_767) as i16;
     [cross(1, 2), cross(2, 0), cross(0, 1)]
 }
 
@@ -105,7 +128,11 @@ mod tests {
     #[test]
     fn young_floor_is_rougher_than_old() {
         assert!(spread(2, 2_600) > 1.3 * spread(150, 5_500));
-        assert!((60.0..400.0).contains(&spread(2, 2_600)), "{}", spread(2, 2_600));
+        assert!(
+            (60.0..400.0).contains(&spread(2, 2_600)),
+            "{}",
+            spread(2, 2_600)
+        );
     }
 
     #[test]

@@ -1,9 +1,11 @@
-//! Phasor noise: stripes of one direction and about one wavelength, that fork and end as real faults do.
+//! Phasor noise: stripes of one direction and about one wavelength, that fork and end as real
+//! faults do.
 //!
-//! Source: Tricard et al., Procedural phasor noise, 2019; it takes the phase of the sparse convolution of Lagae et al.,
-//! Procedural noise using sparse Gabor convolution, 2009, which paper 000 §5 names. One wave packet lies in each cell
-//! of a lattice of 2^`cell` direction units, at a place drawn by hash. Its phase is 0 or ½, so the noise is the same
-//! for a direction and its opposite: ridge directions have no sign.
+//! Source: Tricard et al., Procedural phasor noise, 2019; it takes the phase of the sparse
+//! convolution of Lagae et al., Procedural noise using sparse Gabor convolution, 2009, which paper
+//! 000 §5 names. One wave packet lies in each cell of a lattice of 2^`cell` direction units, at a
+//! place drawn by hash. Its phase is 0 or ½, so the noise is the same for a direction and its
+//! opposite: ridge directions have no sign.
 
 use super::super::super::arith::{cos_turn, isqrt, mul_q16, ratio};
 use super::super::super::fixed::Q16;
@@ -35,7 +37,10 @@ pub struct Packets {
 impl Default for Packets {
     /// Those of no cell: addresses have 14 bits at most.
     fn default() -> Self {
-        Self { home: [i32::MIN; 3], packets: [Packet::default(); 27] }
+        Self {
+            home: [i32::MIN; 3],
+            packets: [Packet::default(); 27],
+        }
     }
 }
 
@@ -43,18 +48,29 @@ impl Packets {
     fn around(home: [i32; 3], cell: u32, seed: u32) -> Self {
         let packet = |k: usize| {
             let k = k as i32;
-            let at = [home[0] + k % 3 - 1, home[1] + k / 3 % 3 - 1, home[2] + k / 9 - 1];
+            let at = [
+                home[0] + k % 3 - 1,
+                home[1] + k / 3 % 3 - 1,
+                home[2] + k / 9 - 1,
+            ];
             let hash = cell_hash(at[0] as u32, at[1] as u32, at[2] as u32, seed);
             // Ten bits of place an axis, two bits more of phase and pitch.
             let inside = |i: u32| ((hash >> (10 * i) & 1023) as i32) << (cell - 10);
-            Packet { place: [0, 1, 2].map(|i| (at[i] << cell).wrapping_add(inside(i as u32))), hash }
+            Packet {
+                place: [0, 1, 2].map(|i| (at[i] << cell).wrapping_add(inside(i as u32))),
+                hash,
+            }
         };
-        Self { home, packets: core::array::from_fn(packet) }
+        Self {
+            home,
+            packets: core::array::from_fn(packet),
+        }
     }
 }
 
-/// The stripes at a point. `axis` is the direction across them, components times 32767; `waves` their number in a
-/// cell, Q16; `cell` 18..=26. `kept` is what the last point of the same `cell` and `seed` left; it changes no bit.
+/// The stripes at a point. `axis` is the direction across them, components times 32767; `waves`
+/// their number in a cell, Q16; `cell` 18..=26. `kept` is what the last point of the same `cell`
+/// and `seed` left; it changes no bit.
 pub fn phasor(
     kept: &mut Packets,
     point: [i32; 3],
@@ -87,23 +103,41 @@ pub fn phasor(
             + mul_q16(away[2], 2 * i32::from(axis[2]));
         // Pitch 0.85..1.15, so that the stripes are not a grating.
         let pitch = 55_706 + mul_q16((hash >> 7 & 0xffff) as i32, 19_660);
-        let turn = (mul_q16(along, mul_q16(waves, pitch)) >> (cell - 16)) + ((hash >> 31) << 15) as i32;
+        let turn =
+            (mul_q16(along, mul_q16(waves, pitch)) >> (cell - 16)) + ((hash >> 31) << 15) as i32;
         real += mul_q16(cos_turn(turn), weight);
         imaginary += mul_q16(cos_turn(turn - 0x4000), weight);
         total += weight;
     }
     // Brought to fifteen bits, so that two squares fit and little is lost where packets are far.
     let bits = 32 - (real.unsigned_abs() | imaginary.unsigned_abs() | total as u32).leading_zeros();
-    let fit = |v: i32| if bits > 15 { v >> (bits - 15) } else { v << (15 - bits) };
+    let fit = |v: i32| {
+        if bits > 15 {
+            v >> (bits - 15)
+        } else {
+            v << (15 - bits)
+        }
+    };
     let (x, y) = (fit(real), fit(imaginary));
     let size = isqrt((x * x) as u32 + (y * y) as u32) as i32;
-    let cosine = if size == 0 { Q16 } else { signed_ratio(x, size) };
-    Phasor { cosine, presence: ratio(size, fit(total).max(1)) }
+    let cosine = if size == 0 {
+        Q16
+    } else {
+        signed_ratio(x, size)
+    };
+    Phasor {
+        cosine,
+        presence: ratio(size, fit(total).max(1)),
+    }
 }
 
 /// x / size in Q16, -1..1.
 const fn signed_ratio(x: i32, size: i32) -> i32 {
-    if x < 0 { -ratio(-x, size) } else { ratio(x, size) }
+    if x < 0 {
+        -ratio(-x, size)
+    } else {
+        ratio(x, size)
+    }
 }
 
 #[cfg(test)]
@@ -135,7 +169,12 @@ mod tests {
     #[test]
     fn stripes_lie_across_their_axis() {
         let d = 1 << 19;
-        assert!(energy([0, d, 0]) > 5.0 * energy([0, 0, d]), "{} {}", energy([0, d, 0]), energy([0, 0, d]));
+        assert!(
+            energy([0, d, 0]) > 5.0 * energy([0, 0, d]),
+            "{} {}",
+            energy([0, d, 0]),
+            energy([0, 0, d])
+        );
     }
 
     #[test]
@@ -145,8 +184,9 @@ mod tests {
             (0..3_000)
                 .map(|i| {
                     let p = [ONE - 7_000_000, (i % 55) * 3_100_007, (i / 55) * 3_100_007];
-                    let at =
-                        |y: i32| f64::from(phasor([p[0], y, p[2]], [0, 32_767, 0], 24, 2 * Q16, 9).cosine);
+                    let at = |y: i32| {
+                        f64::from(phasor([p[0], y, p[2]], [0, 32_767, 0], 24, 2 * Q16, 9).cosine)
+                    };
                     at(p[1]) * at(p[1] + d)
                 })
                 .sum::<f64>()
@@ -165,14 +205,17 @@ mod tests {
                 phasor(p, [-9_000, -30_000, 8_000], 25, Q16, 3),
             );
             // Floors of negative numbers differ by a unit of a far packet.
-            assert!((a.cosine - b.cosine).abs() < 512 || a.presence < 3_000, "{a:?} {b:?}");
+            assert!(
+                (a.cosine - b.cosine).abs() < 512 || a.presence < 3_000,
+                "{a:?} {b:?}"
+            );
         }
     }
 
     #[test]
     fn stripes_have_no_steps() {
-        // 1.5 m on Earth: the phase turns by two units of Q16, the cosine changes by 14 and rounding; more where packets
-        // disagree.
+        // 1.5 m on Earth: the phase turns by two units of Q16, the cosine changes by 14 and
+        // rounding; more where packets disagree.
         for i in 0..1_000 {
             let p = [ONE / 2 + i * 777_777, i * 1_234_567, ONE / 3 - i * 55_555];
             let at = |p| phasor(p, [9_000, 30_000, -8_000], 26, 3 * Q16, 3);
@@ -180,7 +223,10 @@ mod tests {
                 let mut q = p;
                 q[axis] += 500;
                 let (a, b) = (at(p), at(q));
-                assert!(mul_q16((a.cosine - b.cosine).abs(), a.presence) < 40, "{p:?} {a:?} {b:?}");
+                assert!(
+                    mul_q16((a.cosine - b.cosine).abs(), a.presence) < 40,
+                    "{p:?} {a:?} {b:?}"
+                );
             }
         }
     }
@@ -191,13 +237,22 @@ mod tests {
         for i in 0..500 {
             let p = [ONE / 2 + i * 777_777, i * 1_234_567, ONE / 3];
             let want = phasor(p, [9_000, 30_000, -8_000], 25, Q16, 3);
-            assert_eq!(super::phasor(&mut kept, p, [9_000, 30_000, -8_000], 25, Q16, 3), want);
+            assert_eq!(
+                super::phasor(&mut kept, p, [9_000, 30_000, -8_000], 25, Q16, 3),
+                want
+            );
         }
     }
 
     #[test]
     fn bits_are_pinned() {
         let got = phasor([ONE / 2, ONE / 3, ONE / 4], [32_767, 0, 0], 24, Q16, 1);
-        assert_eq!(got, Phasor { cosine: 24_594, presence: 63_275 });
+        assert_eq!(
+            got,
+            Phasor {
+                cosine: 24_594,
+                presence: 63_275
+            }
+        );
     }
 }
