@@ -22,6 +22,14 @@ pub fn map_chunks<T: Send>(n: usize, work: impl Fn(Range<usize>) -> T + Sync + S
     chunks(n).map(work).collect()
 }
 
+/// `value(i)` for every `i` below `n`, in order.
+pub fn map<T: Send>(n: usize, value: impl Fn(u32) -> T + Sync + Send) -> Vec<T> {
+    let parts = map_chunks(n, |range| {
+        range.map(|i| value(i as u32)).collect::<Vec<T>>()
+    });
+    parts.into_iter().flatten().collect()
+}
+
 /// The sum of `value(sample)` over `n` samples, added in sample order within chunks and then over
 /// chunks.
 pub fn sum(n: usize, value: impl Fn(usize) -> f64 + Sync + Send) -> f64 {

@@ -3,7 +3,7 @@ use crate::math;
 
 fn planet(elevation: impl Fn(f64, f64) -> f32 + Sync) -> (SphereMesh, Climate) {
     let mesh = SphereMesh::from_points(crate::sphere::poisson_disk(3, 0.018)).unwrap();
-    let z = per_sample(&mesh, |i| {
+    let z = parallel::map(mesh.len(), |i| {
         let (lat, lon) = math::lat_lon(mesh.point(i));
         elevation(lat, lon)
     });

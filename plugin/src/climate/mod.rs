@@ -31,7 +31,7 @@ pub mod wetness;
 pub use map::{EquirectMap, MapError};
 pub use wind::Winds;
 
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 
 /// Radius of the Earth in km, on which lengths of the model are given.
@@ -106,21 +106,25 @@ impl Climate {
         let height = |i: u32| elevation.get(i as usize).copied().unwrap_or(-1.0);
         let given = |map: &Option<EquirectMap>, low: f32, high: f32| {
             map.as_ref()
-                .map(|map| per_sample(mesh, |i| map.at(mesh.point(i)).clamp(low, high)))
+                .map(|map| parallel::map(mesh.len(), |i| map.at(mesh.point(i)).clamp(low, high)))
         };
         let temperature = given(&maps.temperature, -HOTTEST, HOTTEST).unwrap_or_else(|| {
-            per_sample(mesh, |i| {
+            parallel::map(mesh.len(), |i| {
                 temperature::temperature(mesh.point(i).z, height(i))
             })
         });
         let rain = given(&maps.rain, 0.0, WETTEST)
             .unwrap_or_else(|| rain::rain(mesh, winds, &temperature, &height));
         let demand = |i: u32| wetness::evaporation(temperature[i as usize]);
-        let wetness = given(&maps.wetness, 0.0, 1.0)
-            .unwrap_or_else(|| per_sample(mesh, |i| wetness::wetness(rain[i as usize], demand(i))));
-        let runoff = per_sample(mesh, |i| wetness::runoff(rain[i as usize], demand(i)));
-        let open_water_loss =
-            per_sample(mesh, |i| wetness::OPEN_WATER * demand(i) - rain[i as usize]);
+        let wetness = given(&maps.wetness, 0.0, 1.0).unwrap_or_else(|| {
+            parallel::map(mesh.len(), |i| {
+                wetness::wetness(rain[i as usize], demand(i))
+            })
+        });
+        let runoff = parallel::map(mesh.len(), |i| wetness::runoff(rain[i as usize], demand(i)));
+        let open_water_loss = parallel::map(mesh.len(), |i| {
+            wetness::OPEN_WATER * demand(i) - rain[i as usize]
+        });
         Self {
             temperature,
             rain,

@@ -20,7 +20,7 @@
 use super::wind::Belts;
 use super::{EARTH_RADIUS, Winds};
 use crate::math;
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 
 /// Relative humidity that the sea gives.
@@ -57,7 +57,7 @@ pub(super) fn rain(
     let smoothed = smooth(mesh, temperature);
     let season = |belts: &Belts| season(mesh, belts, &smoothed, height);
     let (north, south) = rayon::join(|| season(&winds.seasons[0]), || season(&winds.seasons[1]));
-    let rain = per_sample(mesh, |i| {
+    let rain = parallel::map(mesh.len(), |i| {
         let sum = 0.5 * (north[i as usize] + south[i as usize]);
         sum / (1.0 + (sum / HEAVIEST) * (sum / HEAVIEST)).sqrt()
     });
@@ -66,7 +66,7 @@ pub(super) fn rain(
 
 /// Half of each value and half of the mean around it.
 fn smooth(mesh: &SphereMesh, field: &[f32]) -> Vec<f32> {
-    per_sample(mesh, |i| {
+    parallel::map(mesh.len(), |i| {
         let ring = mesh.ring(i);
         let mean = ring.iter().map(|&j| field[j as usize]).sum::<f32>() / ring.len() as f32;
         0.5 * (field[i as usize] + mean)
@@ -80,7 +80,7 @@ fn season(
     height: &(dyn Fn(u32) -> f32 + Sync),
 ) -> Vec<f32> {
     let zones = zones();
-    let columns: Vec<Column> = per_sample(mesh, |i| {
+    let columns: Vec<Column> = parallel::map(mesh.len(), |i| {
         let k = i as usize;
         let season = mesh.point(i).z as f32 * belts.shift.signum() as f32;
         Column::new(

@@ -8,7 +8,8 @@
 //! moisture around the planet.
 
 use crate::math;
-use crate::overlay::relief::{axes, per_sample};
+use crate::overlay::relief::axes;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use rayon::prelude::*;
@@ -93,8 +94,8 @@ impl Winds {
 
 impl Belts {
     fn new(mesh: &SphereMesh, shift: f64) -> Self {
-        let upwind = per_sample(mesh, |i| upwind(mesh, i, shift));
-        let mut keys: Vec<u64> = per_sample(mesh, |i| {
+        let upwind = parallel::map(mesh.len(), |i| upwind(mesh, i, shift));
+        let mut keys: Vec<u64> = parallel::map(mesh.len(), |i| {
             let (lat, lon) = math::lat_lon(mesh.point(i));
             let along = if wind(lat - shift).0 >= 0.0 {
                 lon
@@ -104,7 +105,7 @@ impl Belts {
             ((((along + 180.0) / 360.0) * f64::from(u32::MAX)) as u64) << 32 | u64::from(i)
         });
         keys.par_sort_unstable();
-        let latitude = per_sample(mesh, |i| {
+        let latitude = parallel::map(mesh.len(), |i| {
             (math::lat_lon(mesh.point(i)).0 - shift).abs() as f32
         });
         Self {

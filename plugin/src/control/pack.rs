@@ -19,7 +19,7 @@ use super::topology::Topology;
 use crate::climate::Climate;
 use crate::hydrology::profile::FALL;
 use crate::hydrology::{Drainage, NONE, Site, Terrain};
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 use bevy::math::Vec3;
 use pangaea_shaders::amplify::control::{
@@ -82,7 +82,7 @@ pub fn control_mesh(input: &ControlInput) -> ControlMesh {
     }
     ControlMesh {
         radius_m: (input.drainage.radius * 1000.0).round() as u32,
-        vertices: per_sample(input.mesh, |i| vertex(input, &rivers, i as usize)),
+        vertices: parallel::map(input.mesh.len(), |i| vertex(input, &rivers, i as usize)),
         edges,
         faces: input.topology.faces.clone(),
     }
@@ -109,7 +109,7 @@ impl Rivers {
             ..
         } = *input;
         let n = mesh.len();
-        let mut is_river = per_sample(mesh, |i| {
+        let mut is_river = parallel::map(mesh.len(), |i| {
             let k = i as usize;
             drainage.sites[k] == Site::Land
                 && !drainage.is_lake(k)

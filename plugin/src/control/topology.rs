@@ -1,7 +1,7 @@
 //! Edges and faces of the base mesh in the form of the control mesh, and what else of it depends on
 //! the seed alone.
 
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::random::{Purpose, Stream};
 use crate::sphere::SphereMesh;
 use pangaea_shaders::amplify::control::{ControlEdge, ControlFace};
@@ -28,8 +28,8 @@ impl Topology {
     pub fn new(mesh: &SphereMesh, seed: u64) -> Self {
         let stream = Stream::new(seed, Purpose::Control, 0);
         let mut topology = Self {
-            directions: per_sample(mesh, |i| quantised(mesh.point(i).to_array())),
-            seeds: per_sample(mesh, |i| stream.bits(u64::from(i)) as u32),
+            directions: parallel::map(mesh.len(), |i| quantised(mesh.point(i).to_array())),
+            seeds: parallel::map(mesh.len(), |i| stream.bits(u64::from(i)) as u32),
             edges: Vec::with_capacity(3 * mesh.len()),
             faces: Vec::new(),
             first: Vec::with_capacity(mesh.len()),

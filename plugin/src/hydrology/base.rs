@@ -6,7 +6,7 @@
 
 use crate::climate::Winds;
 use crate::noise::Noise;
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::random::Purpose;
 use crate::sphere::{Location, SphereError, SphereMesh, poisson_disk};
 
@@ -42,7 +42,7 @@ impl BaseMesh {
         let mesh = SphereMesh::from_points(poisson_disk(seed, spacing))?;
         let winds = Winds::new(&mesh);
         let noise = Noise::new(seed, Purpose::BaseRelief, 0);
-        let noise = per_sample(&mesh, |i| {
+        let noise = parallel::map(mesh.len(), |i| {
             noise.fractal(mesh.point(i), RELIEF.0, RELIEF.1) as f32
         });
         Ok(Self {
@@ -65,7 +65,7 @@ impl Transfer {
     /// Looks up the vertices of `base` in `lattice`.
     pub fn new(lattice: &SphereMesh, base: &SphereMesh) -> Self {
         let short = |at: Location| (at.vertices, at.weights.map(|w| w as f32));
-        let corners = per_sample(base, |i| short(lattice.locate(base.point(i))));
+        let corners = parallel::map(base.len(), |i| short(lattice.locate(base.point(i))));
         Self {
             samples: lattice.len(),
             corners,

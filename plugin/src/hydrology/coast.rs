@@ -9,7 +9,7 @@
 //! largest if none is; a smaller one is land below sea level, and drainage decides whether it holds
 //! a lake. The largest sea on Earth that is none, the Caspian, has 0.07 % of the area.
 
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 
 /// Share of the planet's area from which on a body of water is a sea.
@@ -31,8 +31,8 @@ pub fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<Site> {
     let is_sea = seas(mesh, ground);
     let meets = |i: u32, sea: bool| mesh.ring(i).iter().any(|&j| is_sea[j as usize] == sea);
     // Land all around of which is land.
-    let inland = per_sample(mesh, |i| !is_sea[i as usize] && !meets(i, true));
-    let gives_way = per_sample(mesh, |i| {
+    let inland = parallel::map(mesh.len(), |i| !is_sea[i as usize] && !meets(i, true));
+    let gives_way = parallel::map(mesh.len(), |i| {
         let low = ground[i as usize];
         let seaward = || {
             mesh.ring(i)
@@ -46,7 +46,7 @@ pub fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<Site> {
             && i64::from(low) * count < -seaward().sum::<i64>()
             && mesh.ring(i).iter().any(|&j| inland[j as usize])
     });
-    let sites = per_sample(mesh, |i| {
+    let sites = parallel::map(mesh.len(), |i| {
         let keeps = |j: u32| !is_sea[j as usize] && !gives_way[j as usize];
         match (is_sea[i as usize], gives_way[i as usize]) {
             (false, true) => Site::Coast,
@@ -106,7 +106,7 @@ mod tests {
     fn no_edge_joins_land_and_sea_and_the_land_keeps_its_area() {
         let mesh = SphereMesh::from_points(crate::sphere::poisson_disk(2, 0.02)).unwrap();
         let noise = Noise::new(8, Purpose::Relief, 0);
-        let mut ground = per_sample(&mesh, |i| {
+        let mut ground = parallel::map(mesh.len(), |i| {
             (4e6 * noise.fractal(mesh.point(i), 2.0, 5)) as i32
         });
         let before: f64 = (0..mesh.len() as u32)
@@ -141,7 +141,7 @@ mod tests {
     fn ponds_are_no_seas() {
         let mesh = SphereMesh::fibonacci(4000).unwrap();
         let pond = |p: bevy::math::DVec3| math::angle_between(p, bevy::math::DVec3::X) < 0.05;
-        let mut ground = per_sample(&mesh, |i| {
+        let mut ground = parallel::map(mesh.len(), |i| {
             let p = mesh.point(i);
             if p.z < 0.0 || pond(p) { -1000 } else { 100_000 }
         });

@@ -10,7 +10,7 @@
 //! vertex, its only sink.
 
 use super::coast::Site;
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 use core::cmp::Reverse;
 use core::ops::Range;
@@ -163,7 +163,7 @@ fn steepen(mesh: &SphereMesh, ground: &[i32], level: &[i32], routes: &mut Routes
             .for_each(|&i| sunk[i as usize] = true);
     }
     let old = core::mem::take(&mut routes.receiver);
-    routes.receiver = per_sample(mesh, |i| {
+    routes.receiver = parallel::map(mesh.len(), |i| {
         let k = i as usize;
         if old[k] == NONE || sunk[k] {
             return old[k];

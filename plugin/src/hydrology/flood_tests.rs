@@ -6,7 +6,7 @@ use crate::random::Purpose;
 fn rough(seed: u64) -> (SphereMesh, Vec<i32>, Vec<Site>) {
     let mesh = SphereMesh::from_points(crate::sphere::poisson_disk(seed, 0.03)).unwrap();
     let noise = Noise::new(seed, Purpose::Relief, 0);
-    let mut ground = per_sample(&mesh, |i| {
+    let mut ground = parallel::map(mesh.len(), |i| {
         (3e6 * noise.fractal(mesh.point(i), 2.0, 6)) as i32
     });
     let sites = regularise(&mesh, &mut ground);

@@ -3,7 +3,7 @@
 
 use super::flood::{NONE, Routes};
 use crate::climate::{Climate, EARTH_RADIUS};
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 
 /// Seconds in a year of 365.25 days.
@@ -25,7 +25,7 @@ pub fn earth_like(discharge: u64, radius: f64) -> f64 {
 pub(super) fn volumes(mesh: &SphereMesh, radius: f64, depth: &[f32]) -> Vec<i64> {
     // A millimetre on a square kilometre is 1000 m³.
     let unit = 1000.0 * radius * radius;
-    per_sample(mesh, |i| {
+    parallel::map(mesh.len(), |i| {
         let depth = depth.get(i as usize).copied().unwrap_or(0.0);
         (f64::from(depth) * mesh.area(i) * unit).round() as i64
     })

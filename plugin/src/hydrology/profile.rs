@@ -15,7 +15,7 @@ use super::flood::{NONE, Routes};
 use super::growth::RiverNetwork;
 use super::sinks::{Closed, incision};
 use crate::math;
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 
 /// Least fall of a river between two vertices, grains: 1 m, 2 cm per km, that of the lower Amazon.
@@ -143,7 +143,7 @@ fn breach(
     lake: &[u32],
     network: RiverNetwork,
 ) -> Vec<i32> {
-    let least = per_sample(mesh, |i| {
+    let least = parallel::map(mesh.len(), |i| {
         if routes.receiver[i as usize] == NONE {
             return ground[i as usize];
         }
@@ -178,7 +178,7 @@ fn beds(
 ) -> Vec<i32> {
     let mut wet = vec![false; ground.len()];
     routes.order.iter().for_each(|&i| wet[i as usize] = true);
-    per_sample(mesh, |i| {
+    parallel::map(mesh.len(), |i| {
         let k = i as usize;
         let flow = discharge(i);
         // Coasts lie at 0, and only mouths have a discharge.

@@ -7,7 +7,7 @@ use super::landform::{BELOW, Crustal};
 use crate::climate::{EARTH_RADIUS, EquirectMap, MapError};
 use crate::crust::Surface;
 use crate::math;
-use crate::overlay::relief::per_sample;
+use crate::parallel;
 use bevy::math::Vec3;
 use pangaea_shaders::amplify::fixed::GRAINS;
 
@@ -94,7 +94,7 @@ impl TerrainMaps {
 impl Terrain {
     /// The terrain of a simulated planet.
     pub fn from_surface(base: &BaseMesh, transfer: &Transfer, surface: &Surface) -> Self {
-        let crustal = per_sample(&base.mesh, |i| {
+        let crustal = parallel::map(base.mesh.len(), |i| {
             Crustal::between(surface, transfer.corners(i as usize))
         });
         Self::new(base, &crustal, None, None)
@@ -102,7 +102,7 @@ impl Terrain {
 
     /// The terrain of a user's maps.
     pub fn from_maps(base: &BaseMesh, maps: &TerrainMaps) -> Self {
-        let crustal = per_sample(&base.mesh, |i| {
+        let crustal = parallel::map(base.mesh.len(), |i| {
             let p = base.mesh.point(i);
             let elevation = maps.crust.at(p);
             let high = math::smoothstep(f64::from((elevation - 0.4) / 1.2)) as f32;
@@ -146,7 +146,7 @@ impl Terrain {
         let mesh = &base.mesh;
         let given =
             |map: Option<&EquirectMap>, i: u32| map.map(|m| m.at(mesh.point(i)).clamp(0.0, 1.0));
-        let forms: Vec<[f32; 4]> = per_sample(mesh, |i| {
+        let forms: Vec<[f32; 4]> = parallel::map(mesh.len(), |i| {
             let own = &crustal[i as usize];
             let steepness = steepness(base, crustal, i);
             let plateau =

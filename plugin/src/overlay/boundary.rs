@@ -2,7 +2,7 @@
 
 use super::OverlayInput;
 use super::palette::Rgba;
-use super::relief::per_sample;
+use crate::parallel;
 use bevy::prelude::*;
 
 /// What plates do where they meet.
@@ -55,7 +55,7 @@ const REST: f64 = 1e-6;
 
 /// The kind of boundary at every sample; a boundary is one sample wide on either side.
 pub fn boundaries(input: &OverlayInput) -> Vec<BoundaryKind> {
-    per_sample(input.mesh, |i| boundary(input, i))
+    parallel::map(input.mesh.len(), |i| boundary(input, i))
 }
 
 fn boundary(input: &OverlayInput, i: u32) -> BoundaryKind {

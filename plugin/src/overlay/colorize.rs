@@ -2,8 +2,8 @@
 
 use super::field::Field;
 use super::palette::Rgba;
-use super::relief::per_sample;
 use super::{Overlay, OverlayInput};
+use crate::parallel;
 
 /// Colours of all samples under `overlay`, in sRGB; empty if nothing was projected yet.
 pub fn colorize(overlay: Overlay, input: &OverlayInput) -> Vec<Rgba> {
@@ -11,5 +11,5 @@ pub fn colorize(overlay: Overlay, input: &OverlayInput) -> Vec<Rgba> {
         return Vec::new();
     }
     let field = Field::new(overlay, input);
-    per_sample(input.mesh, |i| field.at(i, &input.surface.crust.kind))
+    parallel::map(input.mesh.len(), |i| field.at(i, &input.surface.crust.kind))
 }

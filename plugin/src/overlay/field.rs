@@ -4,11 +4,12 @@
 //! value is left out instead of being mixed in. Classes take the side with most weight.
 
 use super::palette::{self, Ramp, Rgba};
-use super::relief::{azimuth, laplacians, per_sample, slopes};
+use super::relief::{azimuth, laplacians, slopes};
 use super::{Overlay, OverlayInput, ground};
 use crate::crust::{CrustKind, Orogeny};
 use crate::math;
 use crate::noise::Noise;
+use crate::parallel;
 use crate::random::{Purpose, mix};
 use bevy::math::Vec3;
 
@@ -74,13 +75,13 @@ impl Field {
         } = *input;
         let crust = &surface.crust;
         let scalar = |ramp, low, high, value: &(dyn Fn(usize) -> f32 + Sync)| Self::Scalar {
-            values: per_sample(mesh, |i| value(i as usize)),
+            values: parallel::map(mesh.len(), |i| value(i as usize)),
             ramp,
             low,
             high,
         };
         let classes = |color: &(dyn Fn(usize) -> Rgba + Sync)| {
-            Self::Classes(per_sample(mesh, |i| color(i as usize)))
+            Self::Classes(parallel::map(mesh.len(), |i| color(i as usize)))
         };
         match overlay {
             baked if ground::is_baked(baked) => match bake {
@@ -131,7 +132,9 @@ impl Field {
             }
             Overlay::VectorNoise => {
                 let noise = Noise::new(planet.seed, Purpose::BorderWarp, 0);
-                Self::Colors(per_sample(mesh, |i| noise_color(&noise, mesh.point(i))))
+                Self::Colors(parallel::map(mesh.len(), |i| {
+                    noise_color(&noise, mesh.point(i))
+                }))
             }
             _ => classes(&|i| {
                 let tint = palette::mix(
@@ -263,7 +266,7 @@ fn orogeny_color(orogeny: Orogeny, kind: CrustKind) -> Rgba {
 }
 
 fn axes_of(input: &OverlayInput, vectors: &[Vec3]) -> Field {
-    Field::Axis(per_sample(input.mesh, |i| {
+    Field::Axis(parallel::map(input.mesh.len(), |i| {
         let v = vectors[i as usize].as_dvec3();
         if v.length_squared() < 1e-12 {
             return [0.0; 2];

@@ -66,7 +66,7 @@ pub(super) fn discharge_decades(radius: f64) -> impl Iterator<Item = (i32, Rgba)
 /// Colours of the samples of the crust.
 pub(super) fn colors(overlay: Overlay, bake: &Bake, lattice: &SphereMesh) -> Vec<Rgba> {
     let base = bake.mesh();
-    super::relief::per_sample(lattice, |i| {
+    parallel::map(lattice.len(), |i| {
         color_at(overlay, bake, &base.locate(lattice.point(i)))
     })
 }

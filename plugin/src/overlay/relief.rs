@@ -18,7 +18,7 @@ pub fn gradients(input: &OverlayInput) -> Vec<Vec3> {
 /// Gradient of a function of the elevation in km at every sample, as [`gradients`].
 pub fn gradients_of(input: &OverlayInput, height: impl Fn(f32) -> f32 + Sync) -> Vec<Vec3> {
     let elevation = |i: u32| f64::from(height(input.surface.elevation(i as usize)));
-    per_sample(input.mesh, |i| {
+    parallel::map(input.mesh.len(), |i| {
         (fit(input.mesh, i, elevation).0 / input.planet.radius).as_vec3()
     })
 }
@@ -36,19 +36,9 @@ pub fn slopes(input: &OverlayInput) -> Vec<f32> {
 pub fn laplacians(input: &OverlayInput) -> Vec<f32> {
     let elevation = |i: u32| f64::from(input.surface.elevation(i as usize));
     let unit = 1000.0 / (input.planet.radius * input.planet.radius);
-    per_sample(input.mesh, |i| {
+    parallel::map(input.mesh.len(), |i| {
         (fit(input.mesh, i, elevation).1 * unit) as f32
     })
-}
-
-pub(crate) fn per_sample<T: Send>(
-    mesh: &SphereMesh,
-    value: impl Fn(u32) -> T + Sync + Send,
-) -> Vec<T> {
-    let parts = parallel::map_chunks(mesh.len(), |range| {
-        range.map(|i| value(i as u32)).collect::<Vec<T>>()
-    });
-    parts.into_iter().flatten().collect()
 }
 
 /// Gradient of `value` at sample `i`, per radian, and its Laplacian, per square radian.

@@ -8,7 +8,8 @@
 use super::to_bevy;
 use crate::crust::Surface;
 use crate::overlay::palette::Rgba;
-use crate::overlay::relief::{fit, per_sample};
+use crate::overlay::relief::fit;
+use crate::parallel;
 use crate::sphere::SphereMesh;
 use bevy::math::{DVec3, Vec3};
 
@@ -57,19 +58,19 @@ impl Shape {
             (all.clone(), all)
         };
         let side = |i: u32| (raw[i as usize] / COAST_RISE).clamp(-1.0, 1.0);
-        let coast: Vec<f32> = per_sample(mesh, |i| {
+        let coast: Vec<f32> = parallel::map(mesh.len(), |i| {
             let ring = mesh.ring(i);
             let mean = ring.iter().map(|&j| side(j)).sum::<f32>() / ring.len().max(1) as f32;
             0.5 * (side(i) + mean)
         });
-        let rough = per_sample(mesh, |i| {
+        let rough = parallel::map(mesh.len(), |i| {
             mesh.ring(i)
                 .iter()
                 .map(|&j| (side(j) - side(i)).abs())
                 .fold(0.0, f32::max)
                 .min(1.0)
         });
-        let gradient = per_sample(mesh, |i| {
+        let gradient = parallel::map(mesh.len(), |i| {
             let seen = if coast[i as usize] > 0.0 {
                 &land
             } else {
@@ -104,7 +105,7 @@ fn one_side(
     inside: impl Fn(u32) -> bool + Sync,
     none: f32,
 ) -> Vec<f32> {
-    per_sample(mesh, |i| {
+    parallel::map(mesh.len(), |i| {
         let (mut sum, mut count) = (0.0, 0.0);
         for &j in mesh.ring(i).iter().filter(|&&j| inside(j)) {
             sum += raw[j as usize];
