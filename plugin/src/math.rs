@@ -121,9 +121,52 @@ pub fn any_tangent(n: DVec3) -> DVec3 {
     n.cross(axis).normalize()
 }
 
+/// East and north at the unit direction `p`. At both poles east is that of the meridian 0.
+pub fn east_north(p: DVec3) -> (DVec3, DVec3) {
+    let across = DVec3::new(-p.y, p.x, 0.0);
+    let east = if across.length_squared() > 1e-24 {
+        across.normalize()
+    } else {
+        DVec3::Y
+    };
+    (east, p.cross(east))
+}
+
+/// Azimuth of the tangent vector `v` at `p` in degrees clockwise from north, 0..360.
+pub fn azimuth(p: DVec3, v: DVec3) -> f64 {
+    let (east, north) = east_north(p);
+    let degrees = atan2(v.dot(east), v.dot(north)).to_degrees();
+    if degrees < 0.0 {
+        degrees + 360.0
+    } else {
+        degrees
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn east_and_north_are_those_of_the_map_and_exist_at_the_poles() {
+        let (east, north) = east_north(DVec3::X);
+        assert_eq!((east, north), (DVec3::Y, DVec3::Z));
+        for up in [DVec3::Z, -DVec3::Z, direction(89.999_999_9, 30.0)] {
+            let (east, north) = east_north(up);
+            assert!(east.dot(up).abs() < 1e-9 && north.dot(up).abs() < 1e-9);
+            assert!((east.cross(north) - up).length() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn azimuth_goes_clockwise_from_north() {
+        let p = direction(30.0, 50.0);
+        let (east, north) = east_north(p);
+        for (v, degrees) in [(north, 0.0), (east, 90.0), (-north, 180.0), (-east, 270.0)] {
+            assert!((azimuth(p, v) - degrees).abs() < 1e-9);
+        }
+        assert!(azimuth(DVec3::Z, DVec3::X).is_finite());
+    }
 
     #[test]
     fn a_full_turn_returns() {

@@ -8,7 +8,7 @@
 //! moisture around the planet.
 
 use crate::math;
-use crate::overlay::relief::axes;
+use crate::math::east_north;
 use crate::parallel;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
@@ -120,7 +120,7 @@ impl Belts {
 /// The edge opposite to vertex `i` that the wind comes across.
 fn upwind(mesh: &SphereMesh, i: u32, shift: f64) -> Upwind {
     let p = mesh.point(i);
-    let (east, north) = axes(p);
+    let (east, north) = east_north(p);
     let (u, v) = wind(math::lat_lon(p).0 - shift);
     let to = if u * u + v * v > 1e-12 {
         east * u + north * v
@@ -203,7 +203,7 @@ mod tests {
                 distance,
             } = winds.upwind[i as usize];
             let at = mesh.point(a).lerp(mesh.point(b), f64::from(weight)) - p;
-            let (east, north) = axes(p);
+            let (east, north) = east_north(p);
             let (u, v) = wind(lat);
             let to = (east * u + north * v).normalize();
             assert!(

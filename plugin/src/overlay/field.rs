@@ -3,8 +3,8 @@
 //! Quantities, not colours, are interpolated between samples: a coast stays a line, and a missing
 //! value is left out instead of being mixed in. Classes take the side with most weight.
 
+use super::derivatives::{laplacians, slopes};
 use super::palette::{self, Ramp, Rgba};
-use super::relief::{azimuth, laplacians, slopes};
 use super::{Overlay, OverlayInput, ground};
 use crate::crust::{CrustKind, Orogeny};
 use crate::math;
@@ -271,7 +271,7 @@ fn axes_of(input: &OverlayInput, vectors: &[Vec3]) -> Field {
         if v.length_squared() < 1e-12 {
             return [0.0; 2];
         }
-        let (sin, cos) = math::sin_cos(2.0 * azimuth(input.mesh.point(i), v).to_radians());
+        let (sin, cos) = math::sin_cos(2.0 * math::azimuth(input.mesh.point(i), v).to_radians());
         [cos as f32, sin as f32]
     }))
 }

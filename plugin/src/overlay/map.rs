@@ -4,9 +4,9 @@
 //! of a planet. A pixel stands for the point at its centre.
 
 use super::boundary::{BoundaryKind, boundaries};
+use super::derivatives::{gradients_of, shade};
 use super::field::{Field, majority};
 use super::palette::{self, Rgba};
-use super::relief::{gradients_of, shade};
 use super::{Overlay, OverlayInput, ground};
 use crate::crust::{CrustKind, Surface};
 use crate::math;

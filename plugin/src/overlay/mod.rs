@@ -16,7 +16,7 @@
 
 pub mod palette;
 
-pub mod relief;
+pub mod derivatives;
 
 pub mod boundary;
 

@@ -1,10 +1,10 @@
 //! The ground's own triangles around a point: the collider that fits what is drawn, to the last
 //! bit.
 
-use super::ground::east_north;
 use super::patch::Patch;
 use super::planet::quantised;
 use super::{GroundError, PlanetGround, checked};
+use crate::math::east_north;
 use bevy::math::{DVec2, DVec3};
 use core::f64::consts::FRAC_1_SQRT_2;
 use pangaea_shaders::amplify::carve::{Kept, carve};

@@ -126,18 +126,6 @@ pub fn level_for(radius_m: f64, spacing_m: f64) -> u8 {
         .unwrap_or(LEVELS)
 }
 
-/// The directions to the east and to the north at the unit vector `up`. At a pole, where there is
-/// neither, north is where it is along the meridian 0.
-pub(super) fn east_north(up: DVec3) -> (DVec3, DVec3) {
-    let flat = DVec3::new(-up.y, up.x, 0.0);
-    let east = if flat.length_squared() > 1e-24 {
-        flat.normalize()
-    } else {
-        DVec3::Y
-    };
-    (east, up.cross(east))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,16 +176,5 @@ mod tests {
             ));
         }
         assert!((direction_at(0.0, 270.0).unwrap() + DVec3::Y).length() < 1e-15);
-    }
-
-    #[test]
-    fn east_and_north_are_those_of_the_map_and_exist_at_the_poles() {
-        let (east, north) = east_north(DVec3::X);
-        assert_eq!((east, north), (DVec3::Y, DVec3::Z));
-        for up in [DVec3::Z, -DVec3::Z, math::direction(89.999_999_9, 30.0)] {
-            let (east, north) = east_north(up);
-            assert!(east.dot(up).abs() < 1e-9 && north.dot(up).abs() < 1e-9);
-            assert!((east.cross(north) - up).length() < 1e-8);
-        }
     }
 }

@@ -6,7 +6,8 @@
 //! level.
 
 use super::GroundError;
-use super::ground::{direction_at, east_north};
+use super::ground::direction_at;
+use crate::math::east_north;
 use crate::math::{self, PI};
 use bevy::math::{DVec2, DVec3};
 

@@ -1,8 +1,8 @@
 //! All there is to know of one point of the ground.
 
-use super::ground::east_north;
 use super::{Ground, GroundError, GroundSurface, Site, checked, classify, spacing};
 use crate::math;
+use crate::math::east_north;
 use bevy::math::DVec3;
 use rayon::prelude::*;
 

@@ -8,9 +8,9 @@
 use super::to_bevy;
 use crate::crust::Surface;
 use crate::overlay::palette::Rgba;
-use crate::overlay::relief::fit;
 use crate::parallel;
 use crate::sphere::SphereMesh;
+use crate::sphere::gradient::fit;
 use bevy::math::{DVec3, Vec3};
 
 /// Bytes per sample.

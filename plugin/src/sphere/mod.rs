@@ -11,6 +11,7 @@
 //! nearest         nearest sample of a direction: a cube-map grid, then a walk over neighbours
 //! locate          containing triangle and barycentric weights of a direction
 //! components      connected components of samples
+//! gradient        gradient and Laplacian of a column
 //! spread          distances from many sources, spread over the mesh
 //! ```
 //!
@@ -26,6 +27,7 @@
 mod area;
 pub mod components;
 mod cube;
+pub mod gradient;
 mod locate;
 mod mesh;
 mod nearest;

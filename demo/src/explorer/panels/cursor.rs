@@ -7,7 +7,7 @@ use bevy::math::DVec3;
 use bevy_egui::egui::Ui;
 use bevy_pangaea::control::Bake;
 use bevy_pangaea::hydrology::{LakeKind, flow};
-use bevy_pangaea::overlay::relief::azimuth;
+use bevy_pangaea::math::azimuth;
 use bevy_pangaea::prelude::*;
 
 /// Draws the panel.
