@@ -4,7 +4,7 @@ use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::math::lat_lon;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::query::{AzimuthalEquidistant, Ground, PlanetGround, Rules, Square};
-use bevy_pangaea::relief::{
+use bevy_pangaea::relief_stats::{
     CLASSES, Relief, ReliefClass, SiteInput, TILE_M, TILE_PIXELS, medians, relief, sites,
 };
 use pangaea_tests::shape::small;

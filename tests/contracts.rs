@@ -7,8 +7,8 @@ use bevy_pangaea::crust::Cause;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::process::{
     collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
-    margin::MarginPlugin, relief::ReliefPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
-    subduction::SubductionPlugin,
+    margin::MarginPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
+    subduction::SubductionPlugin, surface_processes::SurfaceProcessesPlugin,
 };
 use bevy_pangaea::resample::ResamplePlugin;
 use bevy_pangaea::schedule::TectonicSchedulePlugin;
@@ -28,7 +28,7 @@ fn lively(seed: u64) -> PlanetRecipe {
 /// What a stage may write, as the table of the processes says.
 fn declared(stage: Stage) -> &'static [&'static str] {
     match stage {
-        Stage::Commands | Stage::Surface => &[],
+        Stage::Commands | Stage::Projection => &[],
         Stage::Drift => &["frames"],
         Stage::Contact => &["polarity"],
         Stage::Subduction => &[
@@ -61,7 +61,7 @@ fn declared(stage: Stage) -> &'static [&'static str] {
             "clock",
             "polarity",
         ],
-        Stage::Relief => &[
+        Stage::SurfaceProcesses => &[
             "elevation",
             "thickness",
             "ocean_age",
@@ -114,7 +114,7 @@ fn every_stage_writes_what_it_declares() {
         (Stage::SlabPull, "plates"),
         (Stage::Collision, "frame"),
         (Stage::Rifting, "plates"),
-        (Stage::Relief, "ocean_age"),
+        (Stage::SurfaceProcesses, "ocean_age"),
         (Stage::Resample, "ridge"),
         (Stage::Commit, "clock"),
     ] {
@@ -161,7 +161,7 @@ fn relief_processes_that_are_off_book_and_move_nothing() {
         *params(&mut app, planet).processes.get_mut(name).unwrap() = false;
         let floor = bevy_pangaea::crust::isostasy::Isostasy::new(get(&app, planet));
         probe(&mut app, move |change| {
-            if change.stage != Stage::Relief {
+            if change.stage != Stage::SurfaceProcesses {
                 return;
             }
             let (before, after) = (&change.before.crust, &change.after.crust);
@@ -221,7 +221,7 @@ fn every_process_can_be_left_out() {
         SlabPullPlugin,
         CollisionPlugin,
         RiftingPlugin,
-        ReliefPlugin,
+        SurfaceProcessesPlugin,
         MarginPlugin,
         ResamplePlugin,
         CommitPlugin
@@ -292,7 +292,7 @@ fn a_process_can_be_replaced() {
 fn an_ambiguous_system_is_an_error() {
     let clash = || {
         let (mut app, planet) = planet_app(&small(1, 500));
-        let set = TectonicSystems::After(Stage::Relief);
+        let set = TectonicSystems::After(Stage::SurfaceProcesses);
         app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
         app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
         steps(&mut app, planet, 1);

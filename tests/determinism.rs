@@ -46,7 +46,7 @@ fn slices_of_a_step_give_the_same_bits_as_whole_steps() {
     sliced
         .world_mut()
         .entity_mut(other)
-        .insert(bevy_pangaea::resample::SurfaceDemand::EveryStep);
+        .insert(bevy_pangaea::resample::SurfaceProjection::EveryStep);
     let (mut done, mut slices) = (0, 0);
     while done < 22 {
         // No time at all: every stage that can hold does.

@@ -221,7 +221,7 @@ fn a_planet_of_1000_my_still_has_land_and_is_sound() {
     assert!(frames < 300, "frames pile up: {frames}");
     let terranes = app
         .world_mut()
-        .query::<&bevy_pangaea::crust::Terrane>()
+        .query::<&bevy_pangaea::plate::Terrane>()
         .iter(app.world())
         .count();
     assert!(terranes < 400, "{terranes} terranes");

@@ -10,7 +10,7 @@ use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::io::{dem_files, load_dem};
 use bevy_pangaea::planet::{Lattice, Planet};
-use bevy_pangaea::relief::{
+use bevy_pangaea::relief_stats::{
     CLASSES, Relief, SiteInput, class_relief, medians, relief as relief_of, sites,
 };
 use serde_json::{Map, Value, json};

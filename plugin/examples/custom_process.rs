@@ -36,7 +36,7 @@ impl Plugin for HotSpotPlugin {
     fn build(&self, app: &mut App) {
         app.add_systems(
             TectonicStep,
-            erupt.in_set(TectonicSystems::After(Stage::Relief)),
+            erupt.in_set(TectonicSystems::After(Stage::SurfaceProcesses)),
         );
     }
 }

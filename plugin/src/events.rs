@@ -1,4 +1,6 @@
-//! What happened, for games to react to: observable events, triggered on the planet's entity.
+//! Events of the simulation, for games to react to: observable, triggered on the planet's entity.
+//!
+//! Those of commands are in [`authoring`](crate::authoring).
 //!
 //! ```
 //! # use bevy::prelude::*;
@@ -9,8 +11,7 @@
 //! # App::new().add_observer(shake);
 //! ```
 
-use crate::authoring::{CommandError, TectonicCommand};
-use crate::plate::PlateId;
+use crate::ids::PlateId;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 
@@ -74,26 +75,4 @@ pub struct CrustResampled {
     pub planet: Entity,
     /// Area of new ocean crust in km².
     pub new_ocean: f64,
-}
-
-/// A command took effect.
-#[derive(EntityEvent, Clone, Debug)]
-pub struct CommandApplied {
-    /// The planet.
-    #[event_target]
-    pub planet: Entity,
-    /// The command.
-    pub command: TectonicCommand,
-}
-
-/// A command was refused; the planet is unchanged.
-#[derive(EntityEvent, Clone, Debug)]
-pub struct CommandRejected {
-    /// The planet.
-    #[event_target]
-    pub planet: Entity,
-    /// The command.
-    pub command: TectonicCommand,
-    /// Why.
-    pub error: CommandError,
 }

@@ -4,25 +4,33 @@
 
 pub mod math;
 
-pub mod random;
-
-pub mod noise;
-
 pub mod parallel;
 
 pub mod params;
 
-pub mod planet;
+pub mod ids;
+
+pub mod random;
+
+pub mod noise;
 
 pub mod sphere;
+
+pub mod planet;
+
+pub mod events;
+
+pub mod schedule;
 
 pub mod crust;
 
 pub mod plate;
 
+pub mod resample;
+
 pub mod process;
 
-pub mod resample;
+pub mod authoring;
 
 pub mod climate;
 
@@ -30,19 +38,13 @@ pub mod hydrology;
 
 pub mod control;
 
-pub mod authoring;
-
-pub mod events;
-
 pub mod overlay;
-
-pub mod schedule;
-
-pub mod spawn;
 
 pub mod query;
 
-pub mod relief;
+pub mod relief_stats;
+
+pub mod spawn;
 
 pub mod io;
 
@@ -57,12 +59,12 @@ pub use plugin::PangaeaPlugins;
 pub mod prelude {
     pub use crate::PangaeaPlugins;
     pub use crate::authoring::{
-        Brush, PaintTarget, Recording, Scenario, TectonicCommand, TectonicCommandsExt, TimedCommand,
+        Brush, CommandApplied, CommandRejected, PaintTarget, Recording, Scenario, TectonicCommand,
+        TectonicCommandsExt, TimedCommand,
     };
     pub use crate::crust::{Crust, CrustKind, Frames, Ledger, Orogeny, PlanetSurface, Surface};
     pub use crate::events::{
-        CommandApplied, CommandRejected, CrustResampled, PlateConsumed, PlateRifted, StepCompleted,
-        TerraneCollided,
+        CrustResampled, PlateConsumed, PlateRifted, StepCompleted, TerraneCollided,
     };
     pub use crate::params::{OceanFloor, ProcessSwitches, TectonicParams};
     pub use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};

@@ -231,3 +231,10 @@ impl DiscRecipe {
         crate::math::direction(self.center.0, self.center.1)
     }
 }
+
+/// Radius of a planet in km; that of the Earth for an entity without [`Planet`].
+pub(crate) fn planet_radius(world: &World, planet: Entity) -> f64 {
+    world
+        .get::<Planet>(planet)
+        .map_or(6370.0, |planet| planet.radius)
+}

@@ -1,10 +1,12 @@
 //! The plugin group.
 
+use crate::authoring::AuthoringPlugin;
 use crate::control::BakePlugin;
 use crate::process::{
     collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
-    margin::MarginPlugin, relief::ReliefPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
-    subduction::SubductionPlugin,
+    margin::MarginPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
+    subduction::SubductionPlugin, surface_processes::SurfaceProcessesPlugin,
+    terranes::TerranePlugin,
 };
 use crate::resample::ResamplePlugin;
 use crate::schedule::TectonicSchedulePlugin;
@@ -22,10 +24,12 @@ use bevy::prelude::*;
 /// | [`SlabPullPlugin`] | subducting plates turn towards their fronts |
 /// | [`CollisionPlugin`] | terranes break off and are sutured |
 /// | [`RiftingPlugin`] | plates break |
-/// | [`ReliefPlugin`] | erosion, subsidence, sediment, isostasy, noise |
+/// | [`SurfaceProcessesPlugin`] | erosion, subsidence, sediment, isostasy, noise |
 /// | [`MarginPlugin`] | sediment slopes beside continents |
 /// | [`ResamplePlugin`] | even samples again, new ocean crust, the surface for pictures |
-/// | [`CommitPlugin`] | commands, clock, ledger |
+/// | [`TerranePlugin`] | terranes as entities, true after every step |
+/// | [`CommitPlugin`] | clock, ledger |
+/// | [`AuthoringPlugin`] | commands |
 /// | [`BakePlugin`] | climate, rivers and control maps in the background, where asked for |
 /// | [`PresetPlugin`](crate::io::PresetPlugin) | `*.planet.ron` as assets, where there are assets |
 pub struct PangaeaPlugins;
@@ -40,10 +44,12 @@ impl PluginGroup for PangaeaPlugins {
             .add(SlabPullPlugin)
             .add(CollisionPlugin)
             .add(RiftingPlugin)
-            .add(ReliefPlugin)
+            .add(SurfaceProcessesPlugin)
             .add(MarginPlugin)
             .add(ResamplePlugin)
+            .add(TerranePlugin)
             .add(CommitPlugin)
+            .add(AuthoringPlugin)
             .add(BakePlugin)
             .add(crate::io::PresetPlugin)
     }

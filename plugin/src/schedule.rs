@@ -15,6 +15,19 @@ use std::time::Instant;
 #[derive(ScheduleLabel, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct TectonicStep;
 
+/// What is done to a planet that rests between two steps, once a frame; [`CurrentPlanet`] names it.
+#[derive(ScheduleLabel, Clone, Debug, PartialEq, Eq, Hash)]
+pub struct BetweenSteps;
+
+/// The sets of [`BetweenSteps`], in order.
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BetweenStepsSystems {
+    /// Commands of the user take effect.
+    Commands,
+    /// What follows from the state is brought up to date.
+    Caches,
+}
+
 /// The stages of a step, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Reflect)]
 #[repr(u8)]
@@ -34,13 +47,13 @@ pub enum Stage {
     /// Plates break.
     Rifting,
     /// Erosion, subsidence, sediment, isostasy, noise.
-    Relief,
+    SurfaceProcesses,
     /// When it is due: even samples again, and new ocean crust.
     Resample,
     /// The clock ticks and the ledger is checked.
     Commit,
     /// When someone looks at the planet: its surface is projected.
-    Surface,
+    Projection,
 }
 
 impl Stage {
@@ -53,10 +66,10 @@ impl Stage {
         Self::SlabPull,
         Self::Collision,
         Self::Rifting,
-        Self::Relief,
+        Self::SurfaceProcesses,
         Self::Resample,
         Self::Commit,
-        Self::Surface,
+        Self::Projection,
     ];
 
     /// Number of stages.
@@ -72,10 +85,10 @@ impl Stage {
             Self::SlabPull => "slab pull",
             Self::Collision => "collision",
             Self::Rifting => "rifting",
-            Self::Relief => "relief",
+            Self::SurfaceProcesses => "surface processes",
             Self::Resample => "resample",
             Self::Commit => "commit",
-            Self::Surface => "surface",
+            Self::Projection => "projection",
         }
     }
 }
@@ -174,7 +187,7 @@ impl StageTimings {
     }
 
     fn without_events(&self, ms: &[f64; Stage::COUNT]) -> f64 {
-        let apart = [Stage::Resample, Stage::Rifting, Stage::Surface];
+        let apart = [Stage::Resample, Stage::Rifting, Stage::Projection];
         ms.iter().sum::<f64>() - apart.map(|stage| ms[stage as usize]).iter().sum::<f64>()
     }
 }
@@ -203,7 +216,13 @@ impl Plugin for TectonicSchedulePlugin {
             schedule.add_systems(leave.in_set(Leave(position)).run_if(reached(position)));
             previous = Some(position);
         }
-        app.add_schedule(schedule).add_systems(Update, run_planets);
+        app.add_schedule(schedule)
+            .init_schedule(BetweenSteps)
+            .configure_sets(
+                BetweenSteps,
+                (BetweenStepsSystems::Commands, BetweenStepsSystems::Caches).chain(),
+            )
+            .add_systems(Update, run_planets);
     }
 }
 
@@ -342,7 +361,7 @@ fn run_planet(world: &mut World, planet: Entity, delta: f64) {
     }
     let wanted = (!clock.paused && debt.0 >= step) || clock.single_steps > 0;
     if at_boundary && !wanted {
-        crate::authoring::apply_pending(world, planet);
+        run_between_steps(world, planet);
         return;
     }
     let deadline = Instant::now() + clock.frame_budget;
@@ -355,6 +374,11 @@ fn run_planet(world: &mut World, planet: Entity, delta: f64) {
             return;
         }
     }
+}
+
+fn run_between_steps(world: &mut World, planet: Entity) {
+    world.insert_resource(CurrentPlanet(planet));
+    world.run_schedule(BetweenSteps);
 }
 
 fn finish_step(world: &mut World, planet: Entity, step: f64) {

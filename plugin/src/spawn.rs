@@ -3,7 +3,13 @@
 use crate::authoring::{Inbox, Recording, Scenario};
 use crate::crust::{Crust, Frames, Ledger, PlanetSurface};
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe};
-use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateStats};
+use crate::plate::boundary::Rim;
+use crate::plate::contact::Contacts;
+use crate::plate::overlap::OverlapIndex;
+use crate::plate::terrane::TerraneCensus;
+use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateStats, caches};
+use crate::process::surface_processes::ReliefNoise;
+use crate::resample::Resampling;
 use crate::schedule::{StageTimings, StepCursor, TimeDebt};
 use crate::sphere::SphereMesh;
 use bevy::prelude::*;
@@ -39,7 +45,7 @@ pub struct PlanetState {
     /// The memory of subduction polarity.
     pub polarity: crate::plate::polarity::PolarityMemory,
     /// Distances to fronts.
-    pub fronts: crate::process::front::FrontField,
+    pub fronts: crate::plate::front::FrontField,
 }
 
 impl PlanetState {
@@ -84,7 +90,7 @@ impl PlanetState {
             initial,
             ..default()
         };
-        let fronts = crate::process::front::FrontField::new(mesh.len());
+        let fronts = crate::plate::front::FrontField::new(mesh.len());
         let clock = GeologicClock {
             next_plate: plates.len() as u32,
             ..default()
@@ -122,14 +128,14 @@ impl PlanetState {
                 (
                     Inbox::default(),
                     PlanetSurface::default(),
-                    crate::resample::SurfaceDemand::default(),
+                    crate::resample::SurfaceProjection::default(),
                 ),
                 (
                     StepCursor::default(),
                     StageTimings::default(),
                     TimeDebt::default(),
                 ),
-                (Name::new("planet"), crate::process::ProcessState::default()),
+                (Name::new("planet"), Caches::default()),
             ))
             .id();
         if !self.pending.0.is_empty() {
@@ -148,7 +154,7 @@ impl PlanetState {
             );
             plates.push(world.spawn(plate).id());
         }
-        crate::resample::refresh(world, planet);
+        restore(world, planet);
         for (plate, stats) in plates.into_iter().zip(self.stats) {
             if let Ok(mut plate) = world.get_entity_mut(plate) {
                 plate.insert(stats);
@@ -156,6 +162,32 @@ impl PlanetState {
         }
         planet
     }
+}
+
+/// What follows from the state or is worked on in slices: never saved.
+#[derive(Bundle, Clone, Default)]
+pub(crate) struct Caches {
+    /// Which frames cover a point.
+    overlap: OverlapIndex,
+    /// Rims of the frames.
+    rim: Rim,
+    /// Contacts of the last step.
+    contacts: Contacts,
+    /// Values of the relief noise.
+    noise: ReliefNoise,
+    /// Whether terranes are out of date.
+    terranes: TerraneCensus,
+    /// A resample in progress.
+    resampling: Resampling,
+}
+
+/// Finds what a planet derives from its state, after it was made or loaded, and projects its
+/// surface.
+fn restore(world: &mut World, planet: Entity) {
+    caches::recompute_but_fronts(world, planet);
+    caches::recompute_contacts(world, planet);
+    caches::recompute_terranes(world, planet);
+    crate::resample::project_now(world, planet);
 }
 
 /// `commands.spawn_planet(recipe)`: grows and spawns a planet at the next sync point.

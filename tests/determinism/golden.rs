@@ -97,7 +97,9 @@ fn stages() -> Vec<String> {
     let seen = Arc::new(Mutex::new(Vec::new()));
     let log = Arc::clone(&seen);
     probe(&mut app, move |change| {
-        if STEPS.contains(&change.step) && !matches!(change.stage, Stage::Commit | Stage::Surface) {
+        if STEPS.contains(&change.step)
+            && !matches!(change.stage, Stage::Commit | Stage::Projection)
+        {
             let line = format!(
                 "step {}, {}: {}",
                 change.step,

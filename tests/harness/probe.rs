@@ -4,9 +4,9 @@ use crate::measure::continents;
 use bevy::prelude::*;
 use bevy_pangaea::crust::ledger::Amount;
 use bevy_pangaea::plate::PlateId;
+use bevy_pangaea::plate::plate_table;
 use bevy_pangaea::plate::polarity::PolarityMemory;
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::process::plate_table;
 
 /// The state of a planet between two stages.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,12 +1,12 @@
 //! Apps without a window, and what tests do to a planet in them.
 
 use bevy::prelude::*;
+use bevy_pangaea::authoring::CommandRejected;
 use bevy_pangaea::authoring::Inbox;
-use bevy_pangaea::events::CommandRejected;
 use bevy_pangaea::io;
 use bevy_pangaea::plate::PlateTable;
+use bevy_pangaea::plate::plate_table;
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::process::plate_table;
 use bevy_pangaea::schedule::run_steps;
 use bevy_pangaea::spawn::PlanetState;
 use std::sync::Arc;

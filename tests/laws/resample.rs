@@ -73,7 +73,7 @@ fn pictures_just_before_and_after_a_resample_agree() {
     };
     app.add_systems(
         TectonicStep,
-        look.in_set(TectonicSystems::After(Stage::Relief)),
+        look.in_set(TectonicSystems::After(Stage::SurfaceProcesses)),
     );
     let mut compared = 0;
     for _ in 0..45 {
@@ -138,7 +138,7 @@ fn looking_at_a_planet_does_not_change_it() {
     let (mut other, unseen) = planet_app(&small(8, 5000));
     app.world_mut()
         .entity_mut(planet)
-        .insert(bevy_pangaea::resample::SurfaceDemand::EveryStep);
+        .insert(bevy_pangaea::resample::SurfaceProjection::EveryStep);
     for _ in 0..15 {
         steps(&mut app, planet, 1);
         project_now(app.world_mut(), planet);

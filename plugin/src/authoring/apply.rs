@@ -3,53 +3,18 @@
 use super::Inbox;
 use super::check::{direction_of, within};
 use super::command::TectonicCommand;
+use super::error::CommandError;
+use super::events::{CommandApplied, CommandRejected};
 use super::paint::{self, paint};
 use super::scenario::{Recording, Scenario, TimedCommand};
 use crate::crust::{Cause, Crust, Frames, Ledger};
-use crate::events::{CommandApplied, CommandRejected};
-use crate::params::{ParamError, TectonicParams};
+use crate::params::TectonicParams;
+use crate::planet::planet_radius;
 use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::plate::plate_table;
 use crate::plate::{PlateId, PlateMotion};
-use crate::process::rifting::{RiftError, rift_along, rift_at_random};
-use crate::process::{planet_radius, plate_table};
-use crate::schedule::CurrentPlanet;
+use crate::process::rifting::{rift_along, rift_at_random};
 use bevy::prelude::*;
-use thiserror::Error;
-
-/// Why a command was refused.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum CommandError {
-    /// The plate does not exist, or no longer.
-    #[error("there is no plate {}", .0.0)]
-    NoPlate(PlateId),
-    /// A number is outside of its limits, or no number.
-    #[error("{field} = {} is outside of {min}..={max}", crate::params::shown(*value))]
-    OutOfRange {
-        /// The field.
-        field: &'static str,
-        /// The refused value.
-        value: f64,
-        /// Smallest allowed value.
-        min: f64,
-        /// Largest allowed value.
-        max: f64,
-    },
-    /// The parameter or its value is refused.
-    #[error(transparent)]
-    Param(#[from] ParamError),
-    /// The plate does not rift.
-    #[error(transparent)]
-    Rift(#[from] RiftError),
-}
-
-/// The stage of a step in which commands take effect.
-pub fn commands(world: &mut World) {
-    let planet = world.resource::<CurrentPlanet>().0;
-    if let Some(mut resampling) = world.get_mut::<crate::resample::Resampling>(planet) {
-        resampling.done = false;
-    }
-    apply_pending(world, planet);
-}
 
 /// Carries out all commands that are due: those of a scenario first, then those in the inbox.
 ///
@@ -84,8 +49,8 @@ pub fn apply_pending(world: &mut World, planet: Entity) {
             }),
         }
     }
-    let looked_at = world.get::<crate::resample::SurfaceDemand>(planet)
-        == Some(&crate::resample::SurfaceDemand::EveryStep);
+    let looked_at = world.get::<crate::resample::SurfaceProjection>(planet)
+        == Some(&crate::resample::SurfaceProjection::EveryStep);
     let at_boundary = world
         .get::<crate::schedule::StepCursor>(planet)
         .is_some_and(|c| c.at_boundary());
@@ -98,11 +63,7 @@ pub fn apply_pending(world: &mut World, planet: Entity) {
 ///
 /// # Errors
 /// [`CommandError`]; nothing has changed then.
-pub fn apply(
-    world: &mut World,
-    planet: Entity,
-    command: &TectonicCommand,
-) -> Result<(), CommandError> {
+fn apply(world: &mut World, planet: Entity, command: &TectonicCommand) -> Result<(), CommandError> {
     command.check()?;
     match command {
         TectonicCommand::SetPlateMotion { plate, pole, speed } => {
@@ -242,6 +203,6 @@ fn edit_crust(
         after.area - before.area,
         after.volume - before.volume,
     );
-    crate::resample::recount(world, planet);
+    crate::plate::caches::recompute_stats(world, planet);
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! What can be said of a command without a planet: names, limits, coordinates.
 
-use super::apply::CommandError;
+use super::error::CommandError;
 use super::{Brush, PaintTarget, TectonicCommand};
 use crate::math::direction;
 use crate::params::{ProcessSwitches, TectonicParams};

@@ -5,16 +5,25 @@
 
 pub mod command;
 
-pub mod apply;
+mod error;
 
 mod check;
 
-pub mod paint;
+mod events;
 
 pub mod scenario;
 
-pub use apply::{CommandError, apply_pending};
+mod paint;
+
+mod apply;
+
+mod plugin;
+
+pub use apply::apply_pending;
 pub use command::{Brush, PaintTarget, TectonicCommand};
+pub use error::CommandError;
+pub use events::{CommandApplied, CommandRejected};
+pub use plugin::AuthoringPlugin;
 pub use scenario::{Recording, Scenario, TimedCommand};
 
 use bevy::prelude::*;

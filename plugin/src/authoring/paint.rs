@@ -9,7 +9,7 @@ use crate::plate::PlateId;
 use crate::sphere::SphereMesh;
 
 /// What a brush reads and writes.
-pub struct Scene<'a> {
+pub(super) struct Scene<'a> {
     /// Samples.
     pub mesh: &'a SphereMesh,
     /// Parameters.
@@ -26,7 +26,7 @@ pub struct Scene<'a> {
 const NEW_LAND: f32 = 0.3;
 
 /// Applies a brush. Its numbers have been checked.
-pub fn paint(scene: &mut Scene, target: &PaintTarget, brush: &Brush) {
+pub(super) fn paint(scene: &mut Scene, target: &PaintTarget, brush: &Brush) {
     for i in 0..scene.crust.len() {
         let strength = strength(scene, target, i);
         if strength > 0.0 {
@@ -36,7 +36,7 @@ pub fn paint(scene: &mut Scene, target: &PaintTarget, brush: &Brush) {
 }
 
 /// Switches the crust type of all samples of a plate.
-pub fn kind_of_plate(scene: &mut Scene, plate: PlateId, kind: CrustKind) {
+pub(super) fn kind_of_plate(scene: &mut Scene, plate: PlateId, kind: CrustKind) {
     for i in 0..scene.crust.len() {
         if scene.frames.plate(scene.crust.frame[i]) == plate {
             set_kind(scene, i, kind);

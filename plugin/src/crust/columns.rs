@@ -1,6 +1,6 @@
 //! The columns of the crust (paper 000, Table 1), one entry per sample of the lattice.
 
-use super::frame::FrameId;
+use crate::ids::FrameId;
 use bevy::prelude::*;
 
 /// Type of the crust, x_C in the paper. It says what is continental; the sign of the elevation

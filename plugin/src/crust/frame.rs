@@ -2,12 +2,9 @@
 //!
 //! A plate owns one frame after each resample; a terrane that changes plate brings its own along.
 
-use crate::plate::PlateId;
+use crate::ids::{FrameId, PlateId};
 use bevy::math::{DQuat, DVec3};
 use bevy::prelude::*;
-
-/// Index of a frame in [`Frames`]; the number that the crust's `frame` column holds.
-pub type FrameId = u16;
 
 /// A rigid rotation shared by a set of samples and owned by a plate.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,18 +9,12 @@ pub mod isostasy;
 
 pub mod frame;
 
-pub mod bins;
-
-pub mod cover;
-
 pub mod surface;
-
-pub mod terrane;
 
 pub mod ledger;
 
+pub use crate::ids::FrameId;
 pub use columns::{Crust, CrustKind, Orogeny};
-pub use frame::{Frame, FrameId, Frames};
+pub use frame::{Frame, Frames};
 pub use ledger::{Cause, Ledger};
 pub use surface::{Cover, PlanetSurface, Surface};
-pub use terrane::{Terrane, TerraneOf, Terranes};

@@ -4,7 +4,7 @@
 //! resample is invisible: it makes the surface of that moment the new state.
 
 use super::columns::Crust;
-use crate::plate::PlateId;
+use crate::ids::PlateId;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;

@@ -11,6 +11,7 @@ use crate::climate::EARTH_RADIUS;
 use crate::control::Bake;
 use crate::hydrology::{NONE, Site};
 use crate::math;
+use crate::parallel;
 use crate::random::mix;
 use crate::sphere::{Location, SphereMesh};
 use bevy::math::DVec3;

@@ -56,7 +56,7 @@ impl Rim {
     }
 
     /// Renews the rims after the samples `changed`, in order, have gone to other frames.
-    pub fn renew(
+    pub fn update(
         &mut self,
         mesh: &SphereMesh,
         frame: &[FrameId],
@@ -156,7 +156,7 @@ mod tests {
     use crate::plate::PlateId;
 
     #[test]
-    fn renewed_rims_are_those_found_anew() {
+    fn updated_rims_are_those_found_anew() {
         let mesh = SphereMesh::fibonacci(3000).unwrap();
         let frame_of = |p: DVec3| u16::from(p.x > 0.2) + 2 * u16::from(p.y > 0.1);
         let mut frame: Vec<FrameId> = mesh.points().iter().map(|&p| frame_of(p)).collect();
@@ -174,7 +174,7 @@ mod tests {
             let disc = |i: &u32| mesh.point(*i).distance(at) < 0.3;
             let changed: Vec<u32> = (0..mesh.len() as u32).filter(disc).collect();
             changed.iter().for_each(|&i| frame[i as usize] = id);
-            rim.renew(&mesh, &frame, &frames, &changed);
+            rim.update(&mesh, &frame, &frames, &changed);
             let anew = Rim::new(&mesh, &frame, &frames);
             assert_eq!(
                 (&rim.samples, &rim.normal, &rim.index),

@@ -12,9 +12,9 @@
 use super::boundary::Rim;
 use super::polarity::{Evidence, Pair, PolarityMemory, bin, pair};
 use super::{PlateId, PlateTable};
-use crate::crust::cover::CoverIndex;
 use crate::crust::{Crust, CrustKind, Frame, Frames};
 use crate::parallel;
+use crate::plate::overlap::OverlapIndex;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
@@ -80,7 +80,7 @@ pub struct ContactInput<'a> {
     /// Frames, already moved.
     pub frames: &'a Frames,
     /// Which frames cover a point.
-    pub cover: &'a CoverIndex,
+    pub overlap: &'a OverlapIndex,
     /// The plates.
     pub plates: &'a PlateTable,
     /// Planet radius in km.
@@ -127,7 +127,7 @@ fn meet(
         mesh,
         crust,
         frames,
-        cover,
+        overlap,
         radius,
         ..
     } = input;
@@ -140,11 +140,11 @@ fn meet(
     let probe = (local + rim.normal[k] * reach) * (1.0 / (1.0 + reach * reach).sqrt());
     let p = frame.to_world(probe);
     let foreign = |other: &Frame| other.plate != frame.plate;
-    let Some(hit) = cover.top_if(mesh, crust, frames, polarity, p, foreign) else {
+    let Some(hit) = overlap.top_if(mesh, crust, frames, polarity, p, foreign) else {
         return Contact::default();
     };
     let other = frames.plate(hit.frame);
-    let relative = cover.to_lattice(id, spins[usize::from(id)] - spins[usize::from(hit.frame)]);
+    let relative = overlap.to_lattice(id, spins[usize::from(id)] - spins[usize::from(hit.frame)]);
     let approach = relative.cross(local).dot(rim.normal[k]) * radius;
     let met = hit.sample as usize;
     let role = if approach > SLIDING {

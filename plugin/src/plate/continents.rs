@@ -22,9 +22,9 @@
 
 mod distance;
 mod field;
+mod heights;
 mod land;
 mod lobes;
-mod relief;
 mod seafloor;
 
 pub(in crate::plate) use lobes::Continents;
@@ -34,7 +34,7 @@ use crate::crust::isostasy::Isostasy;
 use crate::crust::{Crust, CrustKind, FrameId, Orogeny};
 use crate::planet::PlanetRecipe;
 use crate::sphere::SphereMesh;
-use relief::Relief;
+use heights::Heights;
 
 /// Area of continental crust, shelves included, relative to the area of land; 1.3 on Earth.
 pub const CONTINENTAL_PER_LAND: f64 = 1.25;
@@ -49,7 +49,7 @@ pub fn initial_crust(recipe: &PlanetRecipe, mesh: &SphereMesh, owner: &[FrameId]
     let share = recipe.continents.is_empty().then_some(recipe.land);
     let land = land::land(mesh, field, share);
     let coast = land.coast_distance(mesh);
-    let relief = Relief::new(recipe, mesh);
+    let relief = Heights::new(recipe, mesh);
     let passive = |i: usize| coast[i] * recipe.radius > relief.shelf_width(mesh.point(i as u32));
     let floor = seafloor::seafloor(recipe, mesh, owner, passive);
     let mut crust = Crust::ocean(mesh.len(), &recipe.params);
@@ -77,12 +77,12 @@ pub fn initial_crust(recipe: &PlanetRecipe, mesh: &SphereMesh, owner: &[FrameId]
 }
 
 /// Writes type, age and fold direction of the old belts.
-fn fold_belts(crust: &mut Crust, mesh: &SphereMesh, relief: &Relief, coast: &[f64]) {
+fn fold_belts(crust: &mut Crust, mesh: &SphereMesh, relief: &Heights, coast: &[f64]) {
     let belts = crate::parallel::map_chunks(mesh.len(), |range| {
         let belt = |i: usize| {
             let folded = crust.elevation[i] > 0.0;
             let belt = folded.then(|| relief.belt(mesh.point(i as u32), coast[i]))?;
-            (belt.strength > relief::FOLDED).then_some((i, belt))
+            (belt.strength > heights::FOLDED).then_some((i, belt))
         };
         range.filter_map(belt).collect::<Vec<_>>()
     });

@@ -12,34 +12,26 @@ pub mod boundary;
 
 pub mod polarity;
 
+pub mod overlap;
+
 pub mod contact;
+
+pub mod front;
+
+pub mod terrane;
 
 pub mod stats;
 
-pub use motion::{PlateMotion, PlateRow, PlateTable};
+pub mod table;
+
+pub mod caches;
+
+pub use crate::ids::PlateId;
+pub use motion::PlateMotion;
+pub use table::{PlateAccess, PlateRow, PlateTable, plate_table};
+pub use terrane::{Terrane, TerraneOf, Terranes};
 
 use bevy::prelude::*;
-
-/// The stable number of a plate. Everything that must not depend on the order of entities goes by
-/// it. Numbers are never used twice on one planet.
-#[derive(
-    Component,
-    Clone,
-    Copy,
-    Debug,
-    Default,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Hash,
-    Reflect,
-    serde::Serialize,
-    serde::Deserialize,
-)]
-#[serde(transparent)]
-#[reflect(Component)]
-pub struct PlateId(pub u32);
 
 /// The planet that a plate belongs to.
 #[derive(Component, Clone, Copy, Debug, PartialEq, Eq, Reflect)]

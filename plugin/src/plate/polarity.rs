@@ -10,7 +10,7 @@
 //! steps of the last turn.
 
 use super::PlateId;
-use crate::crust::bins::CubeGrid;
+use crate::sphere::bins::CubeGrid;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 

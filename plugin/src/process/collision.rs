@@ -17,20 +17,21 @@
 //!
 //! Reads: contacts, crust. Writes: frames, elevation, thickness, fold, orogeny.
 
-use crate::crust::cover::CoverIndex;
 use crate::crust::isostasy::Isostasy;
 use crate::crust::{Cause, Crust, Frame, FrameId, Frames, Ledger, Orogeny};
 use crate::events::TerraneCollided;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::plate::PlateAccess;
 use crate::plate::boundary::Rim;
+use crate::plate::caches::{MovedSamples, recompute_moved};
 use crate::plate::contact::{Contacts, Role};
+use crate::plate::overlap::OverlapIndex;
 use crate::plate::{PlateId, PlateTable};
-use crate::process::{PlateAccess, saturating_rise};
-use crate::resample::{Moved, rebuild_moved};
+use crate::process::saturating_rise;
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
-use crate::sphere::spread::{Reached, Scratch, spread};
+use crate::sphere::nearest_source::{Reached, Scratch, spread};
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
@@ -54,7 +55,7 @@ struct Scene<'a> {
     params: &'a TectonicParams,
     rim: &'a Rim,
     contacts: &'a Contacts,
-    cover: &'a CoverIndex,
+    overlap: &'a OverlapIndex,
     plates: PlateTable,
     /// Overlap in radians from which on a terrane breaks off.
     trigger: f64,
@@ -71,7 +72,7 @@ pub fn collision(
             &GeologicClock,
             &Rim,
             &Contacts,
-            &CoverIndex,
+            &OverlapIndex,
         ),
         (&mut Crust, &mut Frames, &mut Ledger),
     )>,
@@ -80,7 +81,7 @@ pub fn collision(
     let Ok((input, (mut crust, mut frames, mut ledger))) = planets.get_mut(plates.planet()) else {
         return;
     };
-    let (planet, lattice, params, clock, rim, contacts, cover) = input;
+    let (planet, lattice, params, clock, rim, contacts, overlap) = input;
     if !params.processes.collision {
         return;
     }
@@ -99,11 +100,11 @@ pub fn collision(
         params,
         rim,
         contacts,
-        cover,
+        overlap,
         plates: table,
         trigger,
     };
-    let mut moved = Moved::default();
+    let mut moved = MovedSamples::default();
     let mut scratch = Scratch::default();
     for at in scene.overlaps(&meeting, &crust, &frames) {
         let found = scene.collide(at, &mut crust, &mut frames, &mut ledger, &mut scratch);
@@ -120,7 +121,7 @@ pub fn collision(
         let planet = plates.planet();
         moved.samples.sort_unstable();
         moved.samples.dedup();
-        commands.queue(move |world: &mut World| rebuild_moved(world, planet, &moved));
+        commands.queue(move |world: &mut World| recompute_moved(world, planet, &moved));
     }
 }
 
@@ -178,7 +179,7 @@ impl Scene<'_> {
         (0..=(length / stride) as usize).rev().all(|step| {
             let (s, c) = crate::math::sin_cos(stride * step as f64);
             let back = frame.to_world(p * c - forward * s);
-            let hit = self.cover.hit(self.mesh, crust, contact.frame, back);
+            let hit = self.overlap.hit(self.mesh, crust, contact.frame, back);
             hit.is_some_and(|hit| crust.is_continental(hit.sample as usize))
         })
     }
@@ -269,7 +270,7 @@ impl Scene<'_> {
             .with_min_len(512)
             .filter_map(|&i| {
                 let p = frame.to_world(self.mesh.point(i));
-                let hit = self.cover.hit(self.mesh, crust, to, p)?;
+                let hit = self.overlap.hit(self.mesh, crust, to, p)?;
                 crust
                     .is_continental(hit.sample as usize)
                     .then_some((i, hit.sample))

@@ -18,10 +18,7 @@ impl Plugin for CommitPlugin {
     fn build(&self, app: &mut App) {
         app.add_systems(
             TectonicStep,
-            (
-                crate::authoring::apply::commands.in_set(TectonicSystems::Process(Stage::Commands)),
-                commit.in_set(TectonicSystems::Process(Stage::Commit)),
-            ),
+            commit.in_set(TectonicSystems::Process(Stage::Commit)),
         );
     }
 }

@@ -2,14 +2,14 @@
 //!
 //! Reads: frames, crust, motions. Writes: candidate tables, contacts, polarity.
 
-use crate::crust::cover::CoverIndex;
 use crate::crust::{Crust, Frames};
 use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
+use crate::plate::PlateAccess;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{ContactInput, Contacts, find_contacts};
+use crate::plate::overlap::OverlapIndex;
 use crate::plate::polarity::PolarityMemory;
-use crate::process::PlateAccess;
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
 use bevy::prelude::*;
 
@@ -30,21 +30,21 @@ pub fn contact(
     plates: PlateAccess,
     mut planets: Query<(
         (&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim),
-        (&mut CoverIndex, &mut Contacts, &mut PolarityMemory),
+        (&mut OverlapIndex, &mut Contacts, &mut PolarityMemory),
     )>,
 ) {
-    let Ok((input, (mut cover, mut contacts, mut polarity))) = planets.get_mut(plates.planet())
+    let Ok((input, (mut overlap, mut contacts, mut polarity))) = planets.get_mut(plates.planet())
     else {
         return;
     };
     let (planet, lattice, params, crust, frames, rim) = input;
-    cover.turn(frames);
+    overlap.turn(frames);
     let table = plates.table();
     let input = ContactInput {
         mesh: lattice,
         crust,
         frames,
-        cover: &cover,
+        overlap: &overlap,
         plates: &table,
         radius: planet.radius,
     };

@@ -9,8 +9,8 @@
 use crate::crust::{Frame, Frames};
 use crate::math::rotation;
 use crate::params::TectonicParams;
+use crate::plate::PlateAccess;
 use crate::plate::{PlateId, PlateMotion, PlateStats, PlateTable};
-use crate::process::PlateAccess;
 use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
 use bevy::prelude::*;
 

@@ -27,10 +27,12 @@ pub struct MarginPlugin;
 
 impl Plugin for MarginPlugin {
     fn build(&self, app: &mut App) {
-        let set = TectonicSystems::Process(Stage::Relief);
+        let set = TectonicSystems::Process(Stage::SurfaceProcesses);
         app.add_systems(
             TectonicStep,
-            margin.in_set(set).after(super::relief::relief),
+            margin
+                .in_set(set)
+                .after(super::surface_processes::surface_processes),
         );
     }
 }

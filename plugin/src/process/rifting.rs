@@ -17,12 +17,13 @@ use crate::events::PlateRifted;
 use crate::math::{PI, acos, exp};
 use crate::noise::Noise;
 use crate::params::TectonicParams;
+use crate::planet::planet_radius;
 use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::boundary::Rim;
+use crate::plate::caches::{MovedSamples, recompute_moved};
+use crate::plate::plate_table;
 use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateRow, PlateStats};
-use crate::process::{planet_radius, plate_table};
 use crate::random::{Purpose, Stream};
-use crate::resample::{Moved, rebuild_moved};
 use crate::schedule::{CurrentPlanet, Stage, StageTimings, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
@@ -344,7 +345,7 @@ fn rift(
     let touched = (0..)
         .zip(frames.iter())
         .filter(|(_, frame)| ids.contains(&frame.plate));
-    let moved = Moved {
+    let moved = MovedSamples {
         samples: parts
             .iter()
             .filter(|part| part.fragment > 0)
@@ -371,7 +372,7 @@ fn rift(
             ));
         }
     }
-    rebuild_moved(world, planet, &moved);
+    recompute_moved(world, planet, &moved);
     if let Some(mut timings) = world.get_mut::<StageTimings>(planet) {
         timings.rift.1 += start.elapsed().as_secs_f64() * 1e3;
     }

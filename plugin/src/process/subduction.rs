@@ -24,7 +24,7 @@ use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contact, Contacts, Role};
-use crate::process::front::{FrontField, FrontInput};
+use crate::plate::front::{FrontField, FrontInput};
 use crate::process::saturating_rise;
 use crate::schedule::{CurrentPlanet, Stage, StepCursor, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;

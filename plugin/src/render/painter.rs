@@ -15,7 +15,7 @@ use crate::overlay::{Overlay, OverlayInput, colorize};
 use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};
 use crate::plate::{Plate, PlateId, PlateMotion, PlateRow, PlateStats, PlateTable, Plates};
-use crate::resample::SurfaceDemand;
+use crate::resample::SurfaceProjection;
 use crate::sphere::SphereMesh;
 use bevy::asset::AssetEventSystems;
 use bevy::prelude::*;
@@ -137,7 +137,7 @@ fn attach(
 ) {
     for (planet, has_globe) in &bare {
         let mut planet = commands.entity(planet);
-        planet.insert((Easel::default(), SurfaceDemand::EveryStep));
+        planet.insert((Easel::default(), SurfaceProjection::EveryStep));
         if !has_globe {
             planet.insert(Globe::default());
         }

@@ -28,7 +28,7 @@ use crate::plate::PlateTable;
 use crate::resample::project::{Notes, Row};
 use crate::sphere::SphereMesh;
 use crate::sphere::components::Components;
-use crate::sphere::spread::{SourceField, UNREACHED, angle_of_chord, spread_on};
+use crate::sphere::nearest_source::{SourceField, UNREACHED, angle_of_chord, spread_on};
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;

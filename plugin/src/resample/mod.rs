@@ -1,7 +1,7 @@
 //! Back to even sampling: the surface of the moment becomes the new state (paper 000 §4.3, §6).
 //!
 //! [`project`] finds what covers every sample of the lattice, [`gap`] makes new crust where nothing
-//! does, [`quota`] keeps the continental area and volume that the ledger expects, [`strays`] tidies
+//! does, [`conservation`] keeps the continental area and volume that the ledger expects, [`exclaves`] tidies
 //! ownership, [`trench`] bends what subducts. The first, second and last are also how the planet is
 //! looked at between two resamples ([`Surface`]), so that pictures just before and after a resample
 //! agree.
@@ -13,18 +13,15 @@ pub mod project;
 
 pub mod gap;
 
-pub mod quota;
+pub mod conservation;
 
-pub mod strays;
+pub mod exclaves;
 
 pub mod trench;
 
 mod stage;
 
-mod derived;
-
-pub use derived::{Moved, rebuild, rebuild_moved, recount, refresh};
-pub use stage::{ResamplePlugin, Resampling, SurfaceDemand, due, interval, project_now};
+pub use stage::{ResamplePlugin, Resampling, SurfaceProjection, due, interval, project_now};
 
 #[allow(unused_imports, reason = "named in the module's documentation")]
 use crate::crust::Surface;

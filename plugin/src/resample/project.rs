@@ -6,11 +6,11 @@
 //! as it was. *A frame at rest* copies bits. Continental crust that lies below another frame is
 //! noted, for the ledger.
 
-use crate::crust::cover::{CoverIndex, Hit, upper};
 use crate::crust::surface::Cover;
 use crate::crust::{Crust, CrustKind, Frame, Frames, Orogeny, Surface};
 use crate::parallel::CHUNK;
 use crate::plate::PlateId;
+use crate::plate::overlap::{FrameHit, OverlapIndex, upper};
 use crate::plate::polarity::PolarityMemory;
 use crate::sphere::{Location, SphereMesh};
 use bevy::math::{DQuat, DVec3};
@@ -30,7 +30,7 @@ pub struct ProjectInput<'a> {
     /// Frames.
     pub frames: &'a Frames,
     /// Which frames cover a point; must fit the frames' rotations.
-    pub cover: &'a CoverIndex,
+    pub overlap: &'a OverlapIndex,
     /// Who goes under whom.
     pub polarity: &'a PolarityMemory,
 }
@@ -202,7 +202,7 @@ fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
         mesh,
         crust,
         frames,
-        cover,
+        overlap,
         polarity,
     } = *input;
     if at_rest {
@@ -216,7 +216,7 @@ fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
         };
     }
     let p = mesh.points()[i];
-    let mut hits = cover.covering(mesh, crust, p);
+    let mut hits = overlap.covering(mesh, crust, p);
     let Some(mut top) = hits.next() else {
         return Found {
             row: Row::read(crust, i),
@@ -251,7 +251,7 @@ fn find(input: &ProjectInput, at_rest: bool, i: usize) -> Found {
 
 /// The crust of a frame at a hit, and the share of continental corners. `kind` asks for crust of
 /// that kind, where the triangle has some, instead of the nearest sample's.
-pub fn sample_frame(input: &ProjectInput, hit: Hit, kind: Option<CrustKind>) -> (Row, f32) {
+pub fn sample_frame(input: &ProjectInput, hit: FrameHit, kind: Option<CrustKind>) -> (Row, f32) {
     let ProjectInput {
         mesh,
         crust,
@@ -336,18 +336,18 @@ fn turned(row: Row, rotation: DQuat) -> Row {
 
 /// Continental crust below the frame on top at `p`: thickness in km, and layers of the same and of
 /// other plates.
-fn buried(input: &ProjectInput, p: DVec3, top: Hit) -> (f32, [u8; 2]) {
+fn buried(input: &ProjectInput, p: DVec3, top: FrameHit) -> (f32, [u8; 2]) {
     let ProjectInput {
         mesh,
         crust,
         frames,
-        cover,
+        overlap,
         ..
     } = *input;
     let plate = frames.plate(top.frame);
     let mut below = 0.0;
     let mut layers = [0; 2];
-    for hit in cover
+    for hit in overlap
         .covering(mesh, crust, p)
         .filter(|hit| hit.frame != top.frame)
     {

@@ -1,32 +1,32 @@
 //! The stages that resample the crust and project the surface, in slices.
 
-use super::derived::{look_for_contacts, rebuild, take_census};
+use super::conservation::conserve;
+use super::exclaves::merge_exclaves;
 use super::gap::{GapInput, Rims, fill_gaps};
 use super::project::{Notes, ProjectInput, prepare, project_slice};
-use super::quota::conserve;
-use super::strays::gather_strays;
 use super::trench::bend;
-use crate::crust::cover::CoverIndex;
 use crate::crust::{Crust, Frame, FrameId, Frames, Ledger, PlanetSurface, Surface};
 use crate::events::CrustResampled;
 use crate::parallel::{self, CHUNK};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
 use crate::plate::boundary::Rim;
+use crate::plate::caches::{recompute, recompute_contacts};
 use crate::plate::contact::{Contact, Contacts};
+use crate::plate::overlap::OverlapIndex;
+use crate::plate::plate_table;
 use crate::plate::polarity::PolarityMemory;
 use crate::plate::{PlateId, PlateTable};
-use crate::process::plate_table;
 use crate::schedule::{
     CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems,
 };
-use crate::sphere::spread::Scratch;
+use crate::sphere::nearest_source::Scratch;
 use bevy::prelude::*;
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Adds the stages [`Stage::Resample`] and [`Stage::Surface`].
+/// Adds the stages [`Stage::Resample`] and [`Stage::Projection`].
 pub struct ResamplePlugin;
 
 impl Plugin for ResamplePlugin {
@@ -35,7 +35,7 @@ impl Plugin for ResamplePlugin {
             TectonicStep,
             (
                 resample.in_set(TectonicSystems::Process(Stage::Resample)),
-                surface.in_set(TectonicSystems::Process(Stage::Surface)),
+                surface.in_set(TectonicSystems::Process(Stage::Projection)),
             ),
         );
     }
@@ -56,7 +56,7 @@ pub struct Resampling {
 /// How often the surface is projected.
 #[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
 #[reflect(Component)]
-pub enum SurfaceDemand {
+pub enum SurfaceProjection {
     /// At resamples only, and when [`project_now`] is called.
     #[default]
     OnRequest,
@@ -88,8 +88,13 @@ fn resample(world: &mut World) {
     else {
         return;
     };
-    if progress == 0 && !is_due(world, planet) {
-        return;
+    if progress == 0 {
+        if let Some(mut resampling) = world.get_mut::<Resampling>(planet) {
+            resampling.done = false;
+        }
+        if !is_due(world, planet) {
+            return;
+        }
     }
     let start = Instant::now();
     let ended = advance(world, planet, true);
@@ -101,7 +106,7 @@ fn resample(world: &mut World) {
 
 fn surface(world: &mut World) {
     let planet = world.resource::<CurrentPlanet>().0;
-    let wanted = world.get::<SurfaceDemand>(planet) == Some(&SurfaceDemand::EveryStep);
+    let wanted = world.get::<SurfaceProjection>(planet) == Some(&SurfaceProjection::EveryStep);
     let fresh = world
         .get::<Resampling>(planet)
         .is_none_or(|resampling| resampling.done);
@@ -144,7 +149,7 @@ pub fn project_now(world: &mut World, planet: Entity) {
         .is_some_and(|resampling| resampling.done)
     {
         // Nothing has looked for contacts since.
-        look_for_contacts(world, planet);
+        recompute_contacts(world, planet);
     }
     if let Some(mut cursor) = world.get_mut::<StepCursor>(planet) {
         cursor.progress = 0;
@@ -194,23 +199,23 @@ fn advance_work(
             &Frames,
         ),
         (&Rim, &Contacts, &PolarityMemory),
-        (&mut CoverIndex, &mut Ledger, &mut StepCursor),
+        (&mut OverlapIndex, &mut Ledger, &mut StepCursor),
     )>();
-    let (state, (rim, contacts, polarity), (mut cover, mut ledger, mut cursor)) =
+    let (state, (rim, contacts, polarity), (mut overlap, mut ledger, mut cursor)) =
         query.get_mut(world, planet).ok()?;
     let (body, mesh, params, clock, crust, frames) = state;
     let chunks = mesh.len().div_ceil(CHUNK);
     if cursor.progress == 0 {
         // Collisions and riftings of this step have changed the frames since the contacts were
         // found.
-        cover.turn(frames);
+        overlap.turn(frames);
         prepare(&mut work.next, &mut work.notes, mesh.len());
     }
     let input = ProjectInput {
         mesh,
         crust,
         frames,
-        cover: &cover,
+        overlap: &overlap,
         polarity,
     };
     loop {
@@ -243,7 +248,7 @@ fn advance_work(
                 Finish::Quota if commit => {
                     let Resampling { next, notes, .. } = work;
                     conserve(&input, params, body.radius, next, notes, &mut ledger);
-                    gather_strays(mesh, next);
+                    merge_exclaves(mesh, next);
                 }
                 Finish::Quota => {}
                 Finish::Trenches => {
@@ -309,13 +314,12 @@ fn finish(
     let share = work.new_ocean as f64 / mesh.len() as f64;
     let new_ocean = share * 4.0 * crate::math::PI * body.radius * body.radius;
     if commit {
-        rebuild(world, planet);
+        recompute(world, planet);
         // What was known of contacts belongs to samples that are now others.
         let mut query = world.query::<(&Rim, &mut Contacts)>();
         if let Ok((rim, mut contacts)) = query.get_mut(world, planet) {
             contacts.0 = vec![Contact::default(); rim.len()];
         }
-        take_census(world, planet);
         world.trigger(CrustResampled { planet, new_ocean });
     }
 }

@@ -10,7 +10,7 @@ use crate::params::TectonicParams;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, Role};
 use crate::sphere::SphereMesh;
-use crate::sphere::spread::{Scratch, spread};
+use crate::sphere::nearest_source::{Scratch, spread};
 use bevy::math::DVec3;
 
 /// Plates that converge at this speed in km/My or faster have the deepest trenches.

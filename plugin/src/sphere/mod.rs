@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! cube            the sphere as six squares: order along a curve, cells of a grid
+//! bins            a cube of equal cells around the sphere, for coarse look-ups
 //! sampling        Fibonacci points, ordered along a space-filling curve
 //! poisson         Poisson-disk points, for the base mesh of the ground
 //! triangulation   spherical Delaunay triangulation (planar Delaunay of a stereographic projection)
@@ -12,7 +13,7 @@
 //! locate          containing triangle and barycentric weights of a direction
 //! components      connected components of samples
 //! gradient        gradient and Laplacian of a column
-//! spread          distances from many sources, spread over the mesh
+//! nearest_source  distance to the nearest of many sources, along the mesh
 //! ```
 //!
 //! A [`SphereMesh`] never changes: crust moves in rotating frames, samples stay where they are
@@ -25,16 +26,17 @@
 //! - A direction on an edge belongs to either triangle of that edge; the weights are the same.
 
 mod area;
+pub mod bins;
 pub mod components;
 mod cube;
 pub mod gradient;
 mod locate;
 mod mesh;
 mod nearest;
+pub mod nearest_source;
 mod poisson;
 mod rings;
 mod sampling;
-pub mod spread;
 mod triangulation;
 
 pub use locate::Location;

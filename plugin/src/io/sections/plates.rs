@@ -4,12 +4,12 @@ use super::{flag, unit};
 use crate::crust::{Frame, Frames};
 use crate::io::codec::{Decoder, Encoder, invalid};
 use crate::io::save::SaveError;
+use crate::plate::front::{FrontField, HOLD};
 use crate::plate::polarity::{PolarityMemory, Segment};
 use crate::plate::{PlateId, PlateMotion, PlateStats};
-use crate::process::front::{FrontField, HOLD};
 use crate::spawn::PlanetState;
 use crate::sphere::SphereMesh;
-use crate::sphere::spread::UNREACHED;
+use crate::sphere::nearest_source::UNREACHED;
 
 /// A plate as it is in a planet's state.
 type Row = (PlateId, PlateMotion, f64);

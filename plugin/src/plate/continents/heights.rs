@@ -49,7 +49,7 @@ pub(super) struct Belt {
 }
 
 /// The functions of one planet.
-pub(super) struct Relief {
+pub(super) struct Heights {
     radius: f64,
     scale: f64,
     slope: f64,
@@ -59,7 +59,7 @@ pub(super) struct Relief {
     extent: Noise,
 }
 
-impl Relief {
+impl Heights {
     pub(super) fn new(recipe: &PlanetRecipe, mesh: &SphereMesh) -> Self {
         let noise = |id| Noise::new(recipe.seed, Purpose::Coast, id);
         let scale = (recipe.radius / EARTH).min(1.0);

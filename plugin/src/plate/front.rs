@@ -15,7 +15,7 @@ use crate::parallel;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, Role};
 use crate::sphere::SphereMesh;
-use crate::sphere::spread::{SourceField, UNREACHED, spread_on};
+use crate::sphere::nearest_source::{SourceField, UNREACHED, spread_on};
 use bevy::prelude::*;
 use rayon::prelude::*;
 

@@ -14,7 +14,7 @@ pub const LARGEST_STRAY: f64 = 0.002;
 
 /// Gives stray pieces to the neighbour with which they share the longest border. Returns the
 /// samples that changed owner.
-pub fn gather_strays(mesh: &SphereMesh, surface: &mut Surface) -> usize {
+pub fn merge_exclaves(mesh: &SphereMesh, surface: &mut Surface) -> usize {
     let mut changed = 0;
     for piece in strays(mesh, &surface.plate) {
         let own = surface.plate[piece[0] as usize];

@@ -10,12 +10,13 @@
 //! *Several plates*: continental crust lies on top of oceanic; of equal kinds the polarity of the
 //! front decides; where there is none, the younger ocean floor, then the lower plate number.
 
-use super::bins::CubeGrid;
-use super::columns::{Crust, CrustKind};
-use super::frame::{Frame, FrameId};
+use super::polarity::PolarityMemory;
+use crate::crust::{Crust, CrustKind, Frame};
+use crate::ids::FrameId;
 use crate::parallel;
-use crate::plate::polarity::PolarityMemory;
+
 use crate::sphere::SphereMesh;
+use crate::sphere::bins::CubeGrid;
 use bevy::math::{DMat3, DVec3};
 use bevy::prelude::*;
 use rayon::prelude::*;
@@ -23,7 +24,7 @@ use std::sync::Arc;
 
 /// A frame that covers a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
+pub struct FrameHit {
     /// The frame.
     pub frame: FrameId,
     /// The nearest sample of the lattice, which belongs to the frame.
@@ -140,7 +141,7 @@ const MOST_COARSE: f64 = 16.0;
 
 /// Candidate tables for the frames of one planet.
 #[derive(Component, Clone, Debug, Default)]
-pub struct CoverIndex {
+pub struct OverlapIndex {
     fine: Arc<Bins>,
     coarse: Arc<Bins>,
     /// Number of 64-bit words of a set of frames.
@@ -156,16 +157,16 @@ pub struct CoverIndex {
     to_lattice: Vec<DMat3>,
 }
 
-impl CoverIndex {
+impl OverlapIndex {
     /// Builds all tables.
     pub fn new(mesh: &SphereMesh, frame: &[FrameId], frames: &[Frame]) -> Self {
         let mut index = Self::default();
-        index.renew(mesh, frame, frames);
+        index.update(mesh, frame, frames);
         index
     }
 
     /// Renews all tables after frames have gained or lost samples.
-    pub fn renew(&mut self, mesh: &SphereMesh, frame: &[FrameId], frames: &[Frame]) {
+    pub fn update(&mut self, mesh: &SphereMesh, frame: &[FrameId], frames: &[Frame]) {
         if self.fine.lattice != mesh.len() {
             self.fine = Arc::new(Bins::new(mesh, FINE, f64::INFINITY));
             self.coarse = Arc::new(Bins::new(mesh, COARSE, MOST_COARSE));
@@ -223,7 +224,7 @@ impl CoverIndex {
     /// The frame's hit at the unit direction `p`, if it covers the point. Frames made since the
     /// last [`turn`](Self::turn) cover nothing yet.
     #[inline]
-    pub fn hit(&self, mesh: &SphereMesh, crust: &Crust, id: FrameId, p: DVec3) -> Option<Hit> {
+    pub fn hit(&self, mesh: &SphereMesh, crust: &Crust, id: FrameId, p: DVec3) -> Option<FrameHit> {
         // A frame at rest keeps the bits of `p`; the others keep its length as well as rounding
         // can.
         let local = *self.to_lattice.get(usize::from(id))? * p;
@@ -233,7 +234,7 @@ impl CoverIndex {
             return None;
         }
         let sample = mesh.nearest(local);
-        (crust.frame[sample as usize] == id).then_some(Hit {
+        (crust.frame[sample as usize] == id).then_some(FrameHit {
             frame: id,
             sample,
             local,
@@ -250,7 +251,7 @@ impl CoverIndex {
         polarity: &PolarityMemory,
         p: DVec3,
         choice: impl Fn(&Frame) -> bool,
-    ) -> Option<Hit> {
+    ) -> Option<FrameHit> {
         let hits = ones(self.candidates(p))
             .filter(|&id| choice(&frames[id]))
             .filter_map(|id| self.hit(mesh, crust, id as FrameId, p));
@@ -264,7 +265,7 @@ impl CoverIndex {
         mesh: &SphereMesh,
         crust: &Crust,
         p: DVec3,
-    ) -> impl Iterator<Item = Hit> {
+    ) -> impl Iterator<Item = FrameHit> {
         ones(self.candidates(p)).filter_map(move |id| self.hit(mesh, crust, id as FrameId, p))
     }
 }
@@ -308,8 +309,8 @@ pub fn overrides(
     crust: &Crust,
     frames: &[Frame],
     polarity: &PolarityMemory,
-    a: Hit,
-    b: Hit,
+    a: FrameHit,
+    b: FrameHit,
     p: DVec3,
 ) -> bool {
     let (fa, fb) = (&frames[usize::from(a.frame)], &frames[usize::from(b.frame)]);
@@ -340,10 +341,10 @@ pub fn upper(
     crust: &Crust,
     frames: &[Frame],
     polarity: &PolarityMemory,
-    a: Hit,
-    b: Hit,
+    a: FrameHit,
+    b: FrameHit,
     p: DVec3,
-) -> Hit {
+) -> FrameHit {
     if overrides(crust, frames, polarity, b, a, p) {
         b
     } else {

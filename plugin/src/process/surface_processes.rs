@@ -14,6 +14,7 @@ use crate::noise::Noise;
 use crate::parallel::CHUNK;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::plate::terrane::TerraneCensus;
 use crate::process::erosion::{adjustment, eroded, wear};
 use crate::process::ocean_floor::Subsidence;
 use crate::random::Purpose;
@@ -30,14 +31,14 @@ pub const NOISE_PERIOD: f64 = 160.0;
 /// Samples whose noise is evaluated between two looks at the clock.
 const PER_SLICE: usize = 8 * CHUNK;
 
-/// Adds [`relief`] to the step.
-pub struct ReliefPlugin;
+/// Adds [`surface_processes`] to the step.
+pub struct SurfaceProcessesPlugin;
 
-impl Plugin for ReliefPlugin {
+impl Plugin for SurfaceProcessesPlugin {
     fn build(&self, app: &mut App) {
         app.add_systems(
             TectonicStep,
-            relief.in_set(TectonicSystems::Process(Stage::Relief)),
+            surface_processes.in_set(TectonicSystems::Process(Stage::SurfaceProcesses)),
         );
     }
 }
@@ -85,14 +86,16 @@ impl ReliefNoise {
 }
 
 /// Wears, sinks and ages the crust of the current planet.
-pub fn relief(
+pub fn surface_processes(
     current: Res<CurrentPlanet>,
     mut planets: Query<(
         (&Planet, &Lattice, &TectonicParams, &GeologicClock),
-        (&mut Crust, &mut Ledger, &mut ReliefNoise, &mut StepCursor),
+        (&mut Crust, &mut Ledger, &mut TerraneCensus),
+        (&mut ReliefNoise, &mut StepCursor),
     )>,
 ) {
-    let Ok((input, (mut crust, mut ledger, mut noise, mut cursor))) = planets.get_mut(current.0)
+    let Ok((input, (mut crust, mut ledger, mut census), (mut noise, mut cursor))) =
+        planets.get_mut(current.0)
     else {
         return;
     };
@@ -110,6 +113,9 @@ pub fn relief(
         &noise,
         &ReliefLaw::new(params, clock.time),
     );
+    if booked.arc_area > 0.0 {
+        census.stale = true;
+    }
     let square = planet.radius * planet.radius;
     ledger.book(
         Cause::ArcGrowth,

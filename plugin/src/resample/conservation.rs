@@ -98,10 +98,10 @@ fn flip_coast(input: &ProjectInput, surface: &mut Surface, notes: &Notes, target
             mesh,
             crust,
             frames,
-            cover,
+            overlap,
             polarity,
         } = input;
-        let Some(top) = cover.top_if(mesh, crust, frames, polarity, p, |_| true) else {
+        let Some(top) = overlap.top_if(mesh, crust, frames, polarity, p, |_| true) else {
             continue;
         };
         let (row, _) = sample_frame(input, top, Some(to));
