@@ -6,6 +6,8 @@ pub mod math;
 
 pub mod parallel;
 
+mod named;
+
 pub mod params;
 
 pub mod ids;

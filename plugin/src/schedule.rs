@@ -5,6 +5,7 @@
 //! runs [`TectonicStep`] again and again until the frame's budget is spent, and each run goes on
 //! where the last one stopped. Without a budget a single run is a whole step.
 
+use crate::named::named_enum;
 use crate::planet::{GeologicClock, Planet};
 use bevy::ecs::schedule::{LogLevel, ScheduleBuildSettings, ScheduleLabel, SingleThreadedExecutor};
 use bevy::prelude::*;
@@ -28,68 +29,31 @@ pub enum BetweenStepsSystems {
     Caches,
 }
 
-/// The stages of a step, in order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Reflect)]
-#[repr(u8)]
-pub enum Stage {
-    /// Commands of the user take effect.
-    Commands,
-    /// Frames rotate with their plates.
-    Drift,
-    /// Where plates meet, and which goes under.
-    Contact,
-    /// Overriding plates rise.
-    Subduction,
-    /// Subducting plates turn towards their fronts.
-    SlabPull,
-    /// Terranes break off and are sutured.
-    Collision,
-    /// Plates break.
-    Rifting,
-    /// Erosion, subsidence, sediment, isostasy, noise.
-    SurfaceProcesses,
-    /// When it is due: even samples again, and new ocean crust.
-    Resample,
-    /// The clock ticks and the ledger is checked.
-    Commit,
-    /// When someone looks at the planet: its surface is projected.
-    Projection,
-}
-
-impl Stage {
-    /// All stages in order.
-    pub const ALL: [Self; Self::COUNT] = [
-        Self::Commands,
-        Self::Drift,
-        Self::Contact,
-        Self::Subduction,
-        Self::SlabPull,
-        Self::Collision,
-        Self::Rifting,
-        Self::SurfaceProcesses,
-        Self::Resample,
-        Self::Commit,
-        Self::Projection,
-    ];
-
-    /// Number of stages.
-    pub const COUNT: usize = 11;
-
-    /// Name for panels and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Commands => "commands",
-            Self::Drift => "drift",
-            Self::Contact => "contact",
-            Self::Subduction => "subduction",
-            Self::SlabPull => "slab pull",
-            Self::Collision => "collision",
-            Self::Rifting => "rifting",
-            Self::SurfaceProcesses => "surface processes",
-            Self::Resample => "resample",
-            Self::Commit => "commit",
-            Self::Projection => "projection",
-        }
+named_enum! {
+    /// The stages of a step, in order.
+    pub enum Stage {
+        /// Commands of the user take effect.
+        Commands = "commands",
+        /// Frames rotate with their plates.
+        Drift = "drift",
+        /// Where plates meet, and which goes under.
+        Contact = "contact",
+        /// Overriding plates rise.
+        Subduction = "subduction",
+        /// Subducting plates turn towards their fronts.
+        SlabPull = "slab pull",
+        /// Terranes break off and are sutured.
+        Collision = "collision",
+        /// Plates break.
+        Rifting = "rifting",
+        /// Erosion, subsidence, sediment, isostasy, noise.
+        SurfaceProcesses = "surface processes",
+        /// When it is due: even samples again, and new ocean crust.
+        Resample = "resample",
+        /// The clock ticks and the ledger is checked.
+        Commit = "commit",
+        /// When someone looks at the planet: its surface is projected.
+        Projection = "projection",
     }
 }
 

@@ -1,117 +1,264 @@
 //! The columns of the crust (paper 000, Table 1), one entry per sample of the lattice.
+//!
+//! One table names each column once, with its type, limits and tag in save files. From it follow
+//! [`Crust`] (a vector per column), [`CrustRow`] (a value per column), [`CrustChunk`] (a slice per
+//! column, for parallel sweeps), comparison, copies and files. A new column is one entry.
 
+use super::kinds::{CrustKind, Orogeny};
+use super::value::ColumnValue;
 use crate::ids::FrameId;
+use crate::parallel::CHUNK;
 use bevy::prelude::*;
+use core::ops::Range;
+use thiserror::Error;
 
-/// Type of the crust, x_C in the paper. It says what is continental; the sign of the elevation
-/// does not: a shelf is continental crust under water.
-#[derive(
-    Clone,
-    Copy,
-    Debug,
-    Default,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Hash,
-    Reflect,
-    serde::Serialize,
-    serde::Deserialize,
-)]
-#[repr(u8)]
-pub enum CrustKind {
-    /// Dense, thin, young crust; it subducts.
-    #[default]
-    Oceanic = 0,
-    /// Light, thick crust; it resists subduction.
-    Continental = 1,
+/// A column as files and messages know it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColumnInfo {
+    /// Name of the field.
+    pub name: &'static str,
+    /// Tag of its section in a save file.
+    pub tag: &'static [u8; 4],
+    /// Name in messages.
+    pub label: &'static str,
+    /// Smallest value that a file may hold, component by component.
+    pub min: f32,
+    /// Largest value that a file may hold.
+    pub max: f32,
+    /// Bytes of a value.
+    pub bytes: usize,
 }
 
-impl CrustKind {
-    /// The kind with this number, as files store it.
-    pub fn from_u8(value: u8) -> Option<Self> {
-        [Self::Oceanic, Self::Continental]
-            .get(usize::from(value))
-            .copied()
-    }
+/// Why a stored column was refused.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum ColumnError {
+    /// There are more columns or fewer than the crust has.
+    #[error("{0} columns of crust instead of {n}", n = Crust::COLUMNS.len())]
+    Count(usize),
+    /// The column has not one entry per sample.
+    #[error("the column of {0} has the wrong length")]
+    Length(&'static str),
+    /// The bytes of a sample are no value of the column.
+    #[error("unknown {label} of sample {sample}")]
+    Unknown {
+        /// Name of the column in messages.
+        label: &'static str,
+        /// The sample.
+        sample: usize,
+    },
+    /// The value of a sample is NaN or outside of the limits.
+    #[error("{label} of sample {sample} is {value}")]
+    OutOfRange {
+        /// Name of the column in messages.
+        label: &'static str,
+        /// The sample.
+        sample: usize,
+        /// The refused value.
+        value: f32,
+    },
 }
 
-/// Type of the last mountain building, o in the paper.
-#[derive(
-    Clone,
-    Copy,
-    Debug,
-    Default,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Hash,
-    Reflect,
-    serde::Serialize,
-    serde::Deserialize,
-)]
-#[repr(u8)]
-pub enum Orogeny {
-    /// Never folded.
-    #[default]
-    None = 0,
-    /// Folded above a subduction zone.
-    Andean = 1,
-    /// Folded by a continental collision.
-    Himalayan = 2,
+macro_rules! columns {
+    ($( $(#[doc = $doc:literal])+ $name:ident: $kind:ty = $label:literal, $tag:literal, $min:literal..$max:literal; )+) => {
+        /// The state of the crust: a column per quantity, an entry per sample,
+        /// [`BYTES`](Self::BYTES) bytes a sample.
+        ///
+        /// Samples never move. A sample's direction and its two vectors are given in the
+        /// coordinates of its [`Frame`](super::Frame); the frame's rotation takes them to where the
+        /// crust is now.
+        #[derive(Component, Clone, Debug, Default, PartialEq, Reflect)]
+        #[reflect(Component, Default)]
+        pub struct Crust {
+            $( $(#[doc = $doc])+ pub $name: Vec<$kind>, )+
+        }
+
+        /// The crust at one sample: a value of every column of [`Crust`].
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct CrustRow {
+            $( $(#[doc = $doc])+ pub $name: $kind, )+
+        }
+
+        /// A run of samples with a slice of every column, for sweeps that write.
+        #[derive(Debug)]
+        pub struct CrustChunk<'a> {
+            /// Number of the first sample.
+            pub start: usize,
+            $( $(#[doc = $doc])+ pub $name: &'a mut [$kind], )+
+        }
+
+        impl Crust {
+            /// All columns, in the order of files.
+            pub const COLUMNS: &'static [ColumnInfo] = &[
+                $( ColumnInfo {
+                    name: stringify!($name),
+                    tag: $tag,
+                    label: $label,
+                    min: $min,
+                    max: $max,
+                    bytes: <$kind as ColumnValue>::BYTES,
+                }, )+
+            ];
+
+            /// Bytes of a sample.
+            pub const BYTES: usize = 0 $( + <$kind as ColumnValue>::BYTES )+;
+
+            /// `n` samples that are all alike.
+            pub fn uniform(n: usize, row: &CrustRow) -> Self {
+                Self { $( $name: vec![row.$name; n], )+ }
+            }
+
+            /// The crust at sample `i`.
+            #[inline]
+            pub fn row(&self, i: usize) -> CrustRow {
+                CrustRow { $( $name: self.$name[i], )+ }
+            }
+
+            /// Stores the crust at sample `i`.
+            #[inline]
+            pub fn set_row(&mut self, i: usize, row: &CrustRow) {
+                $( self.$name[i] = row.$name; )+
+            }
+
+            /// Takes over all samples of another crust into memory that is already there.
+            pub fn copy_from(&mut self, from: &Self) {
+                rayon::scope(|scope| {
+                    $( scope.spawn(|_| self.$name.clone_from(&from.$name)); )+
+                });
+            }
+
+            /// The samples of `range`, which begins at a whole chunk, cut into chunks of
+            /// [`CHUNK`].
+            pub fn chunks_mut(&mut self, range: Range<usize>) -> Vec<CrustChunk<'_>> {
+                let starts = range.clone().step_by(CHUNK);
+                $( let mut $name = self.$name[range.clone()].chunks_mut(CHUNK); )+
+                starts
+                    .map(|start| CrustChunk {
+                        start,
+                        $( $name: $name.next().unwrap_or_default(), )+
+                    })
+                    .collect()
+            }
+
+            /// Names of the columns that differ from another crust's.
+            pub fn differences(&self, other: &Self) -> Vec<&'static str> {
+                let mut names = Vec::new();
+                $( if self.$name != other.$name {
+                    names.push(stringify!($name));
+                } )+
+                names
+            }
+
+            /// Every column as bytes, in the order of [`COLUMNS`](Self::COLUMNS).
+            pub fn encode_columns(&self) -> Vec<Vec<u8>> {
+                vec![ $( encode(&self.$name), )+ ]
+            }
+
+            /// The crust of `n` samples that columns of bytes hold, in the order of
+            /// [`COLUMNS`](Self::COLUMNS).
+            ///
+            /// # Errors
+            /// [`ColumnError`] names the column and the sample.
+            pub fn decode_columns(columns: &[&[u8]], n: usize) -> Result<Self, ColumnError> {
+                if columns.len() != Self::COLUMNS.len() {
+                    return Err(ColumnError::Count(columns.len()));
+                }
+                let mut columns = columns.iter().zip(Self::COLUMNS);
+                $( let $name = match columns.next() {
+                    Some((bytes, info)) => decode(bytes, n, info)?,
+                    None => Vec::new(),
+                }; )+
+                Ok(Self { $( $name, )+ })
+            }
+        }
+
+        impl CrustChunk<'_> {
+            /// The crust at the chunk's sample `k`.
+            #[inline]
+            pub fn row(&self, k: usize) -> CrustRow {
+                CrustRow { $( $name: self.$name[k], )+ }
+            }
+
+            /// Stores the crust at the chunk's sample `k`.
+            #[inline]
+            pub fn set_row(&mut self, k: usize, row: &CrustRow) {
+                $( self.$name[k] = row.$name; )+
+            }
+        }
+    };
 }
 
-impl Orogeny {
-    /// The type with this number, as files store it.
-    pub fn from_u8(value: u8) -> Option<Self> {
-        [Self::None, Self::Andean, Self::Himalayan]
-            .get(usize::from(value))
-            .copied()
-    }
-}
-
-/// The state of the crust: a column per quantity, an entry per sample, 47 bytes a sample.
-///
-/// Samples never move. A sample's direction and its two vectors are given in the coordinates of
-/// its [`Frame`](super::Frame); the frame's rotation takes them to where the crust is now.
-#[derive(Component, Clone, Debug, Default, PartialEq)]
-pub struct Crust {
+columns! {
     /// The frame that carries the sample.
-    pub frame: Vec<FrameId>,
+    frame: FrameId = "frame", b"FRAM", 0.0..65_535.0;
     /// Type of the crust x_C.
-    pub kind: Vec<CrustKind>,
+    kind: CrustKind = "crust type", b"KIND", 0.0..1.0;
     /// Thickness e in km.
-    pub thickness: Vec<f32>,
+    thickness: f32 = "thickness", b"THIC", -1.0..1000.0;
     /// Elevation z of the unbent crust above sea level in km; trenches are a derived offset.
-    pub elevation: Vec<f32>,
+    elevation: f32 = "elevation", b"ELEV", -100.0..100.0;
     /// Age a_o of oceanic crust since it left its ridge in My.
-    pub ocean_age: Vec<f32>,
+    ocean_age: f32 = "ocean age", b"OAGE", 0.0..1e6;
     /// Unit vector r parallel to the ridge that made the crust; zero where unknown.
-    pub ridge: Vec<Vec3>,
+    ridge: Vec3 = "ridge direction", b"RIDG", -1.001..1.001;
     /// Time a_c since the last folding in My.
-    pub orogeny_age: Vec<f32>,
+    orogeny_age: f32 = "orogeny age", b"FAGE", 0.0..1e6;
     /// Type o of the last folding.
-    pub orogeny: Vec<Orogeny>,
+    orogeny: Orogeny = "orogeny", b"OROG", 0.0..2.0;
     /// Fold direction f: a tangent vector, unit length once folded, zero before.
-    pub fold: Vec<Vec3>,
+    fold: Vec3 = "fold direction", b"FOLD", -1.001..1.001;
+}
+
+fn encode<T: ColumnValue>(column: &[T]) -> Vec<u8> {
+    let mut bytes = vec![0; T::BYTES * column.len()];
+    for (bytes, value) in bytes.chunks_exact_mut(T::BYTES).zip(column) {
+        value.encode(bytes);
+    }
+    bytes
+}
+
+fn decode<T: ColumnValue>(
+    bytes: &[u8],
+    n: usize,
+    info: &ColumnInfo,
+) -> Result<Vec<T>, ColumnError> {
+    let label = info.label;
+    if bytes.len() != T::BYTES * n {
+        return Err(ColumnError::Length(label));
+    }
+    bytes
+        .chunks_exact(T::BYTES)
+        .enumerate()
+        .map(|(sample, bytes)| {
+            let value = T::decode(bytes).ok_or(ColumnError::Unknown { label, sample })?;
+            match value.outside(info.min, info.max) {
+                None => Ok(value),
+                Some(value) => Err(ColumnError::OutOfRange {
+                    label,
+                    sample,
+                    value,
+                }),
+            }
+        })
+        .collect()
 }
 
 impl Crust {
     /// `n` samples of old abyssal ocean floor on frame 0.
     pub fn ocean(n: usize, params: &crate::params::TectonicParams) -> Self {
-        Self {
-            frame: vec![0; n],
-            kind: vec![CrustKind::Oceanic; n],
-            thickness: vec![params.ocean_thickness as f32; n],
-            elevation: vec![params.abyss_elevation as f32; n],
-            ocean_age: vec![0.0; n],
-            ridge: vec![Vec3::ZERO; n],
-            orogeny_age: vec![0.0; n],
-            orogeny: vec![Orogeny::None; n],
-            fold: vec![Vec3::ZERO; n],
-        }
+        Self::uniform(
+            n,
+            &CrustRow {
+                frame: 0,
+                kind: CrustKind::Oceanic,
+                thickness: params.ocean_thickness as f32,
+                elevation: params.abyss_elevation as f32,
+                ocean_age: 0.0,
+                ridge: Vec3::ZERO,
+                orogeny_age: 0.0,
+                orogeny: Orogeny::None,
+                fold: Vec3::ZERO,
+            },
+        )
     }
 
     /// Number of samples.
@@ -128,5 +275,93 @@ impl Crust {
     #[inline]
     pub fn is_continental(&self, i: usize) -> bool {
         self.kind[i] == CrustKind::Continental
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Crust with another value at every sample of every column.
+    fn varied(n: usize) -> Crust {
+        let mut crust = Crust::ocean(n, &default());
+        for i in 0..n {
+            let x = i as f32 / n as f32;
+            crust.set_row(
+                i,
+                &CrustRow {
+                    frame: i as FrameId,
+                    kind: CrustKind::from_u8(i as u8 % 2).unwrap(),
+                    thickness: 7.0 + x,
+                    elevation: -x,
+                    ocean_age: 100.0 * x,
+                    ridge: Vec3::new(x, 0.0, -x),
+                    orogeny_age: 3.0 * x,
+                    orogeny: Orogeny::from_u8(i as u8 % 3).unwrap(),
+                    fold: Vec3::new(0.0, x, 0.5),
+                },
+            );
+        }
+        crust
+    }
+
+    #[test]
+    fn a_sample_has_as_many_bytes_as_its_values() {
+        assert_eq!(Crust::BYTES, 2 + 1 + 4 + 4 + 4 + 12 + 4 + 1 + 12);
+    }
+
+    #[test]
+    fn columns_survive_files_and_copies() {
+        let crust = varied(3000);
+        let columns = crust.encode_columns();
+        let bytes: Vec<&[u8]> = columns.iter().map(Vec::as_slice).collect();
+        assert_eq!(Crust::decode_columns(&bytes, 3000).unwrap(), crust);
+        let mut copy = Crust::default();
+        copy.copy_from(&crust);
+        assert!(copy.differences(&crust).is_empty());
+        copy.fold[7] = Vec3::X;
+        copy.frame[9] = 1;
+        assert_eq!(copy.differences(&crust), ["frame", "fold"]);
+    }
+
+    #[test]
+    fn chunks_hold_every_sample_once() {
+        let (mut crust, n) = (varied(5000), 5000);
+        let whole = crust.clone();
+        let mut seen = 0;
+        for mut chunk in crust.chunks_mut(0..n) {
+            for k in 0..chunk.frame.len() {
+                let row = chunk.row(k);
+                assert_eq!(row, whole.row(chunk.start + k));
+                chunk.set_row(k, &CrustRow { frame: 3, ..row });
+                seen += 1;
+            }
+        }
+        assert_eq!(seen, n);
+        assert!(crust.frame.iter().all(|&frame| frame == 3));
+        let later = crust.chunks_mut(2 * CHUNK..n);
+        assert_eq!((later[0].start, later[0].frame.len()), (2 * CHUNK, n - 2 * CHUNK));
+    }
+
+    #[test]
+    fn refused_columns_name_the_sample() {
+        let columns = varied(10).encode_columns();
+        let refused = |k: usize, at: usize, with: &[u8]| {
+            let mut columns = columns.clone();
+            columns[k][at..at + with.len()].copy_from_slice(with);
+            let bytes: Vec<&[u8]> = columns.iter().map(Vec::as_slice).collect();
+            Crust::decode_columns(&bytes, 10).unwrap_err().to_string()
+        };
+        assert_eq!(refused(1, 4, &[2]), "unknown crust type of sample 4");
+        let nan = f32::NAN.to_le_bytes();
+        assert_eq!(refused(2, 8, &nan), "thickness of sample 2 is NaN");
+        let long = 1.5_f32.to_le_bytes();
+        assert_eq!(refused(8, 16, &long), "fold direction of sample 1 is 1.5");
+        let bytes: Vec<&[u8]> = columns.iter().map(Vec::as_slice).collect();
+        assert_eq!(
+            Crust::decode_columns(&bytes, 11).unwrap_err().to_string(),
+            "the column of frame has the wrong length"
+        );
+        assert!(Crust::decode_columns(&bytes[1..], 10).is_err());
     }
 }

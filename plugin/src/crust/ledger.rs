@@ -5,69 +5,40 @@
 //! explains is the largest relative difference seen, [`Ledger::unexplained_max`]. (Tests measure
 //! before and after each stage.)
 
+use super::Crust;
+use crate::named::named_enum;
+use crate::parallel;
+use crate::sphere::SphereMesh;
 use bevy::prelude::*;
+use serde::{Deserialize, Serialize};
 
-/// Why continental crust grew or shrank. The list is closed: resampling is no cause.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect, serde::Serialize, serde::Deserialize,
-)]
-#[repr(u8)]
-pub enum Cause {
-    /// Ocean crust of an overriding plate rose above the sea and became land.
-    ArcGrowth,
-    /// Crust thickened above a subducting slab.
-    SubductionUplift,
-    /// Crust thickened in a continental collision.
-    CollisionUplift,
-    /// Crust slid under crust: its area is lost, its thickness is added to what lies above.
-    Stacking,
-    /// Crust was forced down a subduction zone.
-    ForcedSubduction,
-    /// Crust was thinned along a rift.
-    Rifting,
-    /// Rock was worn down.
-    Erosion,
-    /// A root too thick to be carried fell into the mantle.
-    Delamination,
-    /// Low-frequency noise of the relief.
-    Noise,
-    /// A user's command.
-    Command,
-    /// A geological process that is not the plugin's own.
-    Custom,
-}
-
-impl Cause {
-    /// All causes in the order in which files list them.
-    pub const ALL: [Self; 11] = [
-        Self::ArcGrowth,
-        Self::SubductionUplift,
-        Self::CollisionUplift,
-        Self::Stacking,
-        Self::ForcedSubduction,
-        Self::Rifting,
-        Self::Erosion,
-        Self::Delamination,
-        Self::Noise,
-        Self::Command,
-        Self::Custom,
-    ];
-
-    /// Name in files, in snake case.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ArcGrowth => "arc_growth",
-            Self::SubductionUplift => "subduction_uplift",
-            Self::CollisionUplift => "collision_uplift",
-            Self::Stacking => "stacking",
-            Self::ForcedSubduction => "forced_subduction",
-            Self::Rifting => "rifting",
-            Self::Erosion => "erosion",
-            Self::Delamination => "delamination",
-            Self::Noise => "noise",
-            Self::Command => "command",
-            Self::Custom => "custom",
-        }
+named_enum! {
+    /// Why continental crust grew or shrank. The list is closed but for [`Custom`](Self::Custom):
+    /// resampling is no cause. Names are those of files.
+    #[derive(Serialize, Deserialize)]
+    pub enum Cause {
+        /// Ocean crust of an overriding plate rose above the sea and became land.
+        ArcGrowth = "arc_growth",
+        /// Crust thickened above a subducting slab.
+        SubductionUplift = "subduction_uplift",
+        /// Crust thickened in a continental collision.
+        CollisionUplift = "collision_uplift",
+        /// Crust slid under crust: its area is lost, its thickness is added to what lies above.
+        Stacking = "stacking",
+        /// Crust was forced down a subduction zone.
+        ForcedSubduction = "forced_subduction",
+        /// Crust was thinned along a rift.
+        Rifting = "rifting",
+        /// Rock was worn down.
+        Erosion = "erosion",
+        /// A root too thick to be carried fell into the mantle.
+        Delamination = "delamination",
+        /// Low-frequency noise of the relief.
+        Noise = "noise",
+        /// A user's command.
+        Command = "command",
+        /// A geological process that is not the plugin's own.
+        Custom = "custom",
     }
 }
 
@@ -87,7 +58,7 @@ pub struct Ledger {
     /// Continental crust that the planet began with.
     pub initial: Amount,
     /// Sum of changes by cause, in the order of [`Cause::ALL`].
-    pub booked: [Amount; 11],
+    pub booked: [Amount; Cause::COUNT],
     /// Area in km² that the last resample could not place, less than half a sample: carried to the
     /// next.
     pub carried_area: f64,
@@ -132,8 +103,8 @@ impl Ledger {
 }
 
 /// Continental area and volume of a state on a planet of `radius` km, summed in sample order.
-pub fn measure(crust: &super::Crust, mesh: &crate::sphere::SphereMesh, radius: f64) -> Amount {
-    let parts = crate::parallel::map_chunks(crust.len(), |range| {
+pub fn measure(crust: &Crust, mesh: &SphereMesh, radius: f64) -> Amount {
+    let parts = parallel::map_chunks(crust.len(), |range| {
         let (mut area, mut volume) = (0.0, 0.0);
         for i in range.filter(|&i| crust.is_continental(i)) {
             area += mesh.areas()[i];

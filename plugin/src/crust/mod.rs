@@ -1,7 +1,11 @@
-//! What a sample of the lattice holds, and how crust floats and is accounted for.
+//! The crust at the samples of the lattice, how it floats, and the account of it.
 //!
 //! In: a [`SphereMesh`](crate::sphere::SphereMesh). Out: columns that every process reads and
 //! writes.
+
+mod kinds;
+
+mod value;
 
 pub mod columns;
 
@@ -14,7 +18,9 @@ pub mod surface;
 pub mod ledger;
 
 pub use crate::ids::FrameId;
-pub use columns::{Crust, CrustKind, Orogeny};
+pub use columns::{ColumnError, ColumnInfo, Crust, CrustChunk, CrustRow};
+pub use kinds::{CrustKind, Orogeny};
 pub use frame::{Frame, Frames};
 pub use ledger::{Cause, Ledger};
+pub use value::ColumnValue;
 pub use surface::{Cover, PlanetSurface, Surface};

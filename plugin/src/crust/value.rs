@@ -1,0 +1,99 @@
+//! Values that a crust column can hold, and how files store them.
+
+use super::kinds::{CrustKind, Orogeny};
+use bevy::math::Vec3;
+
+/// A type of column: little-endian bytes of fixed length, and what a value shows in a message.
+pub trait ColumnValue: Copy + PartialEq + Send + Sync + 'static {
+    /// Bytes of a value, in memory and in files.
+    const BYTES: usize;
+
+    /// Stores the value in exactly [`BYTES`](Self::BYTES) bytes.
+    fn encode(self, bytes: &mut [u8]);
+
+    /// The value that `bytes` hold, exactly [`BYTES`](Self::BYTES) of them; `None` if they hold
+    /// none.
+    fn decode(bytes: &[u8]) -> Option<Self>;
+
+    /// The first component that is NaN or outside of the limits.
+    fn outside(&self, min: f32, max: f32) -> Option<f32>;
+}
+
+impl ColumnValue for u16 {
+    const BYTES: usize = 2;
+
+    fn encode(self, bytes: &mut [u8]) {
+        bytes.copy_from_slice(&self.to_le_bytes());
+    }
+
+    fn decode(bytes: &[u8]) -> Option<Self> {
+        Some(Self::from_le_bytes(bytes.try_into().ok()?))
+    }
+
+    fn outside(&self, min: f32, max: f32) -> Option<f32> {
+        f32::from(*self).outside(min, max)
+    }
+}
+
+impl ColumnValue for f32 {
+    const BYTES: usize = 4;
+
+    fn encode(self, bytes: &mut [u8]) {
+        bytes.copy_from_slice(&self.to_le_bytes());
+    }
+
+    fn decode(bytes: &[u8]) -> Option<Self> {
+        Some(Self::from_le_bytes(bytes.try_into().ok()?))
+    }
+
+    fn outside(&self, min: f32, max: f32) -> Option<f32> {
+        // Written so that NaN is outside of any limits.
+        let within = *self >= min && *self <= max;
+        (!within).then_some(*self)
+    }
+}
+
+impl ColumnValue for Vec3 {
+    const BYTES: usize = 12;
+
+    fn encode(self, bytes: &mut [u8]) {
+        for (bytes, x) in bytes.chunks_exact_mut(4).zip(self.to_array()) {
+            x.encode(bytes);
+        }
+    }
+
+    fn decode(bytes: &[u8]) -> Option<Self> {
+        let [x, y, z]: &[[u8; 4]; 3] = bytes.as_chunks::<4>().0.try_into().ok()?;
+        Some(Self::new(
+            f32::from_le_bytes(*x),
+            f32::from_le_bytes(*y),
+            f32::from_le_bytes(*z),
+        ))
+    }
+
+    fn outside(&self, min: f32, max: f32) -> Option<f32> {
+        self.to_array().iter().find_map(|x| x.outside(min, max))
+    }
+}
+
+macro_rules! one_byte {
+    ($($kind:ty),+) => { $(
+        impl ColumnValue for $kind {
+            const BYTES: usize = 1;
+
+            fn encode(self, bytes: &mut [u8]) {
+                bytes[0] = self as u8;
+            }
+
+            fn decode(bytes: &[u8]) -> Option<Self> {
+                Self::from_u8(*bytes.first()?)
+            }
+
+            fn outside(&self, _: f32, _: f32) -> Option<f32> {
+                None
+            }
+        }
+    )+ };
+}
+
+one_byte!(CrustKind, Orogeny);
