@@ -20,6 +20,8 @@ pub mod sphere;
 
 pub mod planet;
 
+pub mod view;
+
 pub mod events;
 
 pub mod schedule;

@@ -340,7 +340,10 @@ mod tests {
         assert_eq!(seen, n);
         assert!(crust.frame.iter().all(|&frame| frame == 3));
         let later = crust.chunks_mut(2 * CHUNK..n);
-        assert_eq!((later[0].start, later[0].frame.len()), (2 * CHUNK, n - 2 * CHUNK));
+        assert_eq!(
+            (later[0].start, later[0].frame.len()),
+            (2 * CHUNK, n - 2 * CHUNK)
+        );
     }
 
     #[test]

@@ -19,8 +19,8 @@ pub mod ledger;
 
 pub use crate::ids::FrameId;
 pub use columns::{ColumnError, ColumnInfo, Crust, CrustChunk, CrustRow};
-pub use kinds::{CrustKind, Orogeny};
 pub use frame::{Frame, Frames};
+pub use kinds::{CrustKind, Orogeny};
 pub use ledger::{Cause, Ledger};
-pub use value::ColumnValue;
 pub use surface::{Cover, PlanetSurface, Surface};
+pub use value::ColumnValue;

@@ -1,4 +1,4 @@
-//! Continental crust is conserved: area by quota, volume by scale.
+//! Continental crust is conserved: its area by changing coasts, its volume by scaling.
 //!
 //! What lies below another frame loses its area: *stacking* where both belong to one plate, *forced
 //! subduction* where not. Its thickness is added to what lies above; what exceeds the root of the
@@ -9,117 +9,148 @@
 //! is left, and carried to the next resample. Thicknesses are scaled so that the volume is the
 //! ledger's.
 
+use super::blend::sample_frame;
+use super::project::{ProjectInput, ProjectNotes};
 use crate::crust::isostasy::Isostasy;
 use crate::crust::ledger::measure;
 use crate::crust::{Cause, Crust, CrustKind, Ledger, Surface};
 use crate::parallel::{self, CHUNK};
 use crate::params::TectonicParams;
-use crate::resample::project::{Notes, ProjectInput, sample_frame};
 use crate::sphere::SphereMesh;
+use crate::view::PlanetView;
 use rayon::prelude::*;
+
+/// Samples of the coast with a smaller share of corners of the other kind never change.
+const LEAST_SHARE: f32 = 0.02;
 
 /// Books what was buried and brings the projected crust to the area and the volume that the ledger
 /// expects.
-pub fn conserve(
+pub(super) fn conserve(
     input: &ProjectInput,
-    params: &TectonicParams,
-    radius: f64,
+    planet: &PlanetView,
     surface: &mut Surface,
-    notes: &Notes,
+    notes: &ProjectNotes,
     ledger: &mut Ledger,
 ) {
-    let before = measure(input.crust, input.mesh, radius);
-    let square = radius * radius;
-    let mut lost = [0.0; 2];
-    for i in chosen(notes.layers.len(), |i| notes.layers[i] != [0; 2]) {
-        for (lost, &count) in lost.iter_mut().zip(&notes.layers[i]) {
-            *lost += f64::from(count) * input.mesh.areas()[i];
-        }
-    }
-    ledger.book(Cause::Stacking, -lost[0] * square, 0.0);
-    ledger.book(Cause::ForcedSubduction, -lost[1] * square, 0.0);
-    let stretched = chosen(surface.len(), |i| {
-        notes.weight[i] < 0.0 && surface.crust.is_continental(i)
-    });
-    let stretched: f64 = stretched.into_iter().map(|i| input.mesh.areas()[i]).sum();
+    let (mesh, radius, square) = (input.mesh, planet.radius, planet.square());
+    let before = measure(input.crust, mesh, radius);
+    let [stacked, forced] = buried_area(mesh, notes);
+    let stretched = stretched_area(mesh, surface, notes);
+    ledger.book(Cause::Stacking, -stacked * square, 0.0);
+    ledger.book(Cause::ForcedSubduction, -forced * square, 0.0);
     ledger.book(Cause::Rifting, stretched * square, 0.0);
-    let target = before.area + (stretched - lost[0] - lost[1]) * square + ledger.carried_area;
-    flip_coast(input, surface, notes, target / square);
-    let shed = stack(params, &mut surface.crust, input.mesh, notes) * square;
+    let target = before.area + (stretched - stacked - forced) * square + ledger.carried_area;
+    change_coast(input, surface, notes, target / square);
+    let shed = stack(planet.params, &mut surface.crust, mesh, notes) * square;
     ledger.book(Cause::Delamination, 0.0, -shed);
-    scale_volume(&mut surface.crust, input.mesh, radius, before.volume - shed);
-    let after = measure(&surface.crust, input.mesh, radius);
+    scale_volume(&mut surface.crust, mesh, radius, before.volume - shed);
+    let after = measure(&surface.crust, mesh, radius);
     ledger.carried_area = target - after.area;
     ledger.check(after);
 }
 
-/// The samples of a choice, in order.
-fn chosen(n: usize, choice: impl Fn(usize) -> bool + Sync + Send) -> Vec<usize> {
-    parallel::map_chunks(n, |range| range.filter(|&i| choice(i)).collect::<Vec<_>>()).concat()
+/// Steradians of continental crust under crust of the same plate, and under that of others. A
+/// sample counts once for every layer below it.
+fn buried_area(mesh: &SphereMesh, notes: &ProjectNotes) -> [f64; 2] {
+    let mut area = [0.0; 2];
+    for i in samples_where(notes.layers.len(), |i| notes.layers[i] != [0; 2]) {
+        for (area, &layers) in area.iter_mut().zip(&notes.layers[i]) {
+            *area += f64::from(layers) * mesh.areas()[i];
+        }
+    }
+    area
+}
+
+/// Steradians of cracks that continental crust fills.
+fn stretched_area(mesh: &SphereMesh, surface: &Surface, notes: &ProjectNotes) -> f64 {
+    samples_where(surface.len(), |i| {
+        notes.weight[i] < 0.0 && surface.crust.is_continental(i)
+    })
+    .into_iter()
+    .map(|i| mesh.areas()[i])
+    .sum()
+}
+
+/// The samples that a condition holds for, in order.
+fn samples_where(n: usize, condition: impl Fn(usize) -> bool + Sync + Send) -> Vec<usize> {
+    parallel::map_chunks(n, |range| {
+        range.filter(|&i| condition(i)).collect::<Vec<_>>()
+    })
+    .concat()
 }
 
 /// Lets samples of the coast change kind until the continental area is `target` steradians as
 /// nearly as it can be.
-fn flip_coast(input: &ProjectInput, surface: &mut Surface, notes: &Notes, target: f64) {
+fn change_coast(input: &ProjectInput, surface: &mut Surface, notes: &ProjectNotes, target: f64) {
     let areas = input.mesh.areas();
-    let land = chosen(areas.len(), |i| surface.crust.is_continental(i));
+    let land = samples_where(areas.len(), |i| surface.crust.is_continental(i));
     let area: f64 = land.into_iter().map(|i| areas[i]).sum();
     let mut missing = target - area;
-    let to = if missing > 0.0 {
-        CrustKind::Continental
+    let (to, sign) = if missing > 0.0 {
+        (CrustKind::Continental, 1.0)
     } else {
-        CrustKind::Oceanic
+        (CrustKind::Oceanic, -1.0)
     };
-    let share = |i: usize| {
-        let weight = notes.weight[i];
-        if to == CrustKind::Continental {
-            weight
-        } else {
-            1.0 - weight
-        }
-    };
-    let coast = chosen(areas.len(), |i| {
-        notes.weight[i] >= 0.0 && share(i) > 0.02 && surface.crust.kind[i] != to
-    });
-    let mut coast: Vec<(f32, u32)> = coast.into_iter().map(|i| (-share(i), i as u32)).collect();
-    coast.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    for (_, i) in coast {
-        let change = if to == CrustKind::Continental {
-            areas[i as usize]
-        } else {
-            -areas[i as usize]
-        };
+    for i in ranked_coast(surface, notes, to) {
+        let change = sign * areas[i as usize];
         // Half a sample too much is as good as half a sample too little.
         if (missing - change).abs() >= missing.abs() {
             break;
         }
-        let p = input.mesh.point(i);
-        let &ProjectInput {
-            mesh,
-            crust,
-            frames,
-            overlap,
-            polarity,
-        } = input;
-        let Some(top) = overlap.top_if(mesh, crust, frames, polarity, p, |_| true) else {
-            continue;
-        };
-        let (row, _) = sample_frame(input, top, Some(to));
-        if row.kind == to {
-            row.write(&mut surface.crust, i as usize);
+        if change_kind(input, surface, i, to) {
             missing -= change;
         }
     }
 }
 
+/// The samples that have another kind than `to` and corners of that kind, those with the largest
+/// share of them first.
+fn ranked_coast(surface: &Surface, notes: &ProjectNotes, to: CrustKind) -> Vec<u32> {
+    let share = |i: usize| match to {
+        CrustKind::Continental => notes.weight[i],
+        CrustKind::Oceanic => 1.0 - notes.weight[i],
+    };
+    let coast = samples_where(surface.len(), |i| {
+        notes.weight[i] >= 0.0 && share(i) > LEAST_SHARE && surface.crust.kind[i] != to
+    });
+    let mut ranked: Vec<(f32, u32)> = coast.into_iter().map(|i| (-share(i), i as u32)).collect();
+    ranked.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    ranked.into_iter().map(|(_, i)| i).collect()
+}
+
+/// Gives sample `i` the crust of kind `to` that the frame on top has there; `false` if it has none.
+fn change_kind(input: &ProjectInput, surface: &mut Surface, i: u32, to: CrustKind) -> bool {
+    let &ProjectInput {
+        mesh,
+        crust,
+        frames,
+        overlap,
+        polarity,
+    } = input;
+    let Some(top) = overlap.top_if(mesh, crust, frames, polarity, mesh.point(i), |_| true) else {
+        return false;
+    };
+    let (row, _) = sample_frame(input, top, Some(to));
+    if row.kind == to {
+        surface.crust.set_row(i as usize, &row);
+    }
+    row.kind == to
+}
+
 /// Adds what is buried to the crust above. Returns the volume that falls off, per square of the
 /// radius.
-fn stack(params: &TectonicParams, crust: &mut Crust, mesh: &SphereMesh, notes: &Notes) -> f64 {
+fn stack(
+    params: &TectonicParams,
+    crust: &mut Crust,
+    mesh: &SphereMesh,
+    notes: &ProjectNotes,
+) -> f64 {
     let thickest = Isostasy::new(params).thickness(params.summit_elevation as f32);
     let mut shed = 0.0;
-    for i in chosen(crust.len(), |i| {
+    let above = samples_where(crust.len(), |i| {
         notes.below[i] > 0.0 && crust.is_continental(i)
-    }) {
+    });
+    for i in above {
         crust.thickness[i] += notes.below[i];
         if crust.thickness[i] > thickest {
             shed += f64::from(crust.thickness[i] - thickest) * mesh.areas()[i];
@@ -143,12 +174,10 @@ fn scale_volume(crust: &mut Crust, mesh: &SphereMesh, radius: f64, target: f64) 
             crust.thickness.par_chunks_mut(CHUNK),
         );
         columns.into_par_iter().for_each(|(kind, thickness)| {
-            for (_, e) in kind
-                .iter()
-                .zip(thickness)
-                .filter(|(kind, _)| **kind == CrustKind::Continental)
-            {
-                *e = (f64::from(*e) * scale) as f32;
+            for (kind, e) in kind.iter().zip(thickness) {
+                if *kind == CrustKind::Continental {
+                    *e = (f64::from(*e) * scale) as f32;
+                }
             }
         });
     }

@@ -1,27 +1,35 @@
 //! Back to even sampling: the surface of the moment becomes the new state (paper 000 §4.3, §6).
 //!
-//! [`project`] finds what covers every sample of the lattice, [`gap`] makes new crust where nothing
-//! does, [`conservation`] keeps the continental area and volume that the ledger expects, [`exclaves`] tidies
-//! ownership, [`trench`] bends what subducts. The first, second and last are also how the planet is
-//! looked at between two resamples ([`Surface`]), so that pictures just before and after a resample
-//! agree.
+//! | file | what it does |
+//! |---|---|
+//! | `project` | finds the crust that covers every sample, by [`blend`] |
+//! | [`gap`], [`ridge`] | fills samples that nothing covers; new ocean floor between parting plates |
+//! | `conservation` | brings continents to the area and volume that the ledger expects |
+//! | `exclaves` | gives small pieces of plates to the plate around them |
+//! | `trench` | bends crust that goes under |
+//! | `work` | does all of this in time slices, and makes the result the state |
+//! | `stage` | decides when it is due |
 //!
-//! A resample is due after 10 to 60 steps, sooner where plates are fast: `10 v_0 / v_max` steps,
-//! the time in which the fastest plate moves as far as a plate at v_0 in ten.
+//! Projection, gaps and trenches are also how a planet is looked at between two resamples
+//! ([`Surface`](crate::crust::Surface)), so that pictures just before and after a resample agree.
 
-pub mod project;
+mod project;
+
+mod blend;
 
 pub mod gap;
 
-pub mod conservation;
+pub mod ridge;
 
-pub mod exclaves;
+mod conservation;
 
-pub mod trench;
+mod exclaves;
+
+mod trench;
+
+mod work;
 
 mod stage;
 
-pub use stage::{ResamplePlugin, Resampling, SurfaceProjection, due, interval, project_now};
-
-#[allow(unused_imports, reason = "named in the module's documentation")]
-use crate::crust::Surface;
+pub use stage::{ResamplePlugin, SurfaceProjection, due, interval, project_now};
+pub use work::Resampling;

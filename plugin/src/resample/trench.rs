@@ -1,75 +1,96 @@
 //! Trenches: where crust goes under it bends down towards z_t, over 150 to 200 km before the front.
 //!
 //! The bend is an offset that is derived anew from the contacts, never state: the uplift reads the
-//! crust that is not bent, or the Andes would vanish. No profile is given in the papers; this is
-//! level at the front and at its end.
+//! crust that is not bent, or the Andes would vanish. No profile is given in the papers; this one
+//! is level at the front and at its end.
 
 use crate::crust::{Crust, CrustKind, Frames, Surface};
+use crate::ids::PlateId;
 use crate::math::smoothstep;
-use crate::params::TectonicParams;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, Role};
-use crate::sphere::SphereMesh;
 use crate::sphere::nearest_source::{Scratch, spread};
+use crate::view::PlanetView;
 use bevy::math::DVec3;
 
 /// Plates that converge at this speed in km/My or faster have the deepest trenches.
-pub const FULL_DEPTH_SPEED: f64 = 20.0;
+const FULL_DEPTH_SPEED: f64 = 20.0;
+
+/// The state from which trenches follow.
+pub(super) struct TrenchInput<'a> {
+    /// Samples, parameters, size.
+    pub planet: PlanetView<'a>,
+    /// The crust in its frames.
+    pub crust: &'a Crust,
+    /// Frames.
+    pub frames: &'a Frames,
+    /// Rims of the frames.
+    pub rim: &'a Rim,
+    /// Contacts of the rims.
+    pub contacts: &'a Contacts,
+}
+
+/// A place of a front under which ocean floor sinks.
+struct SinkingFront {
+    /// The plate that goes under.
+    plate: PlateId,
+    /// Speed at which the plates approach each other in km/My.
+    approach: f64,
+}
 
 /// Bends the oceanic crust of `surface` that goes under.
-pub fn bend(
-    mesh: &SphereMesh,
-    crust: &Crust,
-    frames: &Frames,
-    rim: &Rim,
-    contacts: &Contacts,
-    params: &TectonicParams,
-    radius: f64,
-    surface: &mut Surface,
-    scratch: &mut Scratch,
-) {
-    let mut fronts = Vec::new();
-    let mut seeds: Vec<(u32, DVec3)> = Vec::new();
-    for (k, contact) in contacts.0.iter().enumerate() {
-        if contact.role == Role::Overriding && !contact.other_continental {
-            let i = rim.samples[k];
-            let frame = &frames[usize::from(crust.frame[i as usize])];
-            let p = frame.to_world(mesh.point(i)).normalize();
-            seeds.push((mesh.nearest(p), p));
-            fronts.push((contact.other, f64::from(contact.approach)));
-        }
-    }
-    let near = 0.5 * mesh.spacing();
-    let width = params.trench_width / radius;
-    let mut goes_under = vec![false; frames.len()];
-    for (k, frame) in frames.iter().enumerate() {
-        goes_under[k] = fronts.iter().any(|(under, _)| *under == frame.plate);
-    }
+pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut Scratch) {
+    let mesh = input.planet.mesh;
+    let (fronts, seeds) = sinking_fronts(input);
+    let goes_under: Vec<bool> = input
+        .frames
+        .iter()
+        .map(|frame| fronts.iter().any(|front| front.plate == frame.plate))
+        .collect();
+    // Front samples belong to the overriding plate, on average half a spacing behind the front.
+    let behind = 0.5 * mesh.spacing();
+    let width = input.planet.params.trench_width / input.planet.radius;
     let (kind, top) = (&surface.crust.kind, &surface.crust.frame);
-    let bends = |_, to: u32| {
+    let reached = spread(mesh, scratch, &seeds, width + behind, |_, to| {
         kind[to as usize] == CrustKind::Oceanic
             && goes_under.get(usize::from(top[to as usize])) == Some(&true)
-    };
-    let reached = spread(mesh, scratch, &seeds, width + near, bends);
-    for ((&i, &source), &d) in reached
-        .samples
-        .iter()
-        .zip(&reached.source)
-        .zip(&reached.distance)
-    {
+    });
+    let nearest = reached.source.iter().zip(&reached.distance);
+    for (&i, (&source, &d)) in reached.samples.iter().zip(nearest) {
         let i = i as usize;
-        let (under, approach) = fronts[source as usize];
-        if surface.plate[i] != under || surface.crust.kind[i] == CrustKind::Continental {
+        let front = &fronts[source as usize];
+        if surface.plate[i] != front.plate || surface.crust.kind[i] == CrustKind::Continental {
             continue;
         }
-        let depth = profile((f64::from(d) - near) / width) * (approach / FULL_DEPTH_SPEED).min(1.0);
-        let room = params.trench_elevation as f32 - surface.crust.elevation[i];
+        let fast = (front.approach / FULL_DEPTH_SPEED).min(1.0);
+        let depth = profile((f64::from(d) - behind) / width) * fast;
+        let room = input.planet.params.trench_elevation as f32 - surface.crust.elevation[i];
         surface.trench[i] = (room * depth as f32).min(0.0);
     }
 }
 
+/// Places where ocean floor goes under, and the samples below them with their exact directions.
+fn sinking_fronts(input: &TrenchInput) -> (Vec<SinkingFront>, Vec<(u32, DVec3)>) {
+    let mesh = input.planet.mesh;
+    let mut fronts = Vec::new();
+    let mut seeds = Vec::new();
+    for (k, contact) in input.contacts.0.iter().enumerate() {
+        if contact.role == Role::Overriding && !contact.other_continental {
+            let i = input.rim.samples[k];
+            let frame = &input.frames[usize::from(input.crust.frame[i as usize])];
+            let p = frame.to_world(mesh.point(i)).normalize();
+            seeds.push((mesh.nearest(p), p));
+            fronts.push(SinkingFront {
+                plate: contact.other,
+                approach: f64::from(contact.approach),
+            });
+        }
+    }
+    (fronts, seeds)
+}
+
 /// Share of the way to z_t, at `x` widths from the front.
-pub fn profile(x: f64) -> f64 {
+fn profile(x: f64) -> f64 {
     1.0 - smoothstep(x)
 }
 
