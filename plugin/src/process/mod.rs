@@ -25,8 +25,6 @@ pub mod slab_pull;
 
 pub mod collision;
 
-pub mod rift_shape;
-
 pub mod rifting;
 
 pub mod ocean_floor;

@@ -147,12 +147,7 @@ fn advance_work(
 impl Resampling {
     /// Does the part of the work that `progress` stands at, and moves it on; `false` when all is
     /// done.
-    fn next_part(
-        &mut self,
-        input: &WorkInput,
-        ledger: &mut Ledger,
-        progress: &mut usize,
-    ) -> bool {
+    fn next_part(&mut self, input: &WorkInput, ledger: &mut Ledger, progress: &mut usize) -> bool {
         let planet = &input.gaps.planet;
         let chunks = planet.mesh.len().div_ceil(CHUNK);
         let next = &mut self.next;

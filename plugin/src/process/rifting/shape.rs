@@ -371,5 +371,5 @@ fn open_sectors(junction: DVec3, azimuths: &[f64], speed: f64) -> Vec<DVec3> {
 }
 
 #[cfg(test)]
-#[path = "rift_shape_tests.rs"]
+#[path = "shape_tests.rs"]
 mod tests;

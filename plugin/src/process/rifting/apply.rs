@@ -1,0 +1,113 @@
+//! Carries out the plan of a rift: thinner crust, new frames, new plates.
+
+use super::plan::{PlateSample, RiftPlan};
+use crate::crust::{Cause, Crust, Frame, FrameId, Frames, Ledger};
+use crate::events::PlateRifted;
+use crate::math::smoothstep;
+use crate::planet::GeologicClock;
+use crate::plate::caches::{MovedSamples, recompute_moved};
+use crate::plate::{Plate, PlateId, PlateOf, PlateRow, PlateStats};
+use crate::view::{PlanetQuery, PlanetView};
+use bevy::prelude::*;
+
+/// Breaks the plate `row`. Returns its fragments, of which the first keeps its number; `None` for
+/// an entity that is no planet.
+pub(super) fn apply(
+    world: &mut World,
+    planet: Entity,
+    row: PlateRow,
+    plan: RiftPlan,
+) -> Option<Vec<PlateId>> {
+    let mut query = world.query::<(
+        PlanetQuery,
+        (&mut GeologicClock, &mut Crust, &mut Frames, &mut Ledger),
+    )>();
+    let (body, (mut clock, mut crust, mut frames, mut ledger)) =
+        query.get_mut(world, planet).ok()?;
+    let view = body.view();
+    let volume = thin(&mut crust, &view, &plan.samples);
+    ledger.book(Cause::Rifting, 0.0, volume * view.square());
+    let fragments = number_fragments(row.id, plan.motions.len(), &mut clock);
+    reframe(&mut crust, &mut frames, &plan.samples, &fragments);
+    let moved = moved_samples(&plan.samples, &frames, &fragments);
+    let born = Plate { born: clock.time };
+    world.entity_mut(row.entity).insert((plan.motions[0], born));
+    for (&fragment, &motion) in fragments.iter().zip(&plan.motions).skip(1) {
+        world.spawn((
+            Name::new(format!("plate {}", fragment.0)),
+            PlateOf(planet),
+            born,
+            fragment,
+            motion,
+            PlateStats::default(),
+        ));
+    }
+    recompute_moved(world, planet, &moved);
+    world.trigger(PlateRifted {
+        planet,
+        parent: row.id,
+        fragments: fragments.clone(),
+    });
+    Some(fragments)
+}
+
+/// The numbers of the fragments: the parent's, then free ones.
+fn number_fragments(parent: PlateId, count: usize, clock: &mut GeologicClock) -> Vec<PlateId> {
+    let first_free = clock.next_plate;
+    clock.next_plate += count as u32 - 1;
+    core::iter::once(parent)
+        .chain((first_free..clock.next_plate).map(PlateId))
+        .collect()
+}
+
+/// Thins continental crust beside the fracture. Returns the change of volume per square of the
+/// radius.
+fn thin(crust: &mut Crust, planet: &PlanetView, samples: &[PlateSample]) -> f64 {
+    let width = planet.params.rift_width / planet.radius;
+    let mut volume = 0.0;
+    for part in samples {
+        let i = part.sample as usize;
+        let fade = 1.0 - smoothstep(f64::from(part.distance) / width.max(1e-9));
+        if fade > 0.0 && crust.is_continental(i) {
+            let before = crust.thickness[i];
+            crust.thickness[i] = before * (1.0 - planet.params.rift_thinning * fade) as f32;
+            volume += f64::from(crust.thickness[i] - before) * planet.mesh.areas()[i];
+        }
+    }
+    volume
+}
+
+/// Gives the samples of all fragments but the first new frames, one for each frame that the plate
+/// had.
+fn reframe(crust: &mut Crust, frames: &mut Frames, samples: &[PlateSample], ids: &[PlateId]) {
+    // What each fragment made of each old frame.
+    let mut made: Vec<((FrameId, u8), FrameId)> = Vec::new();
+    for part in samples.iter().filter(|part| part.fragment > 0) {
+        let i = part.sample as usize;
+        let key = (crust.frame[i], part.fragment);
+        let known = made.iter().find(|(other, _)| *other == key);
+        crust.frame[i] = match known {
+            Some(&(_, id)) => id,
+            None => {
+                let id = frames.len() as FrameId;
+                let plate = ids[usize::from(part.fragment)];
+                let old = frames[usize::from(key.0)];
+                frames.push(Frame { plate, ..old });
+                made.push((key, id));
+                id
+            }
+        };
+    }
+}
+
+/// The samples that left the parent's frames, and all frames of the fragments.
+fn moved_samples(samples: &[PlateSample], frames: &Frames, ids: &[PlateId]) -> MovedSamples {
+    let left = samples.iter().filter(|part| part.fragment > 0);
+    let touched = (0..)
+        .zip(frames.iter())
+        .filter(|(_, frame)| ids.contains(&frame.plate));
+    MovedSamples {
+        samples: left.map(|part| part.sample).collect(),
+        frames: touched.map(|(id, _)| id).collect(),
+    }
+}
