@@ -26,7 +26,7 @@ pub(super) fn apply(
         query.get_mut(world, planet).ok()?;
     let view = body.view();
     let volume = thin(&mut crust, &view, &plan.samples);
-    ledger.book(Cause::Rifting, 0.0, volume * view.square());
+    ledger.book(Cause::Rifting, 0.0, volume * view.radius * view.radius);
     let fragments = number_fragments(row.id, plan.motions.len(), &mut clock);
     reframe(&mut crust, &mut frames, &plan.samples, &fragments);
     let moved = moved_samples(&plan.samples, &frames, &fragments);

@@ -1,0 +1,109 @@
+//! Continental collision: a terrane breaks off its slab and is sutured (paper 000 §4.2, §6).
+//!
+//! *Trigger* (`trigger`): continents of two plates overlap by 300 km, measured along their relative
+//! motion from the rim of either plate backwards; half of that in a step that ends with a resample,
+//! which would resolve the overlap. *Suture* (`suture`): the smaller of the two terranes takes a
+//! new frame owned by the other's plate, with the rotation that it has; no resample is forced.
+//! *Surge* (`surge`): continental crust on both sides rises. *Small islands*, below
+//! [`TectonicParams::terrane_min_area`](crate::params::TectonicParams::terrane_min_area), do not
+//! break off: they are forced down, and booked as such when the crust is resampled.
+//!
+//! Reads: contacts, crust. Writes: frames, elevation, thickness, fold, orogeny, ledger.
+
+mod surge;
+
+mod suture;
+
+mod trigger;
+
+pub use suture::smaller_terrane;
+
+use self::suture::{Collision, Continents};
+use crate::crust::{Cause, Crust, Frames, Ledger};
+use crate::planet::GeologicClock;
+use crate::plate::PlateAccess;
+use crate::plate::boundary::Rim;
+use crate::plate::caches::{MovedSamples, recompute_moved};
+use crate::plate::contact::Contacts;
+use crate::plate::overlap::OverlapIndex;
+use crate::resample::due;
+use crate::schedule::{Stage, TectonicStep, TectonicSystems};
+use crate::sphere::nearest_source::Scratch;
+use crate::view::PlanetQuery;
+use bevy::prelude::*;
+
+/// Share of the trigger that is enough in a step that ends with a resample: what is half way to a
+/// collision would never become one.
+const LAST_CHANCE_SHARE: f64 = 0.5;
+
+/// Adds [`collision`] to the step.
+pub struct CollisionPlugin;
+
+impl Plugin for CollisionPlugin {
+    fn build(&self, app: &mut App) {
+        app.add_systems(
+            TectonicStep,
+            collision.in_set(TectonicSystems::Process(Stage::Collision)),
+        );
+    }
+}
+
+/// Sutures terranes of the current planet.
+pub fn collision(
+    plates: PlateAccess,
+    mut planets: Query<(
+        (PlanetQuery, &GeologicClock),
+        (&Rim, &Contacts, &OverlapIndex),
+        (&mut Crust, &mut Frames, &mut Ledger),
+    )>,
+    mut commands: Commands,
+) {
+    let planet = plates.planet();
+    let Ok((state, (rim, contacts, overlap), (mut crust, mut frames, mut ledger))) =
+        planets.get_mut(planet)
+    else {
+        return;
+    };
+    let (body, clock) = state;
+    let view = body.view();
+    if !view.params.processes.collision {
+        return;
+    }
+    let meeting = trigger::meeting_continents(rim, contacts, &crust);
+    if meeting.is_empty() {
+        return;
+    }
+    let table = plates.table();
+    let last_chance = due(view.params, clock, &table, view.radius, frames.len());
+    let share = if last_chance { LAST_CHANCE_SHARE } else { 1.0 };
+    let trigger = view.params.collision_trigger / view.radius * share;
+    let continents = Continents {
+        planet: view,
+        rim,
+        contacts,
+        overlap,
+        plates: table,
+    };
+    let mut moved = MovedSamples::default();
+    let mut scratch = Scratch::default();
+    for at in continents.deep_overlaps(&meeting, trigger, &crust, &frames) {
+        let Some(collision) = Collision::find(&continents, at, &crust, &frames) else {
+            continue;
+        };
+        let mut event = collision.event(&frames);
+        event.planet = planet;
+        commands.trigger(event);
+        let volumes = collision.surge(&continents, &mut crust, &frames, &mut scratch);
+        for volume in volumes {
+            ledger.book(Cause::CollisionUplift, 0.0, volume);
+        }
+        let new_frame = collision.reframe(&mut crust, &mut frames);
+        moved.frames.extend([new_frame, collision.from]);
+        moved.samples.extend(collision.terrane);
+    }
+    if !moved.samples.is_empty() {
+        moved.samples.sort_unstable();
+        moved.samples.dedup();
+        commands.queue(move |world: &mut World| recompute_moved(world, planet, &moved));
+    }
+}
