@@ -8,7 +8,7 @@ use crate::plate::contact::Contacts;
 use crate::plate::overlap::OverlapIndex;
 use crate::plate::terrane::TerraneCensus;
 use crate::plate::{Plate, PlateId, PlateMotion, PlateOf, PlateStats, caches};
-use crate::process::surface_processes::ReliefNoise;
+use crate::process::relief_noise::ReliefNoise;
 use crate::resample::Resampling;
 use crate::schedule::{StageTimings, StepCursor, TimeDebt};
 use crate::sphere::SphereMesh;

@@ -20,8 +20,7 @@ use super::{PlateRow, PlateStats, plate_table};
 use crate::crust::{Crust, Frames};
 use crate::events::PlateConsumed;
 use crate::ids::{FrameId, PlateId};
-use crate::params::TectonicParams;
-use crate::planet::{Lattice, Planet};
+use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 
 /// Samples that went to other frames.
@@ -58,11 +57,12 @@ pub fn recompute_but_fronts(world: &mut World, planet: Entity) {
 
 /// Recomputes the statistics of all plates after crust has changed its kind.
 pub fn recompute_stats(world: &mut World, planet: Entity) {
-    let mut query = world.query::<(&Planet, &Lattice, &Crust, &Frames)>();
-    let Ok((body, lattice, crust, frames)) = query.get(world, planet) else {
+    let mut query = world.query::<(PlanetQuery, &Crust, &Frames)>();
+    let Ok((body, crust, frames)) = query.get(world, planet) else {
         return;
     };
-    let stats = plate_stats(lattice, crust, frames, body.radius, |_| true);
+    let view = body.view();
+    let stats = plate_stats(view.mesh, crust, frames, view.radius, |_| true);
     assign_stats(world, planet, &stats);
     mark_terranes_stale(world, planet);
 }
@@ -72,33 +72,35 @@ pub fn recompute_stats(world: &mut World, planet: Entity) {
 pub fn recompute_contacts(world: &mut World, planet: Entity) {
     let plates = &plate_table(world, planet);
     let mut query = world.query::<(
-        (&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim),
+        (PlanetQuery, &Crust, &Frames, &Rim),
         (&OverlapIndex, &PolarityMemory, &mut Contacts),
     )>();
     let Ok((state, (overlap, polarity, mut contacts))) = query.get_mut(world, planet) else {
         return;
     };
-    let (body, mesh, params, crust, frames, rim) = state;
+    let (body, crust, frames, rim) = state;
+    let view = body.view();
     let input = ContactInput {
-        mesh,
+        mesh: view.mesh,
         crust,
         frames,
         overlap,
         plates,
-        radius: body.radius,
+        radius: view.radius,
     };
     let mut memory = polarity.clone();
-    *contacts = find_contacts(&input, rim, &mut memory, params.polarity_hysteresis);
+    *contacts = find_contacts(&input, rim, &mut memory, view.params.polarity_hysteresis);
 }
 
 /// Finds the terranes of all plates anew: their entities are replaced.
 pub fn recompute_terranes(world: &mut World, planet: Entity) {
-    let mut query = world.query::<(&Planet, &Lattice, &Crust, &Frames, &mut TerraneCensus)>();
-    let Ok((body, lattice, crust, frames, mut census)) = query.get_mut(world, planet) else {
+    let mut query = world.query::<(PlanetQuery, &Crust, &Frames, &mut TerraneCensus)>();
+    let Ok((body, crust, frames, mut census)) = query.get_mut(world, planet) else {
         return;
     };
+    let view = body.view();
     census.stale = false;
-    let terranes = find_terranes(lattice, crust, frames, body.radius);
+    let terranes = find_terranes(view.mesh, crust, frames, view.radius);
     let plates = plate_table(world, planet);
     for row in plates.rows() {
         world.entity_mut(row.entity).despawn_related::<Terranes>();
@@ -165,25 +167,26 @@ fn recompute_columns(
     moved: Option<&MovedSamples>,
 ) -> Option<(Affected, Vec<(PlateId, PlateStats)>)> {
     let mut query = world.query::<(
-        (&Planet, &Lattice, &Crust, &Frames),
+        (PlanetQuery, &Crust, &Frames),
         (&mut Rim, &mut OverlapIndex, &mut Contacts),
     )>();
     let (state, (mut rim, mut overlap, mut contacts)) = query.get_mut(world, planet).ok()?;
-    let (body, lattice, crust, frames) = state;
+    let (body, crust, frames) = state;
+    let PlanetView { mesh, radius, .. } = body.view();
     let old_rim = rim.samples.clone();
     let affected = match moved.filter(|_| !rim.index.is_empty()) {
         Some(moved) => {
-            rim.update(lattice, &crust.frame, frames, &moved.samples);
+            rim.update(mesh, &crust.frame, frames, &moved.samples);
             Affected::Only(moved.frames.iter().map(|&id| frames.plate(id)).collect())
         }
         None => {
-            *rim = Rim::new(lattice, &crust.frame, frames);
+            *rim = Rim::new(mesh, &crust.frame, frames);
             Affected::All
         }
     };
-    overlap.update(lattice, &crust.frame, frames);
+    overlap.update(mesh, &crust.frame, frames);
     contacts.0 = kept_contacts(&old_rim, &contacts.0, &rim.samples);
-    let stats = plate_stats(lattice, crust, frames, body.radius, |plate| {
+    let stats = plate_stats(mesh, crust, frames, radius, |plate| {
         affected.contains(plate)
     });
     Some((affected, stats))

@@ -5,10 +5,10 @@
 use crate::crust::ledger::measure;
 use crate::crust::{Crust, Ledger};
 use crate::events::StepCompleted;
-use crate::params::TectonicParams;
-use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::planet::GeologicClock;
 use crate::resample::Resampling;
 use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
+use crate::view::PlanetQuery;
 use bevy::prelude::*;
 
 /// Adds [`commit`] to the step.
@@ -27,7 +27,7 @@ impl Plugin for CommitPlugin {
 pub fn commit(
     current: Res<CurrentPlanet>,
     mut planets: Query<(
-        (&Planet, &Lattice, &TectonicParams, &Crust, &Resampling),
+        (PlanetQuery, &Crust, &Resampling),
         (&mut GeologicClock, &mut Ledger),
     )>,
     mut commands: Commands,
@@ -35,10 +35,11 @@ pub fn commit(
     let Ok((input, (mut clock, mut ledger))) = planets.get_mut(current.0) else {
         return;
     };
-    let (planet, lattice, params, crust, resampling) = input;
-    ledger.check(measure(crust, lattice, planet.radius));
+    let (planet, crust, resampling) = input;
+    let view = planet.view();
+    ledger.check(measure(crust, view.mesh, view.radius));
     clock.step += 1;
-    clock.time += params.time_step;
+    clock.time += view.params.time_step;
     clock.since_resample = if resampling.done {
         0
     } else {

@@ -1,16 +1,15 @@
-//! Contact: the system that finds where plates meet; the geometry is in [`crate::plate::contact`].
+//! Contact: where plates meet, and which goes under (paper 000 §6); the geometry is in [`crate::plate::contact`].
 //!
 //! Reads: frames, crust, motions. Writes: candidate tables, contacts, polarity.
 
 use crate::crust::{Crust, Frames};
-use crate::params::TectonicParams;
-use crate::planet::{Lattice, Planet};
 use crate::plate::PlateAccess;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{ContactInput, Contacts, find_contacts};
 use crate::plate::overlap::OverlapIndex;
 use crate::plate::polarity::PolarityMemory;
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
+use crate::view::PlanetQuery;
 use bevy::prelude::*;
 
 /// Adds [`contact`] to the step.
@@ -29,24 +28,25 @@ impl Plugin for ContactPlugin {
 pub fn contact(
     plates: PlateAccess,
     mut planets: Query<(
-        (&Planet, &Lattice, &TectonicParams, &Crust, &Frames, &Rim),
+        (PlanetQuery, &Crust, &Frames, &Rim),
         (&mut OverlapIndex, &mut Contacts, &mut PolarityMemory),
     )>,
 ) {
-    let Ok((input, (mut overlap, mut contacts, mut polarity))) = planets.get_mut(plates.planet())
+    let Ok((state, (mut overlap, mut contacts, mut polarity))) = planets.get_mut(plates.planet())
     else {
         return;
     };
-    let (planet, lattice, params, crust, frames, rim) = input;
+    let (planet, crust, frames, rim) = state;
+    let view = planet.view();
     overlap.turn(frames);
     let table = plates.table();
     let input = ContactInput {
-        mesh: lattice,
+        mesh: view.mesh,
         crust,
         frames,
         overlap: &overlap,
         plates: &table,
-        radius: planet.radius,
+        radius: view.radius,
     };
-    *contacts = find_contacts(&input, rim, &mut polarity, params.polarity_hysteresis);
+    *contacts = find_contacts(&input, rim, &mut polarity, view.params.polarity_hysteresis);
 }

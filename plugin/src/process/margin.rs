@@ -7,20 +7,21 @@
 //!
 //! s is the slope that falls from the sea to the abyss within the margin's width. Subsidence works
 //! against it, so a margin far from any land disappears again. Slopes change slowly: every
-//! [`EVERY`] steps are enough.
+//! [`STEPS_BETWEEN_FILLINGS`] steps are enough.
 //!
 //! Reads: elevation, kind. Writes: elevation of ocean crust.
 
 use crate::crust::Crust;
 use crate::parallel;
 use crate::params::TectonicParams;
-use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::planet::GeologicClock;
 use crate::schedule::{CurrentPlanet, Stage, StepCursor, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
+use crate::view::PlanetQuery;
 use bevy::prelude::*;
 
 /// Steps between two fillings.
-pub const EVERY: u64 = 4;
+pub const STEPS_BETWEEN_FILLINGS: u64 = 4;
 
 /// Adds [`margin`] to the step.
 pub struct MarginPlugin;
@@ -40,48 +41,39 @@ impl Plugin for MarginPlugin {
 /// Fills the margins of the current planet.
 pub fn margin(
     current: Res<CurrentPlanet>,
-    mut planets: Query<(
-        &Planet,
-        &Lattice,
-        &TectonicParams,
-        &GeologicClock,
-        &StepCursor,
-        &mut Crust,
-    )>,
+    mut planets: Query<(PlanetQuery, &GeologicClock, &StepCursor, &mut Crust)>,
 ) {
-    let Ok((planet, lattice, params, clock, cursor, mut crust)) = planets.get_mut(current.0) else {
+    let Ok((planet, clock, cursor, mut crust)) = planets.get_mut(current.0) else {
         return;
     };
-    let due = !cursor.is_held() && clock.step.is_multiple_of(EVERY) && params.margin_width > 0.0;
-    if params.processes.sediment && due {
-        fill(lattice, &mut crust, params, planet.radius);
+    let view = planet.view();
+    let due = !cursor.is_held() && clock.step.is_multiple_of(STEPS_BETWEEN_FILLINGS);
+    if view.params.processes.sediment && due && view.params.margin_width > 0.0 {
+        fill(view.mesh, &mut crust, view.params, view.radius);
     }
 }
 
-/// Fills what lies below the slope of its neighbours, as much as [`EVERY`] steps allow.
+/// Fills what lies below the slope of its neighbours, as much as [`STEPS_BETWEEN_FILLINGS`] steps allow.
 fn fill(mesh: &SphereMesh, crust: &mut Crust, params: &TectonicParams, radius: f64) {
     let slope = -params.abyss_elevation / params.margin_width;
     let drop = (slope * mesh.spacing() * radius) as f32;
-    let most = (params.sediment * params.time_step * EVERY as f64) as f32;
+    let most = (params.sediment * params.time_step * STEPS_BETWEEN_FILLINGS as f64) as f32;
+    let raised = |i: usize| {
+        let z = crust.elevation[i];
+        let target = highest_neighbour(mesh, crust, i) - drop;
+        (!crust.is_continental(i) && z < target).then(|| (i, z + (target - z).min(most)))
+    };
     let filled = parallel::map_chunks(crust.len(), |range| {
-        range
-            .filter_map(|i| {
-                if crust.is_continental(i) {
-                    return None;
-                }
-                let z = crust.elevation[i];
-                let target = target(mesh, crust, i) - drop;
-                (z < target).then(|| (i, z + (target - z).min(most)))
-            })
-            .collect::<Vec<_>>()
+        range.filter_map(raised).collect::<Vec<_>>()
     });
     for (i, z) in filled.into_iter().flatten() {
         crust.elevation[i] = z;
     }
 }
 
-/// The highest neighbour on the same frame; sediment lies below the sea.
-fn target(mesh: &SphereMesh, crust: &Crust, i: usize) -> f32 {
+/// Elevation in km of the highest neighbour on the same frame, at most sea level: sediment lies
+/// below the sea.
+fn highest_neighbour(mesh: &SphereMesh, crust: &Crust, i: usize) -> f32 {
     let own = crust.frame[i];
     let neighbours = mesh.ring(i as u32).iter().map(|&j| j as usize);
     neighbours

@@ -19,6 +19,8 @@ pub mod contact;
 
 pub mod drift;
 
+pub mod uplift;
+
 pub mod subduction;
 
 pub mod slab_pull;
@@ -30,6 +32,8 @@ pub mod rifting;
 pub mod ocean_floor;
 
 pub mod erosion;
+
+pub mod relief_noise;
 
 pub mod surface_processes;
 

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! L_k is the length of front that q_k stands for, so that the pull does not depend on the
-//! resolution. The speed stays. Young fragments of a rift are left alone for [`GRACE`] My: pulled
+//! resolution. The speed stays. Young fragments of a rift are left alone for [`GRACE_PERIOD`] My: pulled
 //! together, they would close the rift.
 //!
 //! Reads: contacts. Writes: motions.
@@ -17,12 +17,13 @@ use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, Role};
 use crate::plate::{Plate, PlateId, PlateMotion, PlateStats, Plates};
 use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
+use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use std::collections::BTreeMap;
 
 /// Age in My below which a plate is not pulled; plates of the beginning were born at 0.
-pub const GRACE: f64 = 20.0;
+pub const GRACE_PERIOD: f64 = 20.0;
 
 /// Adds [`slab_pull`] to the step.
 pub struct SlabPullPlugin;
@@ -53,27 +54,36 @@ pub fn slab_pull(
     if !params.processes.slab_pull {
         return;
     }
-    // The front in world coordinates, under the plate that it pulls.
-    let mut fronts: BTreeMap<PlateId, Vec<DVec3>> = BTreeMap::new();
-    for (k, contact) in contacts.0.iter().enumerate() {
-        if contact.role == Role::Overriding && !contact.other_continental {
-            let i = rim.samples[k] as usize;
-            let frame = &frames[usize::from(crust.frame[i])];
-            fronts
-                .entry(contact.other)
-                .or_default()
-                .push(frame.to_world(lattice.points()[i]));
-        }
-    }
+    let fronts = sinking_fronts(lattice, crust, frames, rim, contacts);
     let mut plates = plates.iter_many_mut(of_planet.iter());
     while let Some((id, plate, stats, mut motion)) = plates.fetch_next() {
         if let Some(front) = fronts.get(id)
-            && clock.time - plate.born >= GRACE
+            && clock.time - plate.born >= GRACE_PERIOD
         {
             let rate = params.slab_pull * params.time_step;
             motion.axis = pulled(motion.axis, stats.centroid, front, rim.length, rate);
         }
     }
+}
+
+/// Directions in world coordinates of the places under which ocean floor sinks, by the plate that
+/// they pull.
+fn sinking_fronts(
+    mesh: &SphereMesh,
+    crust: &Crust,
+    frames: &Frames,
+    rim: &Rim,
+    contacts: &Contacts,
+) -> BTreeMap<PlateId, Vec<DVec3>> {
+    let mut fronts: BTreeMap<PlateId, Vec<DVec3>> = BTreeMap::new();
+    for (&i, contact) in rim.samples.iter().zip(&contacts.0) {
+        if contact.role == Role::Overriding && !contact.other_continental {
+            let frame = &frames[usize::from(crust.frame[i as usize])];
+            let place = frame.to_world(mesh.point(i));
+            fronts.entry(contact.other).or_default().push(place);
+        }
+    }
+    fronts
 }
 
 /// The axis after one step of pull by front points that each stand for `length` radians.
