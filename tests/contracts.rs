@@ -58,7 +58,7 @@ fn declared(stage: Stage) -> &'static [&'static str] {
             "plates",
             "thickness",
             "ledger",
-            "clock",
+            "numbers",
             "polarity",
         ],
         Stage::SurfaceProcesses => &[

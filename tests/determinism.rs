@@ -7,10 +7,10 @@ mod save;
 
 use bevy::prelude::*;
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::schedule::run_slice;
+use bevy_pangaea::schedule::run_time_slice;
 use bevy_pangaea::spawn::PlanetState;
 use pangaea_tests::shape::small;
-use pangaea_tests::world::{app, digest, planet_app, steps};
+use pangaea_tests::world::{app, digest, get, planet_app, steps};
 use std::time::{Duration, Instant};
 
 /// A planet on which much happens in 60 My.
@@ -50,7 +50,11 @@ fn slices_of_a_step_give_the_same_bits_as_whole_steps() {
     let (mut done, mut slices) = (0, 0);
     while done < 22 {
         // No time at all: every stage that can hold does.
-        done += u32::from(run_slice(sliced.world_mut(), other, Some(Instant::now())));
+        done += u32::from(run_time_slice(
+            sliced.world_mut(),
+            other,
+            Some(Instant::now()),
+        ));
         slices += 1;
     }
     assert!(slices > 22 + 20, "the stages did not hold: {slices} slices");
@@ -63,17 +67,18 @@ fn frames_of_a_game_give_the_same_bits_as_whole_steps() {
     steps(&mut whole, planet, 12);
     let (mut game, other) = planet_app(&lively(12, 3000));
     {
-        let mut clock = game.world_mut().get_mut::<GeologicClock>(other).unwrap();
-        clock.paused = true;
-        clock.single_steps = 12;
-        clock.frame_budget = Duration::from_micros(300);
+        let mut controls = game.world_mut().get_mut::<ClockControls>(other).unwrap();
+        controls.paused = true;
+        controls.single_steps = 12;
+        controls.frame_budget = Duration::from_micros(300);
     }
     for _ in 0..2000 {
         game.update();
     }
-    let clock = game.world().get::<GeologicClock>(other).unwrap();
+    let step = get::<GeologicClock>(&game, other).step;
+    let left = get::<ClockControls>(&game, other).single_steps;
     assert_eq!(
-        (clock.step, clock.single_steps),
+        (step, left),
         (12, 0),
         "single steps run while time is paused, and no more"
     );
@@ -87,15 +92,18 @@ fn a_clock_stops_at_the_time_that_it_was_told() {
     second.advance_by(Duration::from_secs(1));
     app.insert_resource(second);
     {
-        let mut clock = app.world_mut().get_mut::<GeologicClock>(planet).unwrap();
-        (clock.speed, clock.until, clock.frame_budget) = (2.0, Some(9.0), Duration::from_secs(9));
+        let mut controls = app.world_mut().get_mut::<ClockControls>(planet).unwrap();
+        controls.speed = 2.0;
+        controls.until = Some(9.0);
+        controls.frame_budget = Duration::from_secs(9);
     }
     for _ in 0..12 {
         app.update();
     }
-    let clock = app.world().get::<GeologicClock>(planet).unwrap();
+    let time = get::<GeologicClock>(&app, planet).time;
+    let controls = get::<ClockControls>(&app, planet);
     assert_eq!(
-        (clock.time, clock.paused, clock.until),
+        (time, controls.paused, controls.until),
         (10.0, true, None),
         "the step that reaches it is the last"
     );
@@ -122,7 +130,7 @@ fn planets_of_one_world_do_not_disturb_each_other() {
             // Interleaved, in changing order, one of them in slices.
             let planet = planets[(k + round) % 3];
             steps(&mut app, planet, 1);
-            while !run_slice(app.world_mut(), planet, Some(Instant::now())) {}
+            while !run_time_slice(app.world_mut(), planet, Some(Instant::now())) {}
         }
     }
     let together: Vec<String> = planets.iter().map(|&planet| digest(&app, planet)).collect();

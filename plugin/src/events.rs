@@ -1,6 +1,7 @@
 //! Events of the simulation, for games to react to: observable, triggered on the planet's entity.
 //!
-//! Those of commands are in [`authoring`](crate::authoring).
+//! Those of commands are in [`authoring`](crate::authoring), those of making a planet in
+//! [`spawn`](crate::spawn).
 //!
 //! ```
 //! # use bevy::prelude::*;
@@ -16,7 +17,8 @@ use bevy::math::DVec3;
 use bevy::prelude::*;
 
 /// A step has ended.
-#[derive(EntityEvent, Clone, Debug)]
+#[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
+#[reflect(Event)]
 pub struct StepCompleted {
     /// The planet.
     #[event_target]
@@ -28,7 +30,8 @@ pub struct StepCompleted {
 }
 
 /// A terrane broke off its plate and was sutured to another.
-#[derive(EntityEvent, Clone, Debug)]
+#[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
+#[reflect(Event)]
 pub struct TerraneCollided {
     /// The planet.
     #[event_target]
@@ -46,7 +49,8 @@ pub struct TerraneCollided {
 }
 
 /// A plate broke.
-#[derive(EntityEvent, Clone, Debug)]
+#[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
+#[reflect(Event)]
 pub struct PlateRifted {
     /// The planet.
     #[event_target]
@@ -58,7 +62,8 @@ pub struct PlateRifted {
 }
 
 /// A plate has no crust left.
-#[derive(EntityEvent, Clone, Debug)]
+#[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
+#[reflect(Event)]
 pub struct PlateConsumed {
     /// The planet.
     #[event_target]
@@ -68,7 +73,8 @@ pub struct PlateConsumed {
 }
 
 /// The crust was resampled and new ocean floor was made.
-#[derive(EntityEvent, Clone, Debug)]
+#[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
+#[reflect(Event)]
 pub struct CrustResampled {
     /// The planet.
     #[event_target]

@@ -59,22 +59,32 @@ mod plugin;
 
 pub use plugin::PangaeaPlugins;
 
-/// What most programs need.
+/// All that the examples of the README use.
 pub mod prelude {
     pub use crate::PangaeaPlugins;
     pub use crate::authoring::{
-        Brush, CommandApplied, CommandRejected, PaintTarget, Recording, Scenario, TectonicCommand,
-        TectonicCommandsExt, TimedCommand,
+        Brush, CommandApplied, CommandError, CommandRejected, PaintTarget, Recording, Scenario,
+        TectonicCommand, TectonicCommandsExt, TimedCommand,
     };
+    pub use crate::control::{BakeFinished, BakeSettings, PlanetBake};
     pub use crate::crust::{Crust, CrustKind, Frames, Ledger, Orogeny, PlanetSurface, Surface};
     pub use crate::events::{
         CrustResampled, PlateConsumed, PlateRifted, StepCompleted, TerraneCollided,
     };
+    pub use crate::io::PlanetPreset;
     pub use crate::params::{OceanFloor, ProcessSwitches, TectonicParams};
-    pub use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
+    pub use crate::planet::{
+        ClockControls, DiscRecipe, GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe,
+        PlateNumbers, PlateRecipe,
+    };
     pub use crate::plate::{PlateId, PlateMotion, PlateOf, Plates};
-    pub use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
-    pub use crate::spawn::SpawnPlanet;
+    pub use crate::query::{Ground, PlanetGround, Rules};
+    #[cfg(feature = "render")]
+    pub use crate::render::{Globe, PangaeaRenderPlugin};
+    pub use crate::schedule::{
+        CurrentPlanet, Stage, TectonicSchedulePlugin, TectonicStep, TectonicSystems, run_steps,
+    };
+    pub use crate::spawn::{PlanetFailed, PlanetReady, PlanetState, SpawnPlanet};
 }
 
 /// The README's examples, compiled as doc-tests.

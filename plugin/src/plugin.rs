@@ -2,6 +2,7 @@
 
 use crate::authoring::AuthoringPlugin;
 use crate::control::BakePlugin;
+use crate::io::PresetPlugin;
 use crate::process::{
     collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
     margin::MarginPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
@@ -10,14 +11,16 @@ use crate::process::{
 };
 use crate::resample::ResamplePlugin;
 use crate::schedule::TectonicSchedulePlugin;
+use crate::spawn::SpawnPlugin;
 use bevy::app::PluginGroupBuilder;
 use bevy::prelude::*;
 
-/// All of Pangaea, one plugin per process. Each can be disabled or replaced.
+/// All of Pangaea but the globe, one plugin per process. Each can be set, disabled or replaced.
 ///
 /// | plugin | what it does |
 /// |---|---|
 /// | [`TectonicSchedulePlugin`] | the step as a schedule, spread over frames |
+/// | [`SpawnPlugin`] | planets grow on entities with a recipe |
 /// | [`DriftPlugin`] | frames rotate with their plates |
 /// | [`ContactPlugin`] | where plates meet, and which goes under |
 /// | [`SubductionPlugin`] | overriding plates rise |
@@ -31,13 +34,27 @@ use bevy::prelude::*;
 /// | [`CommitPlugin`] | clock, ledger |
 /// | [`AuthoringPlugin`] | commands |
 /// | [`BakePlugin`] | climate, rivers and control maps in the background, where asked for |
-/// | [`PresetPlugin`](crate::io::PresetPlugin) | `*.planet.ron` as assets, where there are assets |
+/// | [`PresetPlugin`] | `*.planet.ron` as assets, where there are assets |
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// use bevy_pangaea::process::rifting::RiftingPlugin;
+///
+/// let mut app = App::new();
+/// app.add_plugins(
+///     PangaeaPlugins
+///         .set(TectonicSchedulePlugin::new(FixedUpdate))
+///         .disable::<RiftingPlugin>(),
+/// );
+/// ```
 pub struct PangaeaPlugins;
 
 impl PluginGroup for PangaeaPlugins {
     fn build(self) -> PluginGroupBuilder {
         PluginGroupBuilder::start::<Self>()
-            .add(TectonicSchedulePlugin)
+            .add(TectonicSchedulePlugin::default())
+            .add(SpawnPlugin)
             .add(DriftPlugin)
             .add(ContactPlugin)
             .add(SubductionPlugin)
@@ -51,6 +68,6 @@ impl PluginGroup for PangaeaPlugins {
             .add(CommitPlugin)
             .add(AuthoringPlugin)
             .add(BakePlugin)
-            .add(crate::io::PresetPlugin)
+            .add(PresetPlugin)
     }
 }

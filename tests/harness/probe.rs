@@ -23,6 +23,8 @@ pub struct Snapshot {
     pub ledger: Ledger,
     /// The clock.
     pub clock: GeologicClock,
+    /// The numbers of plates that are used up.
+    pub numbers: PlateNumbers,
     /// Continental area in km² and volume in km³, measured independently.
     pub continents: (f64, f64),
 }
@@ -96,6 +98,7 @@ pub fn snapshot(world: &World, planet: Entity) -> Snapshot {
         polarity: planet_ref.get::<PolarityMemory>().expect(get).clone(),
         ledger: planet_ref.get::<Ledger>().expect(get).clone(),
         clock: planet_ref.get::<GeologicClock>().expect(get).clone(),
+        numbers: *planet_ref.get::<PlateNumbers>().expect(get),
     }
 }
 
@@ -135,6 +138,7 @@ impl Change {
             ("polarity", a.polarity != b.polarity),
             ("ledger", a.ledger != b.ledger),
             ("clock", a.clock != b.clock),
+            ("numbers", a.numbers != b.numbers),
         ];
         checks
             .iter()

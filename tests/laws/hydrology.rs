@@ -125,8 +125,8 @@ fn a_bake_follows_a_planet_and_says_so() {
         panic!("no bake of version {wanted} within a minute");
     };
     app.world_mut()
-        .get_mut::<GeologicClock>(planet)
-        .expect("a clock")
+        .get_mut::<ClockControls>(planet)
+        .expect("controls")
         .paused = true;
     let first = wait(&mut app);
     let frame = get::<PlanetBake>(&app, planet).frame.clone();

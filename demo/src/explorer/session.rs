@@ -175,13 +175,18 @@ fn show_loaded(world: &mut World, state: PlanetState, path: &Path) {
 }
 
 /// Spawns the planet in place of the present one; whether time runs, and how fast, stays.
-fn replace(world: &mut World, mut state: PlanetState) {
+fn replace(world: &mut World, state: PlanetState) {
     let old = world.resource::<Session>().planet;
-    if let Some(clock) = old.and_then(|old| world.get::<GeologicClock>(old)) {
-        state.clock.paused = clock.paused;
-        state.clock.speed = clock.speed;
-    }
+    let controls = old.and_then(|old| world.get::<ClockControls>(old));
+    let controls = controls.map(|controls| ClockControls {
+        paused: controls.paused,
+        speed: controls.speed,
+        ..default()
+    });
     let planet = state.spawn(world);
+    world
+        .entity_mut(planet)
+        .insert(controls.unwrap_or_default());
     let mark = mark(world, planet);
     let mut session = world.resource_mut::<Session>();
     session.planet = Some(planet);

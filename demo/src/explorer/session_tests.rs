@@ -59,7 +59,7 @@ fn a_new_planet_replaces_the_old_one_only_when_it_is_there() {
     assert_eq!(app.world().resource::<Session>().planet, Some(first));
     assert!(app.world().get::<Crust>(first).is_some());
     app.world_mut()
-        .get_mut::<GeologicClock>(first)
+        .get_mut::<ClockControls>(first)
         .unwrap()
         .paused = true;
     assert_eq!(ask(&mut app, Action::Grow(recipe())).0, Tone::Note);
@@ -70,7 +70,7 @@ fn a_new_planet_replaces_the_old_one_only_when_it_is_there() {
         "the old planet is gone"
     );
     assert!(
-        app.world().get::<GeologicClock>(second).unwrap().paused,
+        app.world().get::<ClockControls>(second).unwrap().paused,
         "a pause stays"
     );
     let plates = app

@@ -124,6 +124,8 @@ pub struct View<'a> {
     pub surface: &'a Surface,
     /// The clock.
     pub clock: &'a GeologicClock,
+    /// How time passes.
+    pub controls: &'a ClockControls,
     /// Parameters.
     pub params: &'a TectonicParams,
     /// Milliseconds per stage.
@@ -159,7 +161,7 @@ pub struct PlanetReader<'w, 's> {
             &'static Planet,
             &'static Lattice,
             &'static PlanetSurface,
-            &'static GeologicClock,
+            (&'static GeologicClock, &'static ClockControls),
             &'static TectonicParams,
             &'static StageTimings,
             Option<&'static PlanetBake>,
@@ -183,7 +185,7 @@ impl PlanetReader<'_, '_> {
     /// The planet on show; none before the first one has grown.
     pub fn view(&self) -> Option<View<'_>> {
         let entity = self.session.planet?;
-        let (planet, lattice, surface, clock, params, timings, bake) =
+        let (planet, lattice, surface, (clock, controls), params, timings, bake) =
             self.planets.get(entity).ok()?;
         if surface.is_empty() {
             return None;
@@ -203,6 +205,7 @@ impl PlanetReader<'_, '_> {
             mesh: &lattice.0,
             surface,
             clock,
+            controls,
             params,
             timings,
             plates,
@@ -216,7 +219,7 @@ pub fn apply_actions(
     mut actions: MessageReader<Action>,
     mut commands: Commands,
     session: Res<Session>,
-    mut clocks: Query<&mut GeologicClock>,
+    mut controls: Query<&mut ClockControls>,
     mut selection: ResMut<Selection>,
 ) {
     for action in actions.read() {
@@ -227,19 +230,21 @@ pub fn apply_actions(
         let Some(planet) = session.planet else {
             continue;
         };
-        let Ok(mut clock) = clocks.get_mut(planet) else {
+        let Ok(mut controls) = controls.get_mut(planet) else {
             continue;
         };
         match action {
             Action::TogglePlay => {
-                clock.paused = !clock.paused;
-                clock.single_steps = 0;
+                controls.paused = !controls.paused;
+                controls.single_steps = 0;
             }
             Action::SingleStep => {
-                clock.paused = true;
-                clock.single_steps = (clock.single_steps + 1).min(20);
+                controls.paused = true;
+                controls.single_steps = (controls.single_steps + 1).min(20);
             }
-            Action::SetSpeed(speed) => clock.speed = speed.clamp(SPEED_LIMITS.0, SPEED_LIMITS.1),
+            Action::SetSpeed(speed) => {
+                controls.speed = speed.clamp(SPEED_LIMITS.0, SPEED_LIMITS.1);
+            }
             Action::Tectonic(command) => {
                 commands.entity(planet).tectonic(command.clone());
             }
@@ -253,16 +258,16 @@ pub fn apply_actions(
 pub fn share_frames(
     frames: Res<super::panels::timings::FrameTimes>,
     session: Res<Session>,
-    mut clocks: Query<&mut GeologicClock>,
+    mut controls: Query<&mut ClockControls>,
 ) {
-    let Some(mut clock) = session
+    let Some(mut controls) = session
         .planet
-        .and_then(|planet| clocks.get_mut(planet).ok())
+        .and_then(|planet| controls.get_mut(planet).ok())
     else {
         return;
     };
     let ms = (0.25 * frames.mean()).clamp(8.0, 60.0);
-    clock.frame_budget = Duration::from_secs_f64(ms * 1e-3);
+    controls.frame_budget = Duration::from_secs_f64(ms * 1e-3);
 }
 
 /// Lets climate and rivers follow the planet while the globe shows them: they cost a core a quarter

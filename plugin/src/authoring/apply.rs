@@ -1,45 +1,37 @@
 //! Carrying commands out, between two steps.
 
-use super::Inbox;
 use super::check::{direction_of, within};
 use super::command::TectonicCommand;
 use super::error::CommandError;
 use super::events::{CommandApplied, CommandRejected};
+use super::inbox::Inbox;
 use super::paint::{self, paint};
 use super::scenario::{Recording, Scenario, TimedCommand};
-use crate::crust::{Cause, Crust, Frames, Ledger};
+use crate::crust::{Cause, Crust, Frames, Ledger, ledger};
 use crate::params::TectonicParams;
-use crate::planet::planet_radius;
-use crate::planet::{GeologicClock, Lattice, Planet};
-use crate::plate::plate_table;
-use crate::plate::{PlateId, PlateMotion};
+use crate::planet::{GeologicClock, Lattice, Planet, planet_radius};
+use crate::plate::{PlateId, PlateMotion, PlateRow, caches, plate_table};
 use crate::process::rifting::{rift_along, rift_at_random};
+use crate::resample::{SurfaceProjection, project_now};
+use crate::schedule::StepCursor;
 use bevy::prelude::*;
 
 /// Carries out all commands that are due: those of a scenario first, then those in the inbox.
 ///
-/// What succeeds is recorded, what fails is reported by [`CommandRejected`] and changes nothing.
+/// A command that succeeds is recorded; one that fails is reported by [`CommandRejected`] and
+/// changes nothing.
 pub fn apply_pending(world: &mut World, planet: Entity) {
     let Some(step) = world.get::<GeologicClock>(planet).map(|clock| clock.step) else {
         return;
     };
-    let mut due = Vec::new();
-    if let Some(mut scenario) = world.get_mut::<Scenario>(planet) {
-        due = scenario.take_due(step);
+    let due = take_due(world, planet, step);
+    if due.is_empty() {
+        return;
     }
-    if let Some(mut inbox) = world.get_mut::<Inbox>(planet) {
-        due.append(&mut inbox.0);
-    }
-    let changed = !due.is_empty();
     for command in due {
         match apply(world, planet, &command) {
             Ok(()) => {
-                if let Some(mut recording) = world.get_mut::<Recording>(planet) {
-                    recording.0.push(TimedCommand {
-                        step,
-                        command: command.clone(),
-                    });
-                }
+                record(world, planet, step, command.clone());
                 world.trigger(CommandApplied { planet, command });
             }
             Err(error) => world.trigger(CommandRejected {
@@ -49,13 +41,33 @@ pub fn apply_pending(world: &mut World, planet: Entity) {
             }),
         }
     }
-    let looked_at = world.get::<crate::resample::SurfaceProjection>(planet)
-        == Some(&crate::resample::SurfaceProjection::EveryStep);
+    project_at_boundary(world, planet);
+}
+
+fn take_due(world: &mut World, planet: Entity, step: u64) -> Vec<TectonicCommand> {
+    let mut due = world
+        .get_mut::<Scenario>(planet)
+        .map_or_else(Vec::new, |mut scenario| scenario.take_due(step));
+    if let Some(mut inbox) = world.get_mut::<Inbox>(planet) {
+        due.append(&mut inbox.0);
+    }
+    due
+}
+
+fn record(world: &mut World, planet: Entity, step: u64, command: TectonicCommand) {
+    if let Some(mut recording) = world.get_mut::<Recording>(planet) {
+        recording.0.push(TimedCommand { step, command });
+    }
+}
+
+/// Shows what commands have changed, where someone looks and no step is about to do so.
+fn project_at_boundary(world: &mut World, planet: Entity) {
+    let looked_at = world.get::<SurfaceProjection>(planet) == Some(&SurfaceProjection::EveryStep);
     let at_boundary = world
-        .get::<crate::schedule::StepCursor>(planet)
-        .is_some_and(|c| c.at_boundary());
-    if changed && looked_at && at_boundary {
-        crate::resample::project_now(world, planet);
+        .get::<StepCursor>(planet)
+        .is_some_and(StepCursor::at_boundary);
+    if looked_at && at_boundary {
+        project_now(world, planet);
     }
 }
 
@@ -67,67 +79,46 @@ fn apply(world: &mut World, planet: Entity, command: &TectonicCommand) -> Result
     command.check()?;
     match command {
         TectonicCommand::SetPlateMotion { plate, pole, speed } => {
-            set_motion(world, planet, *plate, *pole, *speed)
+            set_motion(world, planet, *plate, *pole, *speed)?;
         }
         TectonicCommand::RiftPlate {
             plate,
             line,
             fragments,
-        } => {
-            if line.is_empty() {
-                rift_at_random(world, planet, *plate, Some(*fragments))?;
-            } else {
-                let points = line
-                    .iter()
-                    .map(|&p| direction_of(p))
-                    .collect::<Result<_, _>>()?;
-                rift_along(world, planet, *plate, points)?;
-            }
-            Ok(())
-        }
+        } => rift(world, planet, *plate, line, *fragments)?,
         TectonicCommand::SetPlateCrust { plate, kind } => {
-            if plate_table(world, planet).get(*plate).is_none() {
-                return Err(CommandError::NoPlate(*plate));
-            }
+            plate_row(world, planet, *plate)?;
             edit_crust(world, planet, |scene| {
                 paint::kind_of_plate(scene, *plate, *kind)
-            })
+            })?;
         }
         TectonicCommand::PaintCrust { target, brush } => {
-            edit_crust(world, planet, |scene| paint(scene, target, brush))
+            edit_crust(world, planet, |scene| paint(scene, target, brush))?;
         }
-        TectonicCommand::SetParam { name, value } => {
-            let Some(mut params) = world.get_mut::<TectonicParams>(planet) else {
-                return Ok(());
-            };
-            let mut wanted = params.clone();
-            wanted.set(name, *value)?;
-            wanted.validate()?;
-            *params = wanted;
-            slow_down(world, planet);
-            Ok(())
-        }
+        TectonicCommand::SetParam { name, value } => set_param(world, planet, name, *value)?,
         TectonicCommand::SetProcess { name, on } => {
-            let Some(mut params) = world.get_mut::<TectonicParams>(planet) else {
-                return Ok(());
-            };
-            *params.processes.get_mut(name)? = *on;
-            Ok(())
+            *params(world, planet)?.processes.get_mut(name)? = *on;
         }
-        TectonicCommand::SetOceanFloor { law } => {
-            let Some(mut params) = world.get_mut::<TectonicParams>(planet) else {
-                return Ok(());
-            };
-            params.ocean_floor = *law;
-            Ok(())
-        }
+        TectonicCommand::SetOceanFloor { law } => params(world, planet)?.ocean_floor = *law,
         TectonicCommand::Resample => {
-            if let Some(mut clock) = world.get_mut::<GeologicClock>(planet) {
-                clock.resample_requested = true;
-            }
-            Ok(())
+            world
+                .get_mut::<GeologicClock>(planet)
+                .ok_or(CommandError::NoPlanet)?
+                .resample_requested = true;
         }
     }
+    Ok(())
+}
+
+fn params(world: &mut World, planet: Entity) -> Result<Mut<'_, TectonicParams>, CommandError> {
+    world.get_mut(planet).ok_or(CommandError::NoPlanet)
+}
+
+fn plate_row(world: &World, planet: Entity, plate: PlateId) -> Result<PlateRow, CommandError> {
+    plate_table(world, planet)
+        .get(plate)
+        .copied()
+        .ok_or(CommandError::NoPlate(plate))
 }
 
 fn set_motion(
@@ -138,13 +129,9 @@ fn set_motion(
     speed: f64,
 ) -> Result<(), CommandError> {
     let axis = direction_of(pole)?;
-    let limit = world
-        .get::<TectonicParams>(planet)
-        .map_or(100.0, |params| params.max_speed);
+    let limit = params(world, planet)?.max_speed;
     within("speed", speed, -limit, limit)?;
-    let row = *plate_table(world, planet)
-        .get(id)
-        .ok_or(CommandError::NoPlate(id))?;
+    let row = plate_row(world, planet, id)?;
     let radius = planet_radius(world, planet);
     let axis = if speed < 0.0 { -axis } else { axis };
     world.entity_mut(row.entity).insert(PlateMotion {
@@ -154,20 +141,51 @@ fn set_motion(
     Ok(())
 }
 
-/// Holds all plates to the highest speed, which may be lower than it was.
-fn slow_down(world: &mut World, planet: Entity) {
-    let limit = world
-        .get::<TectonicParams>(planet)
-        .map_or(f64::INFINITY, |params| params.max_speed);
-    let radius = planet_radius(world, planet);
-    for row in plate_table(world, planet)
-        .rows()
-        .iter()
-        .filter(|row| row.motion.speed > limit / radius)
-    {
-        world
-            .entity_mut(row.entity)
-            .insert(row.motion.limited(limit / radius));
+/// Breaks a plate along a line, or at random where there is none.
+fn rift(
+    world: &mut World,
+    planet: Entity,
+    plate: PlateId,
+    line: &[(f64, f64)],
+    fragments: u32,
+) -> Result<(), CommandError> {
+    if line.is_empty() {
+        rift_at_random(world, planet, plate, Some(fragments))?;
+    } else {
+        let points = line
+            .iter()
+            .map(|&point| direction_of(point))
+            .collect::<Result<_, _>>()?;
+        rift_along(world, planet, plate, points)?;
+    }
+    Ok(())
+}
+
+fn set_param(
+    world: &mut World,
+    planet: Entity,
+    name: &str,
+    value: f64,
+) -> Result<(), CommandError> {
+    let mut present = params(world, planet)?;
+    let mut wanted = present.clone();
+    wanted.set(name, value)?;
+    wanted.validate()?;
+    let limit = wanted.max_speed;
+    *present = wanted;
+    slow_down(world, planet, limit);
+    Ok(())
+}
+
+/// Holds all plates to the highest speed `limit` in km/My, which may be lower than it was.
+fn slow_down(world: &mut World, planet: Entity, limit: f64) {
+    let limit = limit / planet_radius(world, planet);
+    for row in plate_table(world, planet).rows() {
+        if row.motion.speed > limit {
+            world
+                .entity_mut(row.entity)
+                .insert(row.motion.limited(limit));
+        }
     }
 }
 
@@ -178,18 +196,13 @@ fn edit_crust(
     edit: impl FnOnce(&mut paint::Scene),
 ) -> Result<(), CommandError> {
     let mut query = world.query::<(
-        &Planet,
-        &Lattice,
-        &TectonicParams,
-        &Frames,
-        &mut Crust,
-        &mut Ledger,
+        (&Planet, &Lattice, &TectonicParams, &Frames),
+        (&mut Crust, &mut Ledger),
     )>();
-    let Ok((body, mesh, params, frames, mut crust, mut ledger)) = query.get_mut(world, planet)
-    else {
-        return Ok(());
-    };
-    let before = crate::crust::ledger::measure(&crust, mesh, body.radius);
+    let ((body, mesh, params, frames), (mut crust, mut ledger)) = query
+        .get_mut(world, planet)
+        .map_err(|_| CommandError::NoPlanet)?;
+    let before = ledger::measure(&crust, mesh, body.radius);
     edit(&mut paint::Scene {
         mesh,
         params,
@@ -197,12 +210,9 @@ fn edit_crust(
         radius: body.radius,
         crust: &mut crust,
     });
-    let after = crate::crust::ledger::measure(&crust, mesh, body.radius);
-    ledger.book(
-        Cause::Command,
-        after.area - before.area,
-        after.volume - before.volume,
-    );
-    crate::plate::caches::recompute_stats(world, planet);
+    let after = ledger::measure(&crust, mesh, body.radius);
+    let (area, volume) = (after.area - before.area, after.volume - before.volume);
+    ledger.book(Cause::Command, area, volume);
+    caches::recompute_stats(world, planet);
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! What can be said of a command without a planet: names, limits, coordinates.
+//! Checks of a command that need no planet: names, limits, coordinates.
 
 use super::error::CommandError;
 use super::{Brush, PaintTarget, TectonicCommand};
@@ -22,23 +22,12 @@ impl TectonicCommand {
             Self::RiftPlate {
                 line, fragments, ..
             } => {
-                if !line.is_empty() {
-                    within("points", line.len() as f64, 2.0, 1000.0)?;
-                }
-                line.iter()
-                    .try_for_each(|&point| direction_of(point).map(|_| ()))?;
+                check_line(line)?;
                 within("fragments", f64::from(*fragments), 2.0, 4.0)
             }
             Self::PaintCrust { target, brush } => {
-                if let PaintTarget::Disc { center, radius } = target {
-                    direction_of(*center)?;
-                    within("radius", *radius, 0.0, 1e5)?;
-                }
-                match *brush {
-                    Brush::Raise(km) => within("height", km, -20.0, 20.0),
-                    Brush::Elevation(km) => within("elevation", km, -15.0, 20.0),
-                    Brush::Kind(_) => Ok(()),
-                }
+                target.check()?;
+                brush.check()
             }
             Self::SetParam { name, value } => Ok(TectonicParams::default().set(name, *value)?),
             Self::SetProcess { name, .. } => {
@@ -49,7 +38,39 @@ impl TectonicCommand {
     }
 }
 
-/// Checks that `value` lies within limits.
+impl PaintTarget {
+    fn check(&self) -> Result<(), CommandError> {
+        match *self {
+            Self::Everywhere => Ok(()),
+            Self::Disc { center, radius } => {
+                direction_of(center)?;
+                within("radius", radius, 0.0, 1e5)
+            }
+        }
+    }
+}
+
+impl Brush {
+    fn check(&self) -> Result<(), CommandError> {
+        match *self {
+            Self::Raise(km) => within("height", km, -20.0, 20.0),
+            Self::Elevation(km) => within("elevation", km, -15.0, 20.0),
+            Self::Kind(_) => Ok(()),
+        }
+    }
+}
+
+/// A line of no points asks for a random fracture.
+fn check_line(line: &[(f64, f64)]) -> Result<(), CommandError> {
+    if line.is_empty() {
+        return Ok(());
+    }
+    within("points", line.len() as f64, 2.0, 1000.0)?;
+    line.iter()
+        .try_for_each(|&point| direction_of(point).map(|_| ()))
+}
+
+/// Refuses a value outside of its limits, NaN included.
 pub(super) fn within(
     field: &'static str,
     value: f64,

@@ -8,6 +8,7 @@ use bevy::prelude::*;
 /// Something that a user of the tectonic model may do at any moment (paper 000 §7.1).
 #[derive(Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
+#[reflect(Serialize, Deserialize)]
 pub enum TectonicCommand {
     /// Gives a plate a motion.
     SetPlateMotion {

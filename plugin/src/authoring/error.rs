@@ -8,10 +8,13 @@ use thiserror::Error;
 /// Why a command was refused.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum CommandError {
+    /// The entity is no planet.
+    #[error("the entity is no planet")]
+    NoPlanet,
     /// The plate does not exist, or no longer.
     #[error("there is no plate {}", .0.0)]
     NoPlate(PlateId),
-    /// A number is outside of its limits, or no number.
+    /// A number is outside of its limits, or NaN.
     #[error("{field} = {} is outside of {min}..={max}", crate::params::shown(*value))]
     OutOfRange {
         /// The field.

@@ -5,7 +5,8 @@ use super::error::CommandError;
 use bevy::prelude::*;
 
 /// A command took effect.
-#[derive(EntityEvent, Clone, Debug)]
+#[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
+#[reflect(Event)]
 pub struct CommandApplied {
     /// The planet.
     #[event_target]
@@ -14,14 +15,23 @@ pub struct CommandApplied {
     pub command: TectonicCommand,
 }
 
-/// A command was refused; the planet is unchanged.
-#[derive(EntityEvent, Clone, Debug)]
+/// A command was refused; the planet is unchanged. An entity that is no planet refuses all.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// fn complain(event: On<CommandRejected>) {
+///     warn!("{:?} is refused: {}", event.command, event.error);
+/// }
+/// # App::new().add_observer(complain);
+/// ```
+#[derive(EntityEvent, Clone, Debug, PartialEq)]
 pub struct CommandRejected {
-    /// The planet.
+    /// The entity that the command was sent to.
     #[event_target]
     pub planet: Entity,
     /// The command.
     pub command: TectonicCommand,
-    /// Why.
+    /// Why it was refused.
     pub error: CommandError,
 }

@@ -1,7 +1,19 @@
-//! What a user may do to a planet: commands in, at any moment, recorded with their time.
+//! Commands: all that a user may do to a planet, at any moment, recorded with their time.
 //!
 //! Player, modder, replay and test use the same door. Commands wait in an [`Inbox`] and take effect
 //! between two steps; a [`Recording`] of them, replayed on the same recipe, gives the same bits.
+//!
+//! ```text
+//! command    the commands
+//! error      why one is refused
+//! check      checks of a command that need no planet
+//! change     the commands that lead from some parameters to others
+//! events     a command took effect, or was refused
+//! scenario   commands with their times
+//! inbox      commands on their way
+//! paint      brushes on the crust
+//! apply      carrying commands out, between two steps
+//! ```
 
 pub mod command;
 
@@ -9,9 +21,13 @@ mod error;
 
 mod check;
 
+mod change;
+
 mod events;
 
 pub mod scenario;
+
+mod inbox;
 
 mod paint;
 
@@ -23,26 +39,6 @@ pub use apply::apply_pending;
 pub use command::{Brush, PaintTarget, TectonicCommand};
 pub use error::CommandError;
 pub use events::{CommandApplied, CommandRejected};
+pub use inbox::{Inbox, TectonicCommandsExt};
 pub use plugin::AuthoringPlugin;
 pub use scenario::{Recording, Scenario, TimedCommand};
-
-use bevy::prelude::*;
-
-/// Commands that wait for the end of the present step, in order of arrival.
-#[derive(Component, Clone, Debug, Default)]
-pub struct Inbox(pub Vec<TectonicCommand>);
-
-/// `commands.entity(planet).tectonic(command)`.
-pub trait TectonicCommandsExt {
-    /// Sends a command to the planet; it takes effect at the next step boundary.
-    fn tectonic(&mut self, command: TectonicCommand) -> &mut Self;
-}
-
-impl TectonicCommandsExt for EntityCommands<'_> {
-    fn tectonic(&mut self, command: TectonicCommand) -> &mut Self {
-        self.entry::<Inbox>()
-            .or_default()
-            .and_modify(move |mut inbox| inbox.0.push(command));
-        self
-    }
-}

@@ -3,7 +3,7 @@
 use crate::authoring::{Inbox, Recording, Scenario, TimedCommand};
 use crate::crust::{Crust, Frames, Ledger};
 use crate::params::TectonicParams;
-use crate::planet::{GeologicClock, Lattice, Planet};
+use crate::planet::{GeologicClock, Lattice, Planet, PlateNumbers};
 use crate::plate::front::FrontField;
 use crate::plate::polarity::PolarityMemory;
 use crate::plate::{Plate, PlateId, PlateMotion, PlateStats, Plates};
@@ -47,6 +47,7 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
         plates,
         stats,
         clock: entity.get::<GeologicClock>()?.clone(),
+        numbers: *entity.get::<PlateNumbers>()?,
         params: entity.get::<TectonicParams>()?.clone(),
         ledger: entity.get::<Ledger>()?.clone(),
         recording: entity.get::<Recording>()?.clone(),

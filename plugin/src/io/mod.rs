@@ -50,7 +50,7 @@ pub use digest::digest;
 pub use export::{ExportError, export};
 pub use floor::floor;
 pub use maps::{MapFileError, load_map};
-pub use preset::{PlanetRecipeLoader, PresetPlugin, load_preset};
+pub use preset::{PlanetPreset, PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{SaveError, load, save};
 pub use scenario::load_scenario;
 pub use stats::{Stats, Timings};

@@ -8,7 +8,7 @@ use crate::crust::{Cause, Crust, CrustKind, Frame, Frames, Ledger, Orogeny};
 use crate::io::{capture, digest};
 use crate::math;
 use crate::params::TectonicParams;
-use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
+use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe, PlateNumbers};
 use crate::plate::front::FrontField;
 use crate::plate::polarity::{PolarityMemory, Segment};
 use crate::plate::{PlateId, PlateMotion, PlateStats};
@@ -100,10 +100,10 @@ fn state() -> PlanetState {
         clock: GeologicClock {
             time: 20.0,
             step: 10,
-            next_plate: 2,
             resample_requested: true,
             ..GeologicClock::default()
         },
+        numbers: PlateNumbers { next: 2 },
         params,
         ledger,
         recording: Recording(vec![TimedCommand {

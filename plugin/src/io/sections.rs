@@ -7,7 +7,7 @@ mod plates;
 use super::codec::{Decoder, Encoder, floats, invalid, vectors};
 use super::save::SaveError;
 use crate::params::{OceanFloor, ProcessSwitches, TectonicParams};
-use crate::planet::{GeologicClock, Planet};
+use crate::planet::{GeologicClock, Planet, PlateNumbers};
 use crate::spawn::PlanetState;
 use account::{ledger, pending, read_ledger, read_pending, read_recording, recording};
 use bevy::math::DVec3;
@@ -120,10 +120,10 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
     else {
         return Err(SaveError::Truncated);
     };
-    let (planet, clock) = read_planet(head)?;
+    let (planet, clock, numbers) = read_planet(head)?;
     let params = read_params(parm)?;
-    let (plates, stats) = read_plates(plat, clock.next_plate)?;
-    let frames = read_frames(frms, clock.next_plate)?;
+    let (plates, stats) = read_plates(plat, numbers.next)?;
+    let frames = read_frames(frms, numbers.next)?;
     let ledger = read_ledger(ledg)?;
     let recording = read_recording(reco)?;
     let pending = read_pending(pend)?;
@@ -142,6 +142,7 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
         plates,
         stats,
         clock,
+        numbers,
         params,
         ledger,
         recording,
@@ -159,31 +160,31 @@ fn planet(state: &PlanetState) -> Vec<u8> {
     out.u64(state.clock.step);
     out.u32(state.clock.since_resample);
     out.f64(state.clock.last_resample);
-    out.u32(state.clock.next_plate);
+    out.u32(state.numbers.next);
     out.u8(u8::from(state.clock.resample_requested));
     out.0
 }
 
-fn read_planet(bytes: &[u8]) -> Result<(Planet, GeologicClock), SaveError> {
+fn read_planet(bytes: &[u8]) -> Result<(Planet, GeologicClock, PlateNumbers), SaveError> {
     let mut read = Decoder(bytes);
     let planet = Planet {
         radius: read.within("radius", 50.0, 100_000.0)?,
         seed: read.u64()?,
     };
-    let clock = GeologicClock {
+    let mut clock = GeologicClock {
         time: read.within("time", 0.0, 1e9)?,
         step: read.u64()?,
         since_resample: read.u32()?,
         last_resample: read.within("time of the last resample", 0.0, 1e9)?,
-        next_plate: read.u32()?,
-        resample_requested: flag(read.u8()?)?,
-        ..GeologicClock::default()
+        resample_requested: false,
     };
+    let numbers = PlateNumbers { next: read.u32()? };
+    clock.resample_requested = flag(read.u8()?)?;
     read.end()?;
     if clock.last_resample > clock.time {
         return Err(invalid("the last resample lies in the future".into()));
     }
-    Ok((planet, clock))
+    Ok((planet, clock, numbers))
 }
 
 fn params(state: &PlanetState) -> Vec<u8> {

@@ -11,7 +11,7 @@ pub fn show(ui: &mut Ui, view: Option<&View>, session: &Session, tool: &Tool, fr
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 14.0;
         if let Some(view) = view {
-            let (state, color) = if view.clock.paused {
+            let (state, color) = if view.controls.paused {
                 ("⏸ paused", FAINT)
             } else {
                 ("▶ running", GOOD)

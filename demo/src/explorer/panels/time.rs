@@ -10,7 +10,7 @@ use bevy_egui::egui::{DragValue, Slider, Ui, vec2};
 /// Draws the panel.
 pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
     ui.horizontal(|ui| {
-        let label = if view.clock.paused {
+        let label = if view.controls.paused {
             "▶  Play"
         } else {
             "⏸  Pause"
@@ -32,7 +32,7 @@ pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
     ui.scope(|ui| {
         ui.spacing_mut().slider_width = ui.available_width() - 84.0;
         ui.spacing_mut().interact_size = vec2(76.0, 21.0);
-        let speed = edit(ui, "speed", view.clock.speed, |ui, speed| {
+        let speed = edit(ui, "speed", view.controls.speed, |ui, speed| {
             ui.add(
                 Slider::new(speed, SPEED_LIMITS.0..=SPEED_LIMITS.1)
                     .logarithmic(true)

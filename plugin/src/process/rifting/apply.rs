@@ -4,7 +4,7 @@ use super::plan::{PlateSample, RiftPlan};
 use crate::crust::{Cause, Crust, Frame, FrameId, Frames, Ledger};
 use crate::events::PlateRifted;
 use crate::math::smoothstep;
-use crate::planet::GeologicClock;
+use crate::planet::{GeologicClock, PlateNumbers};
 use crate::plate::caches::{MovedSamples, recompute_moved};
 use crate::plate::{Plate, PlateId, PlateOf, PlateRow, PlateStats};
 use crate::view::{PlanetQuery, PlanetView};
@@ -19,15 +19,15 @@ pub(super) fn apply(
     plan: RiftPlan,
 ) -> Option<Vec<PlateId>> {
     let mut query = world.query::<(
-        PlanetQuery,
-        (&mut GeologicClock, &mut Crust, &mut Frames, &mut Ledger),
+        (PlanetQuery, &GeologicClock, &mut PlateNumbers),
+        (&mut Crust, &mut Frames, &mut Ledger),
     )>();
-    let (body, (mut clock, mut crust, mut frames, mut ledger)) =
+    let ((body, clock, mut numbers), (mut crust, mut frames, mut ledger)) =
         query.get_mut(world, planet).ok()?;
     let view = body.view();
     let volume = thin(&mut crust, &view, &plan.samples);
     ledger.book(Cause::Rifting, 0.0, volume * view.radius * view.radius);
-    let fragments = number_fragments(row.id, plan.motions.len(), &mut clock);
+    let fragments = number_fragments(row.id, plan.motions.len(), &mut numbers);
     reframe(&mut crust, &mut frames, &plan.samples, &fragments);
     let moved = moved_samples(&plan.samples, &frames, &fragments);
     let born = Plate { born: clock.time };
@@ -52,11 +52,9 @@ pub(super) fn apply(
 }
 
 /// The numbers of the fragments: the parent's, then free ones.
-fn number_fragments(parent: PlateId, count: usize, clock: &mut GeologicClock) -> Vec<PlateId> {
-    let first_free = clock.next_plate;
-    clock.next_plate += count as u32 - 1;
+fn number_fragments(parent: PlateId, count: usize, numbers: &mut PlateNumbers) -> Vec<PlateId> {
     core::iter::once(parent)
-        .chain((first_free..clock.next_plate).map(PlateId))
+        .chain((1..count).map(|_| numbers.issue()))
         .collect()
 }
 

@@ -1,78 +1,38 @@
-//! A planet: the entity, its clock, and the recipe it is grown from.
+//! What a planet is grown from.
 
 use crate::params::{ParamError, TectonicParams};
-use crate::sphere::{SphereError, SphereMesh};
+use crate::sphere::SphereError;
+use bevy::asset::ReflectAsset;
 use bevy::math::DVec3;
 use bevy::prelude::*;
-use core::time::Duration;
-use std::sync::Arc;
 use thiserror::Error;
 
-/// A tectonic planet. Several may live in one world.
-#[derive(Component, Clone, Copy, Debug, PartialEq, Reflect)]
-#[reflect(Component)]
-pub struct Planet {
-    /// Radius R in km; 6370 in paper 000, Appendix A.
-    pub radius: f64,
-    /// Seed of everything random on the planet.
-    pub seed: u64,
-}
-
-/// The samples of the sphere and their triangles, shared by everything that reads the planet.
-#[derive(Component, Clone, Deref)]
-pub struct Lattice(pub Arc<SphereMesh>);
-
-/// Geological time and how fast it passes.
-#[derive(Component, Clone, Debug, PartialEq, Reflect)]
-#[reflect(Component)]
-pub struct GeologicClock {
-    /// Time since the planet was made in My.
-    pub time: f64,
-    /// Steps taken.
-    pub step: u64,
-    /// Steps taken since the last resampling.
-    pub since_resample: u32,
-    /// Time of the last resampling in My.
-    pub last_resample: f64,
-    /// Whether a user wants a resampling at the next step.
-    pub resample_requested: bool,
-    /// Next free number for a plate.
-    pub next_plate: u32,
-    /// Wanted speed in My per second of wall clock; the machine may be slower.
-    pub speed: f64,
-    /// Whether time stands still; single steps still run.
-    pub paused: bool,
-    /// Steps asked for while paused.
-    pub single_steps: u32,
-    /// Time in My at which the clock pauses by itself.
-    pub until: Option<f64>,
-    /// Longest that the simulation may hold one frame.
-    pub frame_budget: Duration,
-}
-
-impl Default for GeologicClock {
-    fn default() -> Self {
-        Self {
-            time: 0.0,
-            step: 0,
-            since_resample: 0,
-            last_resample: 0.0,
-            resample_requested: false,
-            next_plate: 0,
-            speed: 10.0,
-            paused: false,
-            single_steps: 0,
-            until: None,
-            frame_budget: Duration::from_millis(8),
-        }
-    }
-}
-
-/// The recipe of a planet, also the content of a `*.planet.ron` preset.
+/// What a planet is grown from. Spawn it, and the planet grows on the same entity.
 ///
-/// Fields that a preset leaves out have their defaults.
-#[derive(Asset, Clone, Debug, PartialEq, TypePath, serde::Serialize, serde::Deserialize)]
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// fn setup(mut commands: Commands) {
+///     commands.spawn(PlanetRecipe { seed: 7, land: 0.4, ..default() });
+/// }
+/// # bevy::ecs::system::assert_is_system(setup);
+/// ```
+///
+/// The planet is built in the background. [`PlanetReady`](crate::spawn::PlanetReady) is triggered
+/// when it is there, [`PlanetFailed`](crate::spawn::PlanetFailed) when the recipe is refused.
+/// Inserted again, a recipe grows its planet anew; the present one lives on until the new one is
+/// ready. The component is immutable, since a planet that has grown does not change with its
+/// recipe: its parameters are [`TectonicParams`] from then on, and what is done to it is its
+/// [`Recording`](crate::authoring::Recording).
+///
+/// It is also the content of a `*.planet.ron` preset, in which fields that are left out have their
+/// defaults, and an [`Asset`]: see [`PlanetPreset`](crate::io::PlanetPreset).
+#[derive(
+    Component, Asset, Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize,
+)]
 #[serde(default, deny_unknown_fields)]
+#[component(immutable)]
+#[reflect(Component, Asset, Default, Serialize, Deserialize)]
 pub struct PlanetRecipe {
     /// Seed of everything random.
     pub seed: u64,
@@ -108,8 +68,9 @@ impl Default for PlanetRecipe {
 }
 
 /// A plate of a preset.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
+#[reflect(Default, Serialize, Deserialize)]
 pub struct PlateRecipe {
     /// Latitude and longitude of the centroid in degrees.
     pub centroid: (f64, f64),
@@ -124,6 +85,7 @@ pub struct PlateRecipe {
 /// A disc on the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
+#[reflect(Serialize, Deserialize)]
 pub struct DiscRecipe {
     /// Latitude and longitude of the centre in degrees.
     pub center: (f64, f64),
@@ -173,68 +135,72 @@ impl PlanetRecipe {
     /// # Errors
     /// The first value outside of its limits.
     pub fn validate(&self) -> Result<(), PlanetError> {
-        let within = |field, value: f64, min: f64, max: f64| {
-            if value >= min && value <= max {
-                Ok(())
-            } else {
-                Err(PlanetError::OutOfRange {
-                    field,
-                    value,
-                    min,
-                    max,
-                })
-            }
-        };
         within("samples", f64::from(self.samples), 100.0, 2_000_000.0)?;
         within("radius", self.radius, 50.0, 100_000.0)?;
         within("land", self.land, 0.0, 0.9)?;
+        self.check_plate_count()?;
+        self.params.validate()?;
+        self.plates
+            .iter()
+            .try_for_each(|plate| plate.check(self.params.max_speed))?;
+        self.continents.iter().try_for_each(DiscRecipe::check)
+    }
+
+    /// A plate needs ten samples to have an inside and a border.
+    fn check_plate_count(&self) -> Result<(), PlanetError> {
         let plates = if self.plates.is_empty() {
             self.plate_count as usize
         } else {
             self.plates.len()
         };
         within("plates", plates as f64, 2.0, Self::MAX_PLATES as f64)?;
-        if plates * 10 > self.samples as usize {
+        let needed = plates * 10;
+        if needed > self.samples as usize {
             return Err(PlanetError::TooManyPlates {
                 plates,
-                needed: plates * 10,
+                needed,
                 samples: self.samples,
             });
         }
-        self.params.validate()?;
-        for plate in &self.plates {
-            within("plate latitude", plate.centroid.0, -90.0, 90.0)?;
-            within("plate longitude", plate.centroid.1, -360.0, 360.0)?;
-            within(
-                "plate speed",
-                plate.speed,
-                -self.params.max_speed,
-                self.params.max_speed,
-            )?;
-            if let Some((lat, lon)) = plate.pole {
-                within("pole latitude", lat, -90.0, 90.0)?;
-                within("pole longitude", lon, -360.0, 360.0)?;
-            }
-        }
-        for disc in &self.continents {
-            within("continent latitude", disc.center.0, -90.0, 90.0)?;
-            within("continent longitude", disc.center.1, -360.0, 360.0)?;
-            within("continent radius", disc.radius, 1.0, 20_000.0)?;
+        Ok(())
+    }
+}
+
+impl PlateRecipe {
+    fn check(&self, max_speed: f64) -> Result<(), PlanetError> {
+        within("plate latitude", self.centroid.0, -90.0, 90.0)?;
+        within("plate longitude", self.centroid.1, -360.0, 360.0)?;
+        within("plate speed", self.speed, -max_speed, max_speed)?;
+        if let Some((lat, lon)) = self.pole {
+            within("pole latitude", lat, -90.0, 90.0)?;
+            within("pole longitude", lon, -360.0, 360.0)?;
         }
         Ok(())
     }
 }
 
 impl DiscRecipe {
+    fn check(&self) -> Result<(), PlanetError> {
+        within("continent latitude", self.center.0, -90.0, 90.0)?;
+        within("continent longitude", self.center.1, -360.0, 360.0)?;
+        within("continent radius", self.radius, 1.0, 20_000.0)
+    }
+
     /// Unit direction of the centre.
     pub fn direction(&self) -> DVec3 {
         crate::math::direction(self.center.0, self.center.1)
     }
 }
 
-/// Radius of a planet in km; that of the Earth for an entity without [`Planet`].
-pub(crate) fn planet_radius(world: &World, planet: Entity) -> f64 {
-    world
-        .get::<Planet>(planet)
-        .map_or(6370.0, |planet| planet.radius)
+/// Refuses a value outside of its limits, NaN included.
+fn within(field: &'static str, value: f64, min: f64, max: f64) -> Result<(), PlanetError> {
+    if value >= min && value <= max {
+        return Ok(());
+    }
+    Err(PlanetError::OutOfRange {
+        field,
+        value,
+        min,
+        max,
+    })
 }

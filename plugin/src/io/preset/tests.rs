@@ -1,0 +1,88 @@
+use super::*;
+
+#[test]
+fn an_empty_preset_is_the_default_planet() {
+    assert_eq!(parse_recipe("()"), Ok(PlanetRecipe::default()));
+}
+
+#[test]
+fn fields_are_read() {
+    let recipe = parse_recipe(
+        "(samples: 5000, plates: [(centroid: (10, -60), pole: (55, 20), speed: 40),
+          (centroid: (-20, 120))], continents: [(center: (0, 0), radius: 900)],
+          params: (erosion: 0.5, processes: (noise: false), ocean_floor: Paper))",
+    )
+    .unwrap();
+    assert_eq!(recipe.plates[0].pole, Some((55.0, 20.0)));
+    assert_eq!(recipe.plates[1].pole, None);
+    assert_eq!(recipe.params.erosion, 0.5);
+    assert!(!recipe.params.processes.noise && recipe.params.processes.drift);
+}
+
+#[test]
+fn what_is_written_is_read() {
+    let recipe = PlanetRecipe {
+        seed: u64::MAX,
+        land: 0.123_456_789,
+        ..PlanetRecipe::default()
+    };
+    assert_eq!(parse_recipe(&ron::to_string(&recipe).unwrap()), Ok(recipe));
+}
+
+#[test]
+fn errors_name_the_line() {
+    let line = |text: &str| parse_recipe(text).unwrap_err().line;
+    assert_eq!(line("(\n  seed: 1,\n  sampels: 5,\n)"), 3);
+    assert_eq!(line("(\n  samples: 1000000000000,\n)"), 2);
+    assert_eq!(line("(\n  seed: 1,\n  samples: 99,\n)"), 3);
+    assert_eq!(line("(\n  params: (\n    erosion: 9,\n  ),\n)"), 3);
+    assert_eq!(line("(\n  land: NaN,\n)"), 2);
+    assert_eq!(line("(\n\n  radius: -inf\n)"), 3);
+    let error = parse_recipe("(\n  samples: 5000,\n  plate_count: 100000\n)").unwrap_err();
+    assert!(error.problem.contains("100000"), "{error}");
+    assert!(
+        !parse_recipe("(seed: \"a\nb\")")
+            .unwrap_err()
+            .to_string()
+            .contains('\n')
+    );
+}
+
+#[test]
+fn every_number_of_a_preset_is_checked() {
+    for bad in ["NaN", "inf", "-inf", "1e300", "-1e300"] {
+        for field in ["radius", "land"] {
+            assert!(
+                parse_recipe(&format!("({field}: {bad})")).is_err(),
+                "{field}: {bad}"
+            );
+        }
+        for info in crate::params::TectonicParams::TABLE {
+            assert!(
+                parse_recipe(&format!("(params: ({}: {bad}))", info.name)).is_err(),
+                "{}",
+                info.name
+            );
+        }
+        for plate in [
+            format!("(centroid: ({bad}, 0))"),
+            format!("(centroid: (0, {bad}))"),
+            format!("(centroid: (0, 0), speed: {bad})"),
+            format!("(centroid: (0, 0), pole: ({bad}, 0))"),
+            format!("(centroid: (0, 0), pole: (0, {bad}))"),
+        ] {
+            let text = format!("(plates: [(centroid: (1, 1)), {plate}])");
+            assert!(parse_recipe(&text).is_err(), "{text}");
+        }
+        for disc in [
+            format!("(center: ({bad}, 0), radius: 100)"),
+            format!("(center: (0, {bad}), radius: 100)"),
+            format!("(center: (0, 0), radius: {bad})"),
+        ] {
+            assert!(
+                parse_recipe(&format!("(continents: [{disc}])")).is_err(),
+                "{disc}"
+            );
+        }
+    }
+}

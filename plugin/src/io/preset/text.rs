@@ -1,0 +1,98 @@
+//! From a text to a recipe, or to the line of the mistake.
+
+use crate::io::{IoError, read_text};
+use crate::params::ParamError;
+use crate::planet::{PlanetError, PlanetRecipe};
+use ron::extensions::Extensions;
+use serde::de::DeserializeOwned;
+use std::path::Path;
+
+/// A mistake in a text, and the line that it is in.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("line {line}: {problem}")]
+pub struct TextError {
+    /// Line from 1; 0 where none can be named.
+    pub line: usize,
+    /// What is wrong.
+    pub problem: String,
+}
+
+impl TextError {
+    pub(in crate::io) fn in_file(self, path: &Path) -> IoError {
+        IoError::Text {
+            path: path.to_path_buf(),
+            line: self.line,
+            problem: self.problem,
+        }
+    }
+}
+
+/// Reads RON in which `Some(..)` may be left out.
+pub(in crate::io) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, TextError> {
+    ron::Options::default()
+        .with_default_extension(Extensions::IMPLICIT_SOME)
+        .from_str(text)
+        .map_err(|error| TextError {
+            line: error.span.start.line,
+            // The parser quotes the text it met; a message stays on one line.
+            problem: on_one_line(&error.code.to_string()),
+        })
+}
+
+fn on_one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Reads and checks a recipe.
+///
+/// # Errors
+/// [`TextError`] names the line of what is refused.
+pub fn parse_recipe(text: &str) -> Result<PlanetRecipe, TextError> {
+    let recipe: PlanetRecipe = parse(text)?;
+    recipe.validate().map_err(|error| TextError {
+        line: field_of(&error)
+            .and_then(|field| line_of(text, field))
+            .unwrap_or(0),
+        problem: error.to_string(),
+    })?;
+    Ok(recipe)
+}
+
+/// The name in the text of the field that an error is about.
+fn field_of(error: &PlanetError) -> Option<&str> {
+    match error {
+        PlanetError::Param(ParamError::OutOfRange { name, .. }) => Some(name),
+        PlanetError::OutOfRange { field, .. } => field.split(' ').next_back(),
+        PlanetError::TooManyPlates { .. } => Some("plates"),
+        PlanetError::Sphere(_) => Some("samples"),
+        PlanetError::Param(ParamError::Order { lower, .. }) => Some(lower),
+        PlanetError::Param(ParamError::Unknown(_)) => None,
+    }
+}
+
+/// The only line that sets the field `name`, counted from 1; `None` if there is no such line, or
+/// several.
+fn line_of(text: &str, name: &str) -> Option<usize> {
+    let mut found = (1..)
+        .zip(text.lines())
+        .filter(|(_, line)| sets_field(line, name));
+    let (first, _) = found.next()?;
+    found.next().is_none().then_some(first)
+}
+
+/// Whether the line holds `name:` as a word of its own.
+fn sets_field(line: &str, name: &str) -> bool {
+    line.match_indices(name).any(|(at, _)| {
+        let before = line[..at].chars().next_back();
+        let after = line[at + name.len()..].trim_start();
+        after.starts_with(':') && !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
+    })
+}
+
+/// Loads a recipe from a file.
+///
+/// # Errors
+/// [`IoError`] names the file and, where there is one, the line.
+pub fn load_preset(path: &Path) -> Result<PlanetRecipe, IoError> {
+    parse_recipe(&read_text(path)?).map_err(|error| error.in_file(path))
+}

@@ -1,0 +1,28 @@
+//! Making a planet: from a recipe or a save to an entity with plates.
+//!
+//! ```text
+//! state      PlanetState: a planet before it is in a world
+//! prepare    what follows from the state, found before the planet enters its world
+//! events     PlanetReady, PlanetFailed
+//! task       building in the background, on an entity with a recipe
+//! commands   commands.spawn_planet(recipe)
+//! ```
+//!
+//! Games spawn a [`PlanetRecipe`](crate::planet::PlanetRecipe) and hear of [`PlanetReady`]. Tools
+//! and tests, which would rather wait, use [`PlanetState::new`] and [`PlanetState::spawn`]. Both
+//! ways give the same bits.
+
+mod state;
+
+mod events;
+
+mod prepare;
+
+mod task;
+
+mod commands;
+
+pub use commands::SpawnPlanet;
+pub use events::{PlanetFailed, PlanetReady};
+pub use state::PlanetState;
+pub use task::{PlanetTask, SpawnPlugin};

@@ -1,0 +1,131 @@
+//! The state of a planet, before it is in a world.
+
+use super::events::PlanetReady;
+use super::task::PlanetTask;
+use crate::authoring::{Recording, Scenario};
+use crate::crust::{Crust, Frame, Frames, Ledger, ledger};
+use crate::params::TectonicParams;
+use crate::planet::{GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe, PlateNumbers};
+use crate::plate::front::FrontField;
+use crate::plate::polarity::PolarityMemory;
+use crate::plate::{PlateId, PlateMotion, PlateStats, continents, partition, stats};
+use crate::sphere::SphereMesh;
+use bevy::prelude::*;
+use std::sync::Arc;
+
+/// Everything that a planet is made of, before it is in a world: what a recipe or a save file
+/// gives.
+#[derive(Clone)]
+pub struct PlanetState {
+    /// Radius and seed.
+    pub planet: Planet,
+    /// Samples and triangles.
+    pub lattice: Lattice,
+    /// Crust columns.
+    pub crust: Crust,
+    /// Frames.
+    pub frames: Frames,
+    /// Plates in order of their numbers: number, motion, time of birth in My.
+    pub plates: Vec<(PlateId, PlateMotion, f64)>,
+    /// What each of the plates is made of, as it was found when frames last gained or lost samples:
+    /// the plates' rifting and pull go by it until the next time.
+    pub stats: Vec<PlateStats>,
+    /// The clock.
+    pub clock: GeologicClock,
+    /// The numbers of plates that are used up.
+    pub numbers: PlateNumbers,
+    /// Parameters.
+    pub params: TectonicParams,
+    /// The account of continental crust.
+    pub ledger: Ledger,
+    /// What was done to the planet.
+    pub recording: Recording,
+    /// Commands to come.
+    pub pending: Scenario,
+    /// The memory of subduction polarity.
+    pub polarity: PolarityMemory,
+    /// Distances to fronts.
+    pub fronts: FrontField,
+}
+
+impl PlanetState {
+    /// Grows the planet that `recipe` describes, at time 0.
+    ///
+    /// ```
+    /// # use bevy_pangaea::prelude::*;
+    /// let recipe = PlanetRecipe { samples: 500, ..Default::default() };
+    /// let state = PlanetState::new(&recipe)?;
+    /// assert_eq!(state.plates.len(), 40);
+    /// # Ok::<(), PlanetError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`PlanetError`] names the value of the recipe that is refused.
+    pub fn new(recipe: &PlanetRecipe) -> Result<Self, PlanetError> {
+        recipe.validate()?;
+        Self::on(recipe, Arc::new(SphereMesh::fibonacci(recipe.samples)?))
+    }
+
+    /// The same on a mesh that is already there; its number of samples counts, not the recipe's.
+    ///
+    /// # Errors
+    /// As [`PlanetState::new`].
+    pub fn on(recipe: &PlanetRecipe, mesh: Arc<SphereMesh>) -> Result<Self, PlanetError> {
+        recipe.validate()?;
+        let (motions, owner) = partition::initial_plates(recipe, &mesh);
+        let mut crust = continents::initial_crust(recipe, &mesh, &owner);
+        crust.frame.clone_from(&owner);
+        let mut numbers = PlateNumbers::default();
+        let plates: Vec<_> = motions
+            .into_iter()
+            .map(|motion| (numbers.issue(), motion, 0.0))
+            .collect();
+        let frames = Frames(plates.iter().map(|&(id, ..)| Frame::at_rest(id)).collect());
+        let stats = stats::plate_stats(&mesh, &crust, &frames, recipe.radius, |_| true);
+        Ok(Self {
+            planet: Planet {
+                radius: recipe.radius,
+                seed: recipe.seed,
+            },
+            ledger: Ledger {
+                initial: ledger::measure(&crust, &mesh, recipe.radius),
+                ..default()
+            },
+            fronts: FrontField::new(mesh.len()),
+            lattice: Lattice(mesh),
+            crust,
+            frames,
+            plates,
+            stats: stats.into_iter().map(|(_, stats)| stats).collect(),
+            clock: GeologicClock::default(),
+            numbers,
+            params: recipe.params.clone(),
+            recording: Recording::default(),
+            pending: Scenario::default(),
+            polarity: PolarityMemory::default(),
+        })
+    }
+
+    /// Puts the planet into a world. Returns its entity.
+    pub fn spawn(self, world: &mut World) -> Entity {
+        let planet = world.spawn_empty().id();
+        self.insert(world, planet);
+        planet
+    }
+
+    /// Puts the planet onto an entity, in place of the planet that it may have been; what does not
+    /// belong to its state stays as it is: the clock's controls, the inbox, how it is drawn. Where a
+    /// task is building another planet on that entity, it is cancelled. Then [`PlanetReady`] is
+    /// triggered.
+    ///
+    /// Nothing happens if the entity is gone.
+    pub fn insert(self, world: &mut World, planet: Entity) {
+        let Ok(mut entity) = world.get_entity_mut(planet) else {
+            return;
+        };
+        entity.remove::<PlanetTask>();
+        if self.prepare().insert(world, planet) {
+            world.trigger(PlanetReady { planet });
+        }
+    }
+}
