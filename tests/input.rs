@@ -1,11 +1,9 @@
 //! Bad input: every number of a recipe that no planet can have is refused, and every one that it
 //! may have works.
 
-use bevy_pangaea::planet::{DiscRecipe, PlanetError, PlateRecipe};
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::spawn::{PlanetState, SpawnPlanet};
 use pangaea_tests::shape::small;
-use pangaea_tests::world::{app, get, planet_app, steps};
+use pangaea_tests::world::{app, get, heard, listen, planet_app, steps};
 
 const BAD: [f64; 7] = [
     f64::NAN,
@@ -235,33 +233,49 @@ fn every_parameter_works_at_its_limits() {
     }
 }
 
+/// Spawns a recipe, and runs frames until its planet is there or it is refused.
+fn grow(app: &mut App, recipe: PlanetRecipe) -> Option<PlanetFailed> {
+    listen::<PlanetReady>(app);
+    listen::<PlanetFailed>(app);
+    let heard_before = (
+        heard::<PlanetReady>(app).len(),
+        heard::<PlanetFailed>(app).len(),
+    );
+    app.world_mut().commands().spawn_planet(recipe);
+    app.world_mut().flush();
+    for _ in 0..3000 {
+        app.update();
+        let heard_now = (
+            heard::<PlanetReady>(app).len(),
+            heard::<PlanetFailed>(app).len(),
+        );
+        if heard_now != heard_before {
+            return heard::<PlanetFailed>(app).get(heard_before.1).cloned();
+        }
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    panic!("neither a planet nor an error");
+}
+
 #[test]
-fn a_refused_recipe_spawns_nothing() {
+fn a_refused_recipe_makes_no_planet() {
     let mut app = app();
-    app.world_mut()
-        .commands()
-        .spawn_planet(recipe(|r| r.samples = 0));
-    app.world_mut().flush();
-    assert_eq!(
-        app.world_mut().query::<&Planet>().iter(app.world()).count(),
-        0
-    );
-    app.world_mut()
-        .commands()
-        .spawn_planet(recipe(|r| r.samples = 200));
-    app.world_mut().flush();
-    assert_eq!(
-        app.world_mut().query::<&Planet>().iter(app.world()).count(),
-        0,
-        "40 plates need 400 samples"
-    );
-    app.world_mut().commands().spawn_planet(recipe(|_| {}));
-    app.world_mut().flush();
-    assert_eq!(
-        app.world_mut().query::<&Planet>().iter(app.world()).count(),
-        1
-    );
-    app.update();
+    for (bad, word) in [
+        (recipe(|r| r.samples = 0), "samples"),
+        // 40 plates need 400 samples.
+        (recipe(|r| r.samples = 200), "400"),
+    ] {
+        let failed = grow(&mut app, bad).expect("the recipe is refused");
+        let message = failed.error.to_string();
+        assert!(
+            message.contains(word) && message.lines().count() == 1,
+            "{message}"
+        );
+        assert!(app.world().get::<Planet>(failed.planet).is_none());
+    }
+    assert_eq!(grow(&mut app, recipe(|_| {})), None);
+    let planets = app.world_mut().query::<&Planet>().iter(app.world()).count();
+    assert_eq!(planets, 1);
 }
 
 #[test]

@@ -1,12 +1,22 @@
 //! A geological process of your own, between those of Pangaea: a hot spot.
 //!
 //! A plume is fixed to the mantle; the plates drift over it, and it builds a chain of volcanoes on
-//! each of them. The system runs after the stage `Relief` of every step, for the planet that the
-//! step works on.
+//! each of them. At angular distance d from its middle crust rises by
 //!
-//! Rules of the house: continental crust is conserved, so what the process adds to continents is
-//! booked in the [`Ledger`], and thickness follows elevation by isostasy, or the volcano would sink
-//! again.
+//! ```text
+//! dz = rate · δt · smoothstep(1 - d R / radius)      km per step, at most up to the summits z_c
+//! ```
+//!
+//! and thickens by isostasy, or the volcano would sink again. Reads: frames. Writes: elevation,
+//! thickness, ledger. It follows [`Stage::SurfaceProcesses`], so that a step's erosion meets the
+//! volcano in the next step.
+//!
+//! What a process must do:
+//! - work on [`CurrentPlanet`] alone, in a set of [`TectonicStep`] after the stage that it follows;
+//! - keep the mathematics in functions that know no ECS: the system gathers, calls and writes;
+//! - sum in the order of samples, so that the same seed gives the same bits;
+//! - book what continents gain or lose: continental crust is conserved, and what no cause explains
+//!   shows in [`Ledger::unexplained_volume_max`].
 //!
 //! `cargo run -p bevy_pangaea --example custom_process --no-default-features`
 
@@ -16,11 +26,12 @@ use bevy_pangaea::crust::Cause;
 use bevy_pangaea::crust::isostasy::Isostasy;
 use bevy_pangaea::math::{angle_between, direction, lat_lon, smoothstep};
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::schedule::run_steps;
-use bevy_pangaea::spawn::PlanetState;
+use bevy_pangaea::resample::project_now;
+use bevy_pangaea::view::{PlanetQuery, PlanetView};
 
-/// A plume under a planet.
-#[derive(Component)]
+/// A plume under a planet, on the planet's entity.
+#[derive(Component, Clone, Debug, Reflect)]
+#[reflect(Component)]
 struct HotSpot {
     /// Unit direction, fixed to the mantle.
     at: DVec3,
@@ -43,81 +54,78 @@ impl Plugin for HotSpotPlugin {
 
 fn erupt(
     current: Res<CurrentPlanet>,
-    mut planets: Query<(
-        &HotSpot,
-        &Planet,
-        &Lattice,
-        &TectonicParams,
-        &Frames,
-        &mut Crust,
-        &mut Ledger,
-    )>,
+    mut planets: Query<(&HotSpot, PlanetQuery, &Frames, &mut Crust, &mut Ledger)>,
 ) {
-    let Ok((spot, planet, mesh, params, frames, mut crust, mut ledger)) =
-        planets.get_mut(current.0)
-    else {
+    let Ok((spot, planet, frames, mut crust, mut ledger)) = planets.get_mut(current.0) else {
         return;
     };
-    let isostasy = Isostasy::new(params);
+    let volume = build_volcano(spot, &planet.view(), frames, &mut crust);
+    // No continent grows in area: the kind of the crust stays as it is.
+    ledger.book(Cause::Custom, 0.0, volume);
+}
+
+/// Lets the volcano grow for one step. Returns the volume in km³ that continents gain.
+fn build_volcano(spot: &HotSpot, planet: &PlanetView, frames: &Frames, crust: &mut Crust) -> f64 {
+    let isostasy = Isostasy::new(planet.params);
+    let summit = planet.params.summit_elevation as f32;
     let mut volume = 0.0;
     for i in 0..crust.len() {
         // Samples never move; their frame says where they are now.
-        let p = frames[usize::from(crust.frame[i])].to_world(mesh.point(i as u32));
-        let distance = angle_between(p, spot.at) * planet.radius;
+        let place = frames[usize::from(crust.frame[i])].to_world(planet.mesh.points()[i]);
+        let distance = angle_between(place, spot.at) * planet.radius;
         if distance >= spot.radius {
             continue;
         }
-        let growth = spot.rate * params.time_step * smoothstep(1.0 - distance / spot.radius);
-        let z = crust.elevation[i];
-        let raised = (z + growth as f32).min(params.summit_elevation as f32);
-        let before = crust.thickness[i];
-        crust.thickness[i] += isostasy.thickening(z, raised - z);
+        let growth = spot.rate * planet.params.time_step * smoothstep(1.0 - distance / spot.radius);
+        let (z, thickness) = (crust.elevation[i], crust.thickness[i]);
+        let raised = (z + growth as f32).min(summit).max(z);
         crust.elevation[i] = raised;
+        crust.thickness[i] += isostasy.thickening(z, raised - z);
         if crust.is_continental(i) {
-            volume += f64::from(crust.thickness[i] - before)
-                * mesh.area(i as u32)
-                * planet.radius
-                * planet.radius;
+            let thickening = f64::from(crust.thickness[i] - thickness);
+            volume += thickening * planet.mesh.areas()[i] * planet.square();
         }
     }
-    // The causes are a closed list; magma from below is what arcs grow by as well.
-    ledger.book(Cause::Custom, 0.0, volume);
+    volume
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut app = App::new();
     app.add_plugins((PangaeaPlugins, HotSpotPlugin));
-    let world = app.world_mut();
-    let planet = PlanetState::new(&PlanetRecipe {
+    let recipe = PlanetRecipe {
         seed: 3,
         samples: 20_000,
         ..default()
-    })?
-    .spawn(world);
-    let at = direction(19.0, -155.0);
+    };
+    let world = app.world_mut();
+    let planet = PlanetState::new(&recipe)?.spawn(world);
+    let hawaii = direction(19.0, -155.0);
     world.entity_mut(planet).insert(HotSpot {
-        at,
+        at: hawaii,
         radius: 500.0,
         rate: 0.5,
     });
     for _ in 0..6 {
         run_steps(world, planet, 5);
-        bevy_pangaea::resample::project_now(world, planet);
-        let (Some(surface), Some(mesh)) = (
-            world.get::<PlanetSurface>(planet),
-            world.get::<Lattice>(planet),
-        ) else {
-            break;
-        };
-        let spot = surface.at(mesh, at);
-        let unexplained = world
-            .get::<Ledger>(planet)
-            .map_or(0.0, |ledger| ledger.unexplained_volume_max);
-        let (lat, lon) = lat_lon(at);
-        println!(
-            "{:3.0} My  {:5.2} km at the hot spot ({lat:.0} N, {lon:.0} E), unexplained volume {unexplained:.0e}",
-            surface.time, spot.elevation
-        );
+        report(world, planet, hawaii)?;
     }
+    Ok(())
+}
+
+/// Says how high the hot spot stands, and whether the account of continental crust agrees.
+fn report(world: &mut World, planet: Entity, at: DVec3) -> Result<(), &'static str> {
+    project_now(world, planet);
+    let planet = world
+        .entity(planet)
+        .get_components::<(&PlanetSurface, &Lattice, &Ledger)>();
+    let (surface, mesh, ledger) = planet.map_err(|_| "the entity is no planet")?;
+    let elevation = surface.at(mesh, at).elevation;
+    let unexplained = ledger.unexplained_volume_max;
+    let (lat, lon) = lat_lon(at);
+    println!(
+        "{:3.0} My  {elevation:5.2} km at the hot spot ({lat:.0} N, {lon:.0} E), \
+         unexplained volume {unexplained:.0e}",
+        surface.time
+    );
     Ok(())
 }

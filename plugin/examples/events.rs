@@ -5,8 +5,6 @@
 use bevy::prelude::*;
 use bevy_pangaea::math::lat_lon;
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::schedule::run_steps;
-use bevy_pangaea::spawn::PlanetState;
 
 /// What the game keeps of the planet's history.
 #[derive(Resource, Default)]
@@ -61,14 +59,22 @@ fn hurry(
     }
 }
 
+fn lament(event: On<PlateConsumed>) {
+    println!("         plate {} is gone", event.plate.0);
+}
+
+fn complain(event: On<CommandRejected>) {
+    println!("         refused: {}", event.error);
+}
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut app = App::new();
-    app.add_plugins(PangaeaPlugins).init_resource::<Chronicle>();
-    app.add_observer(shake).add_observer(hurry);
-    app.add_observer(|event: On<PlateConsumed>| {
-        println!("         plate {} is gone", event.plate.0)
-    });
-    app.add_observer(|event: On<CommandRejected>| println!("         refused: {}", event.error));
+    app.add_plugins(PangaeaPlugins)
+        .init_resource::<Chronicle>()
+        .add_observer(shake)
+        .add_observer(hurry)
+        .add_observer(lament)
+        .add_observer(complain);
     let mut recipe = PlanetRecipe {
         seed: 1,
         samples: 10_000,
@@ -78,13 +84,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let world = app.world_mut();
     let planet = PlanetState::new(&recipe)?.spawn(world);
     run_steps(world, planet, 50);
-    let chronicle = world.resource::<Chronicle>();
+    let Chronicle { collisions, rifts } = *world.resource::<Chronicle>();
     let orders = world
         .get::<Recording>(planet)
         .map_or(0, |recording| recording.0.len());
-    println!(
-        "{} collisions, {} rifts, {orders} orders in 100 My",
-        chronicle.collisions, chronicle.rifts
-    );
+    println!("{collisions} collisions, {rifts} rifts, {orders} orders in 100 My");
     Ok(())
 }

@@ -1,12 +1,11 @@
 //! A planet without a window or a renderer: grow it for 100 My and say what became of it.
 //!
-//! `cargo run --example headless --no-default-features`
+//! `cargo run -p bevy_pangaea --example headless --no-default-features`
 
 use bevy::prelude::*;
-use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::schedule::{StageTimings, run_steps};
-use bevy_pangaea::spawn::PlanetState;
+use bevy_pangaea::resample::project_now;
+use bevy_pangaea::schedule::StageTimings;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let recipe = PlanetRecipe {
@@ -20,22 +19,27 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let planet = PlanetState::new(&recipe)?.spawn(world);
     for _ in 0..5 {
         run_steps(world, planet, 10);
-        bevy_pangaea::resample::project_now(world, planet);
-        let surface = world.get::<PlanetSurface>(planet).ok_or("no surface")?;
-        let land = (0..surface.len())
-            .filter(|&i| surface.elevation(i) > 0.0)
-            .count();
-        let plates = world
-            .get::<Plates>(planet)
-            .map_or(0, |plates| plates.iter().count());
-        let ms = world
-            .get::<StageTimings>(planet)
-            .map_or(0.0, StageTimings::step_mean_ms);
-        println!(
-            "{:4.0} My  {plates} plates  {:4.1} % land  {ms:.2} ms per step",
-            surface.time,
-            100.0 * land as f64 / surface.len() as f64
-        );
+        report(world, planet)?;
     }
+    Ok(())
+}
+
+/// Says how the planet is.
+fn report(world: &mut World, planet: Entity) -> Result<(), &'static str> {
+    project_now(world, planet);
+    let planet = world
+        .entity(planet)
+        .get_components::<(&PlanetSurface, &Plates, &StageTimings)>();
+    let (surface, plates, timings) = planet.map_err(|_| "the entity is no planet")?;
+    let land = (0..surface.len())
+        .filter(|&i| surface.elevation(i) > 0.0)
+        .count();
+    println!(
+        "{:4.0} My  {} plates  {:4.1} % land  {:.2} ms per step",
+        surface.time,
+        plates.iter().count(),
+        100.0 * land as f64 / surface.len() as f64,
+        timings.step_mean_ms()
+    );
     Ok(())
 }

@@ -4,7 +4,6 @@
 
 use bevy::prelude::*;
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::render::PangaeaRenderPlugin;
 
 fn main() {
     App::new()
@@ -14,7 +13,7 @@ fn main() {
 }
 
 fn setup(mut commands: Commands) {
-    commands.spawn_planet(PlanetRecipe {
+    commands.spawn(PlanetRecipe {
         seed: 7,
         ..default()
     });

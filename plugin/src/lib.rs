@@ -59,6 +59,9 @@ mod plugin;
 
 pub use plugin::PangaeaPlugins;
 
+#[cfg(test)]
+mod registry_tests;
+
 /// All that the examples of the README use.
 pub mod prelude {
     pub use crate::PangaeaPlugins;

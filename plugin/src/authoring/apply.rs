@@ -29,11 +29,8 @@ pub fn apply_pending(world: &mut World, planet: Entity) {
         return;
     }
     for command in due {
-        match apply(world, planet, &command) {
-            Ok(()) => {
-                record(world, planet, step, command.clone());
-                world.trigger(CommandApplied { planet, command });
-            }
+        match apply_now(world, planet, &command) {
+            Ok(()) => world.trigger(CommandApplied { planet, command }),
             Err(error) => world.trigger(CommandRejected {
                 planet,
                 command,
@@ -44,6 +41,28 @@ pub fn apply_pending(world: &mut World, planet: Entity) {
     project_at_boundary(world, planet);
 }
 
+/// Carries out one command at once and records it: for tools, which look at the result instead of
+/// hearing of it. The planet must stand between two steps.
+///
+/// # Errors
+/// [`CommandError`]; nothing has changed then.
+pub fn apply_now(
+    world: &mut World,
+    planet: Entity,
+    command: &TectonicCommand,
+) -> Result<(), CommandError> {
+    let step = world
+        .get::<GeologicClock>(planet)
+        .ok_or(CommandError::NoPlanet)?
+        .step;
+    apply(world, planet, command)?;
+    if let Some(mut recording) = world.get_mut::<Recording>(planet) {
+        let command = command.clone();
+        recording.0.push(TimedCommand { step, command });
+    }
+    Ok(())
+}
+
 fn take_due(world: &mut World, planet: Entity, step: u64) -> Vec<TectonicCommand> {
     let mut due = world
         .get_mut::<Scenario>(planet)
@@ -52,12 +71,6 @@ fn take_due(world: &mut World, planet: Entity, step: u64) -> Vec<TectonicCommand
         due.append(&mut inbox.0);
     }
     due
-}
-
-fn record(world: &mut World, planet: Entity, step: u64, command: TectonicCommand) {
-    if let Some(mut recording) = world.get_mut::<Recording>(planet) {
-        recording.0.push(TimedCommand { step, command });
-    }
 }
 
 /// Shows what commands have changed, where someone looks and no step is about to do so.
@@ -71,10 +84,6 @@ fn project_at_boundary(world: &mut World, planet: Entity) {
     }
 }
 
-/// Carries out one command.
-///
-/// # Errors
-/// [`CommandError`]; nothing has changed then.
 fn apply(world: &mut World, planet: Entity, command: &TectonicCommand) -> Result<(), CommandError> {
     command.check()?;
     match command {

@@ -56,3 +56,7 @@ fn refuse(entity: EntityWorldMut, command: TectonicCommand) {
         error,
     });
 }
+
+#[cfg(test)]
+#[path = "inbox_tests.rs"]
+mod tests;

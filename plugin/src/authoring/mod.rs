@@ -35,7 +35,7 @@ mod apply;
 
 mod plugin;
 
-pub use apply::apply_pending;
+pub use apply::{apply_now, apply_pending};
 pub use command::{Brush, PaintTarget, TectonicCommand};
 pub use error::CommandError;
 pub use events::{CommandApplied, CommandRejected};

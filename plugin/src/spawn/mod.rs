@@ -26,3 +26,6 @@ pub use commands::SpawnPlanet;
 pub use events::{PlanetFailed, PlanetReady};
 pub use state::PlanetState;
 pub use task::{PlanetTask, SpawnPlugin};
+
+#[cfg(test)]
+mod tests;

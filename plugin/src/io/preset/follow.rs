@@ -88,3 +88,7 @@ fn differ_in_params_alone(a: &PlanetRecipe, b: &PlanetRecipe) -> bool {
     };
     with_params_of_b == *b
 }
+
+#[cfg(test)]
+#[path = "follow_tests.rs"]
+mod tests;

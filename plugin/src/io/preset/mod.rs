@@ -54,6 +54,3 @@ impl Plugin for PresetPlugin {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -96,3 +96,7 @@ fn sets_field(line: &str, name: &str) -> bool {
 pub fn load_preset(path: &Path) -> Result<PlanetRecipe, IoError> {
     parse_recipe(&read_text(path)?).map_err(|error| error.in_file(path))
 }
+
+#[cfg(test)]
+#[path = "text_tests.rs"]
+mod tests;

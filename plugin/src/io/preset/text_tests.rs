@@ -29,15 +29,18 @@ fn what_is_written_is_read() {
     assert_eq!(parse_recipe(&ron::to_string(&recipe).unwrap()), Ok(recipe));
 }
 
+fn line_of_error(text: &str) -> usize {
+    parse_recipe(text).unwrap_err().line
+}
+
 #[test]
 fn errors_name_the_line() {
-    let line = |text: &str| parse_recipe(text).unwrap_err().line;
-    assert_eq!(line("(\n  seed: 1,\n  sampels: 5,\n)"), 3);
-    assert_eq!(line("(\n  samples: 1000000000000,\n)"), 2);
-    assert_eq!(line("(\n  seed: 1,\n  samples: 99,\n)"), 3);
-    assert_eq!(line("(\n  params: (\n    erosion: 9,\n  ),\n)"), 3);
-    assert_eq!(line("(\n  land: NaN,\n)"), 2);
-    assert_eq!(line("(\n\n  radius: -inf\n)"), 3);
+    assert_eq!(line_of_error("(\n  seed: 1,\n  sampels: 5,\n)"), 3);
+    assert_eq!(line_of_error("(\n  samples: 1000000000000,\n)"), 2);
+    assert_eq!(line_of_error("(\n  seed: 1,\n  samples: 99,\n)"), 3);
+    assert_eq!(line_of_error("(\n  params: (\n    erosion: 9,\n  ),\n)"), 3);
+    assert_eq!(line_of_error("(\n  land: NaN,\n)"), 2);
+    assert_eq!(line_of_error("(\n\n  radius: -inf\n)"), 3);
     let error = parse_recipe("(\n  samples: 5000,\n  plate_count: 100000\n)").unwrap_err();
     assert!(error.problem.contains("100000"), "{error}");
     assert!(
@@ -48,22 +51,27 @@ fn errors_name_the_line() {
     );
 }
 
+const BAD_NUMBERS: [&str; 5] = ["NaN", "inf", "-inf", "1e300", "-1e300"];
+
+fn assert_refused(text: &str) {
+    assert!(parse_recipe(text).is_err(), "{text}");
+}
+
 #[test]
 fn every_number_of_a_preset_is_checked() {
-    for bad in ["NaN", "inf", "-inf", "1e300", "-1e300"] {
+    for bad in BAD_NUMBERS {
         for field in ["radius", "land"] {
-            assert!(
-                parse_recipe(&format!("({field}: {bad})")).is_err(),
-                "{field}: {bad}"
-            );
+            assert_refused(&format!("({field}: {bad})"));
         }
         for info in crate::params::TectonicParams::TABLE {
-            assert!(
-                parse_recipe(&format!("(params: ({}: {bad}))", info.name)).is_err(),
-                "{}",
-                info.name
-            );
+            assert_refused(&format!("(params: ({}: {bad}))", info.name));
         }
+    }
+}
+
+#[test]
+fn every_number_of_a_plate_and_a_continent_is_checked() {
+    for bad in BAD_NUMBERS {
         for plate in [
             format!("(centroid: ({bad}, 0))"),
             format!("(centroid: (0, {bad}))"),
@@ -71,18 +79,14 @@ fn every_number_of_a_preset_is_checked() {
             format!("(centroid: (0, 0), pole: ({bad}, 0))"),
             format!("(centroid: (0, 0), pole: (0, {bad}))"),
         ] {
-            let text = format!("(plates: [(centroid: (1, 1)), {plate}])");
-            assert!(parse_recipe(&text).is_err(), "{text}");
+            assert_refused(&format!("(plates: [(centroid: (1, 1)), {plate}])"));
         }
         for disc in [
             format!("(center: ({bad}, 0), radius: 100)"),
             format!("(center: (0, {bad}), radius: 100)"),
             format!("(center: (0, 0), radius: {bad})"),
         ] {
-            assert!(
-                parse_recipe(&format!("(continents: [{disc}])")).is_err(),
-                "{disc}"
-            );
+            assert_refused(&format!("(continents: [{disc}])"));
         }
     }
 }
