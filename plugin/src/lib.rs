@@ -1,4 +1,204 @@
-//! Tectonic planets for Bevy: plates that drift, collide, subduct, rift and make new ocean floor.
+//! Tectonic planets for [Bevy](https://bevy.org): plates that drift, collide, subduct and rift, and
+//! the ground that they leave behind, down to 40 cm.
+//!
+//! The models are those of *Procedural Tectonic Planets* (Cortial, Peytavie, Galin, Guérin,
+//! Computer Graphics Forum 38(2), 2019; "paper 000" in these pages) and *Real-Time
+//! Hyper-Amplification of Planets* (the same, The Visual Computer, 2020; "paper 002").
+//!
+//! # Quick start
+//!
+//! A planet is spawned like anything else, by a component that says what it is grown from.
+//!
+//! ```no_run
+//! # #[cfg(feature = "render")]
+//! # mod game {
+//! use bevy::prelude::*;
+//! use bevy_pangaea::prelude::*;
+//!
+//! fn main() {
+//!     App::new()
+//!         .add_plugins((DefaultPlugins, PangaeaPlugins, PangaeaRenderPlugin))
+//!         .add_systems(Startup, setup)
+//!         .run();
+//! }
+//!
+//! fn setup(mut commands: Commands) {
+//!     commands.spawn(PlanetRecipe { seed: 7, ..default() });
+//!     let camera = Transform::from_xyz(0.0, 1.0, 3.0).looking_at(Vec3::ZERO, Vec3::Y);
+//!     commands.spawn((Camera3d::default(), camera));
+//! }
+//! # }
+//! ```
+//!
+//! It is built in the background, on the same entity; [`PlanetReady`] tells when it is there, and
+//! [`PlanetFailed`] when the recipe is refused. Then time passes on it at 10 My a second, until
+//! [`ClockControls`] say otherwise. The globe is a unit sphere with its north pole on +Y; a
+//! component [`Globe`](render::Globe) says how it is drawn.
+//!
+//! Tools and tests that would rather wait build the state themselves and take whole steps:
+//!
+//! ```
+//! use bevy::prelude::*;
+//! use bevy_pangaea::prelude::*;
+//!
+//! # fn main() -> Result<(), PlanetError> {
+//! let mut app = App::new();
+//! app.add_plugins(PangaeaPlugins);
+//! let recipe = PlanetRecipe { seed: 7, samples: 1000, ..default() };
+//! let planet = PlanetState::new(&recipe)?.spawn(app.world_mut());
+//! run_steps(app.world_mut(), planet, 5); // 10 My
+//! let crust = app.world().get::<Crust>(planet).unwrap();
+//! assert_eq!(crust.len(), 1000);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Concepts
+//!
+//! | word | item | meaning |
+//! |---|---|---|
+//! | planet | [`Planet`] | an entity; all that follows are its components. Several may live in one world |
+//! | recipe | [`PlanetRecipe`] | what a planet is grown from: seed, samples, plates, land, parameters |
+//! | preset | [`PlanetPreset`] | a recipe as a file that may be edited while the game runs |
+//! | sample | [`Lattice`] | a point of the sphere with its neighbours; samples never move |
+//! | crust | [`Crust`] | the state of the ground, a column per quantity, an entry per sample |
+//! | frame | [`Frames`] | a rotation shared by samples: where their crust is now |
+//! | plate | [`Plates`] | entities that carry frames, with a [`PlateMotion`] and a stable [`PlateId`] |
+//! | terrane | [`Terrane`](plate::Terrane) | connected continental crust on one plate, as an entity |
+//! | surface | [`PlanetSurface`] | the crust as it lies now, projected on the samples: what maps and globes read |
+//! | step | [`TectonicStep`] | 2 My, a schedule of [`Stage`]s, spread over frames |
+//! | command | [`TectonicCommand`] | what a user does to a planet, at any moment, recorded |
+//! | ledger | [`Ledger`] | the account of continental crust: every change has a cause |
+//! | bake | [`PlanetBake`] | climate, rivers and control maps of a surface, made in the background |
+//! | ground | [`Ground`] | heights, water, normals, materials, rays and colliders, in metres |
+//!
+//! [`guide::symbols`] leads from the symbols of the papers to the items here.
+//!
+//! Directions are unit vectors of `f64` with +z to the north pole and +x to 0° E; latitudes and
+//! longitudes are degrees. Lengths are km, times My, speeds km/My (which is mm/y); the ground,
+//! which games stand on, is in metres.
+//!
+//! # Commands
+//!
+//! ```
+//! # use bevy::prelude::*;
+//! # use bevy_pangaea::prelude::*;
+//! fn tear(mut commands: Commands, planet: Single<Entity, With<Planet>>) {
+//!     let line = vec![(0.0, 10.0), (20.0, 14.0)];
+//!     commands.entity(*planet).tectonic(TectonicCommand::RiftPlate {
+//!         plate: PlateId(5),
+//!         line,
+//!         fragments: 2,
+//!     });
+//! }
+//! # bevy::ecs::system::assert_is_system(tear);
+//! ```
+//!
+//! A command waits for the end of the step, then it is carried out as a whole and recorded, or
+//! refused as a whole. A [`Recording`], played as a [`Scenario`] on the same recipe, gives the same
+//! bits. See [`authoring`].
+//!
+//! # Events
+//!
+//! All are triggered on the planet's entity; observe them on one planet or on all.
+//!
+//! | event | when |
+//! |---|---|
+//! | [`PlanetReady`], [`PlanetFailed`] | a planet is there, or its recipe is refused |
+//! | [`StepCompleted`] | after every step |
+//! | [`TerraneCollided`] | a terrane has been sutured to another plate |
+//! | [`PlateRifted`], [`PlateConsumed`] | a plate has broken, or is gone |
+//! | [`CrustResampled`] | new ocean floor has been made, samples are even again |
+//! | [`CommandApplied`], [`CommandRejected`] | how a command went |
+//! | [`BakeFinished`] | climate and rivers follow the planet again |
+//!
+//! # The ground
+//!
+//! A planet with [`BakeSettings`] is baked whenever its surface has changed. Its [`PlanetBake`]
+//! makes a [`PlanetGround`], which answers without a GPU, and with the same bits on every machine.
+//!
+//! ```
+//! # use bevy::prelude::*;
+//! # use bevy_pangaea::prelude::*;
+//! use bevy_pangaea::query;
+//!
+//! fn land(event: On<BakeFinished>, bakes: Query<&PlanetBake>) -> Result {
+//!     let ground = PlanetGround::of_bake(bakes.get(event.planet)?, Rules::default())?;
+//!     let here = query::direction_at(-33.0, -70.5)?;
+//!     let sample = query::sample(&ground, here, 17)?;
+//!     info!("{} m above the sea", sample.height_m);
+//!     Ok(())
+//! }
+//! # App::new().add_observer(land);
+//! ```
+//!
+//! # Your own processes, presets, files
+//!
+//! - Every process is a plugin of [`PangaeaPlugins`]: disable it, replace it, or add one of your
+//!   own [after any stage][`TectonicSystems`]. `examples/custom_process.rs` is a model for one.
+//! - A [`PlanetPreset`] lets a planet follow a `*.planet.ron` file: parameters that change there
+//!   reach the living planet as commands, anything else grows it anew.
+//! - [`io`] has saves, scenarios, maps and figures; [`overlay`] has 21 quantities as colours with
+//!   their legends.
+//! - All components, settings and events that hold plain values are reflected and registered, for
+//!   editors, scenes and scripts. A scene holds a planet's recipe; a save file holds its state.
+//!
+//! # Features
+//!
+//! | feature | default | what it adds |
+//! |---|---|---|
+//! | `render` | yes | [`render`]: the globe; without it no renderer is built |
+//! | `window` | no | a window through winit and X11, for the example `minimal` |
+//!
+//! To reload presets when their files change, switch on Bevy's own feature `file_watcher`.
+//!
+//! # What it costs
+//!
+//! About 6 ms a step at the 60,000 samples of the default recipe, at most 8 ms of a frame, and
+//! nothing that waits: see [`guide::costs`].
+//!
+//! # Further reading
+//!
+//! [ARCHITECTURE.md](https://github.com/pangaea-rs/pangaea/blob/main/ARCHITECTURE.md) is the map of
+//! the code and lists every departure from the papers;
+//! [CHANGELOG.md](https://github.com/pangaea-rs/pangaea/blob/main/CHANGELOG.md) says which changes
+//! give other planets. The binary `pangaea` of the same repository is an explorer, and grows,
+//! draws and exports planets without a window.
+//!
+//! [`BakeFinished`]: control::BakeFinished
+//! [`BakeSettings`]: control::BakeSettings
+//! [`ClockControls`]: planet::ClockControls
+//! [`CommandApplied`]: authoring::CommandApplied
+//! [`CommandRejected`]: authoring::CommandRejected
+//! [`Crust`]: crust::Crust
+//! [`CrustResampled`]: events::CrustResampled
+//! [`Frames`]: crust::Frames
+//! [`Ground`]: query::Ground
+//! [`Lattice`]: planet::Lattice
+//! [`Ledger`]: crust::Ledger
+//! [`PlanetBake`]: control::PlanetBake
+//! [`PlanetFailed`]: spawn::PlanetFailed
+//! [`PlanetGround`]: query::PlanetGround
+//! [`PlanetPreset`]: io::PlanetPreset
+//! [`PlanetReady`]: spawn::PlanetReady
+//! [`PlanetRecipe`]: planet::PlanetRecipe
+//! [`PlanetSurface`]: crust::PlanetSurface
+//! [`Planet`]: planet::Planet
+//! [`PlateConsumed`]: events::PlateConsumed
+//! [`PlateId`]: plate::PlateId
+//! [`PlateMotion`]: plate::PlateMotion
+//! [`PlateRifted`]: events::PlateRifted
+//! [`Plates`]: plate::Plates
+//! [`Recording`]: authoring::Recording
+//! [`Scenario`]: authoring::Scenario
+//! [`Stage`]: schedule::Stage
+//! [`StepCompleted`]: events::StepCompleted
+//! [`TectonicCommand`]: authoring::TectonicCommand
+//! [`TectonicStep`]: schedule::TectonicStep
+//! [`TectonicSystems`]: schedule::TectonicSystems
+//! [`TerraneCollided`]: events::TerraneCollided
+
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 // In the order of the data's way; blank lines keep rustfmt from sorting.
 
@@ -56,6 +256,8 @@ pub mod io;
 pub mod render;
 
 mod plugin;
+
+pub mod guide;
 
 pub use plugin::PangaeaPlugins;
 

@@ -1,0 +1,4 @@
+//! Pages to read, without any item.
+
+pub mod costs;
+pub mod symbols;
