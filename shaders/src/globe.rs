@@ -2,7 +2,7 @@
 
 /// A source of WGSL with the path it is known by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Source {
+pub struct WgslSource {
     /// Path for error messages, and the import path with `::` for `/` where the source is a
     /// library.
     pub path: &'static str,
@@ -31,32 +31,32 @@ pub const ATMOSPHERE: &str = include_str!("globe/atmosphere.wgsl");
 pub const LINE: &str = include_str!("globe/line.wgsl");
 
 /// Libraries, in the order in which they may be composed.
-pub const LIBRARIES: [Source; 3] = [
-    Source {
+pub const LIBRARIES: [WgslSource; 3] = [
+    WgslSource {
         path: "pangaea_shaders/globe/sample.wgsl",
         wgsl: SAMPLE,
     },
-    Source {
+    WgslSource {
         path: "pangaea_shaders/globe/light.wgsl",
         wgsl: LIGHT,
     },
-    Source {
+    WgslSource {
         path: "pangaea_shaders/globe/coast.wgsl",
         wgsl: COAST,
     },
 ];
 
 /// Passes.
-pub const PASSES: [Source; 3] = [
-    Source {
+pub const PASSES: [WgslSource; 3] = [
+    WgslSource {
         path: "pangaea_shaders/globe/surface.wgsl",
         wgsl: SURFACE,
     },
-    Source {
+    WgslSource {
         path: "pangaea_shaders/globe/atmosphere.wgsl",
         wgsl: ATMOSPHERE,
     },
-    Source {
+    WgslSource {
         path: "pangaea_shaders/globe/line.wgsl",
         wgsl: LINE,
     },

@@ -6,17 +6,17 @@
 use super::control::{ControlMesh, VertexKind};
 use super::fixed::{GRAINS, ONE};
 use super::geometry::nearest_on;
-use super::planet::Planet;
 use super::rules::EdgeKind;
+use super::scale::PlanetScale;
 use super::topology::{Edge, Face, Level, NONE};
-use super::vertex::{FAR, Segment, Vertex};
+use super::vertex::{FAR, RiverSegment, Vertex};
 use super::vertex_resolve::segment;
 
 /// Level 0 of the ground.
 #[derive(Clone, Debug)]
 pub struct Base {
     /// The planet's constants.
-    pub planet: Planet,
+    pub scale: PlanetScale,
     /// Vertices of the control mesh.
     pub vertices: Vec<Vertex>,
     /// Its edges and faces.
@@ -26,7 +26,7 @@ pub struct Base {
     /// See `starts`.
     pub around: Vec<u32>,
     /// Where to look for the face of a direction.
-    pub index: super::locate::Index,
+    pub index: super::locate::FaceIndex,
 }
 
 /// What is wrong with a control mesh.
@@ -77,7 +77,7 @@ impl Base {
     /// Makes a control mesh ready. Every face must have its three edges, every edge its two faces.
     pub fn new(mesh: &ControlMesh) -> Result<Self, BadMesh> {
         check(mesh)?;
-        let planet = Planet::new(mesh);
+        let scale = PlanetScale::new(mesh);
         let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();
         for vertex in &mut vertices {
             if vertex.is_wet() {
@@ -93,11 +93,11 @@ impl Base {
             .zip(&mesh.faces)
             .map(|(i, f)| Face::new(f.vertices, f.edges, i))
             .collect();
-        nearest_rivers(&planet, &mut vertices, &edges, &faces);
+        nearest_rivers(&scale, &mut vertices, &edges, &faces);
         let (starts, around) = incidence(vertices.len(), &faces);
-        let index = super::locate::Index::new(&vertices, &faces);
+        let index = super::locate::FaceIndex::new(&vertices, &faces);
         Ok(Self {
-            planet,
+            scale,
             vertices,
             level: Level { edges, faces },
             starts,
@@ -281,21 +281,22 @@ fn dry_drains(vertices: &mut [Vertex], edges: &mut [Edge]) {
 }
 
 /// The nearest river edge of the faces around each vertex.
-fn nearest_rivers(planet: &Planet, vertices: &mut [Vertex], edges: &[Edge], faces: &[Face]) {
+fn nearest_rivers(scale: &PlanetScale, vertices: &mut [Vertex], edges: &[Edge], faces: &[Face]) {
     for vertex in vertices.iter_mut() {
         if vertex.is_wet() {
-            let own = segment(planet, 0, 0, [vertex, vertex], vertex.discharge);
+            let own = segment(scale, 0, 0, [vertex, vertex], vertex.discharge);
             (vertex.river, vertex.river_distance, vertex.river_along) = (own, 0, 0);
         }
     }
     // A river edge is seen by the far corners of its two faces.
-    let mut found: Vec<(i32, i32, Segment)> = vec![(FAR, 0, Segment::default()); vertices.len()];
+    let mut found: Vec<(i32, i32, RiverSegment)> =
+        vec![(FAR, 0, RiverSegment::default()); vertices.len()];
     for (i, edge) in (0..).zip(edges) {
         if edge.kind != EdgeKind::River {
             continue;
         }
         let [up, down] = edge.vertices.map(|v| &vertices[v as usize]);
-        let piece = segment(planet, 0, 0, [up, down], edge.arriving);
+        let piece = segment(scale, 0, 0, [up, down], edge.arriving);
         for corner in edge
             .faces
             .iter()
@@ -303,7 +304,7 @@ fn nearest_rivers(planet: &Planet, vertices: &mut [Vertex], edges: &[Edge], face
             .map(|&f| faces[f as usize].opposite(i))
         {
             let (along, off) = nearest_on(piece.ends, vertices[corner as usize].direction);
-            let distance = planet.grains(off).min(FAR);
+            let distance = scale.grains(off).min(FAR);
             let best = &mut found[corner as usize];
             if distance < best.0 {
                 *best = (distance, along, piece);

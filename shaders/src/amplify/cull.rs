@@ -14,10 +14,10 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
     if view.horizon == i32::MAX && view.radius == i32::MAX {
         return (base.vertices.clone(), base.level.clone());
     }
-    let edge = base.planet.edge.min(i32::MAX as u32 / 16) as i32;
+    let edge = base.scale.edge.min(i32::MAX as u32 / 16) as i32;
     let reach = view
         .horizon
-        .max(view.bound(&base.planet, 0))
+        .max(view.bound(&base.scale, 0))
         .saturating_add(edge * MARGIN);
     let ground = View {
         altitude: None,
@@ -27,10 +27,10 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
     };
     let near = |face: &Face| {
         let corners = face.vertices.map(|v| &base.vertices[v as usize]);
-        ground.distance(&base.planet, corners) < reach.saturating_add(view.radius)
+        ground.distance(&base.scale, corners) < reach.saturating_add(view.radius)
     };
     // A small disc of faces is found by spreading from its middle, a great one by looking at all.
-    let quarter = (base.planet.radius_m * 4).min(1 << 28) as i32;
+    let quarter = (base.scale.radius_m * 4).min(1 << 28) as i32;
     let kept = if reach.saturating_add(view.radius) < quarter {
         spread(base, base.locate(view.direction, None), near)
     } else {
@@ -134,7 +134,7 @@ mod tests {
             };
             let near = |face: &Face| {
                 let corners = face.vertices.map(|v| &base.vertices[v as usize]);
-                view.distance(&base.planet, corners) < reach
+                view.distance(&base.scale, corners) < reach
             };
             let all: Vec<u32> = (0..)
                 .zip(&base.level.faces)

@@ -8,11 +8,11 @@ use super::arith::{linear_step, ratio};
 use super::control::VertexKind;
 use super::fixed::{Q16, difference, lift, mul_high, square_q32, weigh};
 use super::geometry::{Q12, Stance};
-use super::planet::Planet;
 use super::rules::{self, EdgeKind, Rules, shift::Shift};
+use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::Edge;
-use super::vertex::{EdgeContext, FAR, Section, Segment, Vertex};
+use super::vertex::{EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
 
 /// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
 /// its parents alone, but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
@@ -27,7 +27,7 @@ const SLACK: i32 = 10_267;
 
 /// The vertex that halves an edge of a level. `ends` are those of the edge, in its order.
 pub fn split(
-    planet: &Planet,
+    scale: &PlanetScale,
     rules: &Rules,
     edge: &Edge,
     level: u32,
@@ -36,7 +36,7 @@ pub fn split(
 ) -> Vertex {
     let [a, b] = ends;
     let mut new = average(a, b, level);
-    let length = planet.grains(difference(b.direction, a.direction));
+    let length = scale.grains(difference(b.direction, a.direction));
     let face;
     (new.direction, face) = place(rules, edge.kind, level, &new, ends, opposite);
     new.river_distance = expected_distance(edge.kind, ends, length);
@@ -45,7 +45,7 @@ pub fn split(
     } else {
         0
     };
-    let span = planet.edge_grains(level);
+    let span = scale.edge_grains(level);
     let context = EdgeContext {
         a,
         b,
@@ -54,7 +54,7 @@ pub fn split(
         length,
         span,
         level,
-        radius_m: planet.radius_m,
+        radius_m: scale.radius_m,
     };
     let ground = rules::halve(rules, edge.kind, &context);
     (new.kind, new.height, new.bed, new.water) =
@@ -115,10 +115,10 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         bed: 0,
         water: 0,
         discharge: 0,
-        river: Segment::default(),
+        river: RiverSegment::default(),
         river_distance: FAR,
         river_along: 0,
-        section: Section::between(a.section, b.section),
+        section: ValleySection::between(a.section, b.section),
         gully_bed: 0,
         gully_distance: FAR,
         lake: 0,

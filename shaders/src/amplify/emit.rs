@@ -4,14 +4,14 @@
 //! more, so that every interior edge is used exactly twice and none has a vertex inside.
 
 use super::carve::Carved;
-use super::ground::Ground;
-use super::topology::{Face, Level, Mark, NONE};
+use super::ground::RefinedGround;
+use super::topology::{Face, Level, NONE, SplitMark};
 use super::vertex::Vertex;
 
 /// A triangle of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Triangle {
-    /// Its corners, counter-clockwise from outside; indices into [`Ground::vertices`].
+    /// Its corners, counter-clockwise from outside; indices into [`RefinedGround::vertices`].
     pub vertices: [u32; 3],
     /// The level of its leaf.
     pub level: u32,
@@ -23,7 +23,7 @@ pub struct Triangle {
 pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]; 4]) -> usize {
     let v = face.vertices;
     let mid = face.edges.map(|e| match level.edges.get(e as usize) {
-        Some(edge) if edge.mark == Mark::Split => edge.mid,
+        Some(edge) if edge.mark == SplitMark::Split => edge.mid,
         _ => NONE,
     });
     let split = mid.map(|m| m != NONE);
@@ -61,14 +61,14 @@ pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]
     }
 }
 
-impl Ground {
+impl RefinedGround {
     /// The triangles of all leaves, coarse levels first.
     pub fn triangles(&self) -> Vec<Triangle> {
         let mut triangles = Vec::new();
         for (index, level) in (0..).zip(&self.levels) {
             for (f, face) in (0..)
                 .zip(&level.faces)
-                .filter(|(_, f): &(u32, &Face)| f.mark != Mark::Split)
+                .filter(|(_, f): &(u32, &Face)| f.mark != SplitMark::Split)
             {
                 let mut out = [[0; 3]; 4];
                 let made = emit(face, level, &self.vertices, &mut out);

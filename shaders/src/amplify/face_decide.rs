@@ -16,7 +16,7 @@ use super::topology::{Edge, Inner};
 use super::vertex::Vertex;
 
 /// What a face's decision depends on.
-pub struct Sight<'a> {
+pub struct FaceContext<'a> {
     /// Indices of the corners, as the edges name them.
     pub corners: [u32; 3],
     /// The corners.
@@ -32,7 +32,7 @@ pub struct Sight<'a> {
 }
 
 /// Decides the three inner edges of a face of a level.
-pub fn decide(rules: &Rules, level: u32, sight: &Sight) -> [Inner; 3] {
+pub fn decide(rules: &Rules, level: u32, sight: &FaceContext) -> [Inner; 3] {
     let mut inner = [Inner::Terrain; 3];
     if level >= STRAIGHT_LEVEL || sight.edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
         return inner;
@@ -72,7 +72,7 @@ pub fn decide(rules: &Rules, level: u32, sight: &Sight) -> [Inner; 3] {
 fn drain(
     rules: &Rules,
     level: u32,
-    sight: &Sight,
+    sight: &FaceContext,
     corner: usize,
     low: usize,
     high: usize,

@@ -5,7 +5,7 @@
 //! neighbours alone.
 
 use super::rules::{EdgeKind, Rules, gully};
-use super::topology::{Edge, Face, Mark, NONE};
+use super::topology::{Edge, Face, NONE, SplitMark};
 use super::vertex::Vertex;
 use super::vertex_resolve::tributary;
 
@@ -20,7 +20,7 @@ pub fn halve(
     let [a, b] = edge.vertices;
     let child = |end: u32| {
         edge.faces.map(|f| match faces.get(f as usize) {
-            Some(face) if face.mark == Mark::Split => face.child + face.corner(end) as u32,
+            Some(face) if face.mark == SplitMark::Split => face.child + face.corner(end) as u32,
             _ => NONE,
         })
     };

@@ -9,9 +9,9 @@
 //! What was computed stays until it passes a cap, so a query near earlier ones is quick.
 
 use super::base::Base;
-use super::carve::{Carved, Kept, carve};
-use super::demand::Demand;
+use super::carve::{Carved, OceanCache, carve};
 use super::ground::FINEST;
+use super::lazy::LazyGround;
 use super::locate::{depth, sides};
 use super::rules::Rules;
 use super::vertex::Vertex;
@@ -59,39 +59,39 @@ impl Leaf {
 /// Answers queries about one planet's ground. Not shared between threads: each takes its own. `B`
 /// is a reference to the planet's level 0, or an `Arc` of it.
 #[derive(Clone, Debug)]
-pub struct Local<B> {
-    demand: Demand<B>,
-    kept: Box<Kept>,
+pub struct LocalGround<B> {
+    lazy: LazyGround<B>,
+    cache: Box<OceanCache>,
     /// Faces of the last answer, one of every level down to its leaf.
     path: Vec<u32>,
 }
 
-impl<B: Deref<Target = Base>> Local<B> {
+impl<B: Deref<Target = Base>> LocalGround<B> {
     /// An engine that has answered nothing yet.
     pub fn new(base: B, rules: &Rules) -> Self {
         Self {
-            demand: Demand::new(base, rules),
-            kept: Box::default(),
+            lazy: LazyGround::new(base, rules),
+            cache: Box::default(),
             path: Vec::new(),
         }
     }
 
     /// What was computed so far.
-    pub fn demand(&self) -> &Demand<B> {
-        &self.demand
+    pub fn lazy(&self) -> &LazyGround<B> {
+        &self.lazy
     }
 
     /// The planet's level 0.
     pub fn base(&self) -> &Base {
-        self.demand.base()
+        self.lazy.base()
     }
 
     /// The leaf of a level, at most [`FINEST`], that contains a direction. `hint` is a face of the
     /// control mesh near it, if the caller knows one. The answer depends on neither the hint nor
     /// earlier queries.
     pub fn leaf(&mut self, direction: [i32; 3], level: u32, hint: Option<u32>) -> Leaf {
-        if self.demand.len() > KEPT {
-            self.demand.clear();
+        if self.lazy.len() > KEPT {
+            self.lazy.clear();
             self.path.clear();
         }
         let level = level.min(FINEST) as usize;
@@ -100,15 +100,15 @@ impl<B: Deref<Target = Base>> Local<B> {
             face = self.child(above, face, direction);
             self.path.push(face);
         }
-        let vertices = self.demand.face(level, face).vertices.map(|v| {
-            self.demand.ensure(v);
-            *self.demand.vertex(v)
+        let vertices = self.lazy.face(level, face).vertices.map(|v| {
+            self.lazy.ensure(v);
+            *self.lazy.vertex(v)
         });
         let base_face = (0..=level)
             .rev()
-            .fold(face, |at, above| self.demand.face(above, at).parent);
-        let Self { demand, kept, .. } = self;
-        let carved = vertices.map(|v| carve(kept, &demand.base().planet, &v));
+            .fold(face, |at, above| self.lazy.face(above, at).parent);
+        let Self { lazy, cache, .. } = self;
+        let carved = vertices.map(|v| carve(cache, &lazy.base().scale, &v));
         Leaf {
             vertices,
             carved,
@@ -123,8 +123,8 @@ impl<B: Deref<Target = Base>> Local<B> {
     fn start(&mut self, direction: [i32; 3], level: usize, hint: Option<u32>) -> u32 {
         self.path.truncate(level + 1);
         while let Some(&face) = self.path.last() {
-            let corners = self.demand.face(self.path.len() - 1, face).vertices;
-            if sides(direction, corners.map(|v| self.demand.vertex(v)))
+            let corners = self.lazy.face(self.path.len() - 1, face).vertices;
+            if sides(direction, corners.map(|v| self.lazy.vertex(v)))
                 .iter()
                 .all(|&side| side > 0.0)
             {
@@ -133,7 +133,7 @@ impl<B: Deref<Target = Base>> Local<B> {
             self.path.pop();
         }
         let face = self.base().locate(direction, hint);
-        let face = self.demand.base_face(face);
+        let face = self.lazy.base_face(face);
         self.path.push(face);
         face
     }
@@ -144,8 +144,8 @@ impl<B: Deref<Target = Base>> Local<B> {
             return child;
         }
         let mut best = self.deepest(level, face, direction);
-        for edge in self.demand.face(level, face).edges {
-            for neighbour in self.demand.faces(level, edge) {
+        for edge in self.lazy.face(level, face).edges {
+            for neighbour in self.lazy.faces(level, edge) {
                 if neighbour != face {
                     let found = self.deepest(level, neighbour, direction);
                     if found.1 > best.1 {
@@ -160,20 +160,20 @@ impl<B: Deref<Target = Base>> Local<B> {
     /// The child of a face that a direction lies in, if it is one of them. On an edge between two
     /// it is the first.
     fn inside(&mut self, level: usize, face: u32, direction: [i32; 3]) -> Option<u32> {
-        let first = self.demand.quarter(level, face);
-        let middle = self.demand.face(level + 1, first + 3).vertices;
+        let first = self.lazy.quarter(level, face);
+        let middle = self.lazy.face(level + 1, first + 3).vertices;
         for v in middle {
-            self.demand.ensure_place(v);
+            self.lazy.ensure_place(v);
         }
-        let inward = sides(direction, middle.map(|v| self.demand.vertex(v)));
+        let inward = sides(direction, middle.map(|v| self.lazy.vertex(v)));
         if inward.iter().all(|&side| side > 0.0) {
             return Some(first + 3);
         }
         // The middle's edge k cuts corner k + 1 off; children do not overlap.
         let corner = (0..3).find(|k| {
-            let child = self.demand.face(level + 1, first + *k as u32);
+            let child = self.lazy.face(level + 1, first + *k as u32);
             inward[(k + 2) % 3] <= 0.0
-                && sides(direction, child.vertices.map(|v| self.demand.vertex(v)))
+                && sides(direction, child.vertices.map(|v| self.lazy.vertex(v)))
                     .iter()
                     .all(|&s| s >= 0.0)
         });
@@ -183,14 +183,14 @@ impl<B: Deref<Target = Base>> Local<B> {
     /// The child of a face in which a direction lies deepest, and how deep; below 0 it lies in
     /// none.
     fn deepest(&mut self, level: usize, face: u32, direction: [i32; 3]) -> (u32, f64) {
-        let first = self.demand.quarter(level, face);
+        let first = self.lazy.quarter(level, face);
         let mut best = (first, f64::MIN);
         for child in first..first + 4 {
-            let corners = self.demand.face(level + 1, child).vertices;
+            let corners = self.lazy.face(level + 1, child).vertices;
             for v in corners {
-                self.demand.ensure_place(v);
+                self.lazy.ensure_place(v);
             }
-            let inside = depth(sides(direction, corners.map(|v| self.demand.vertex(v))));
+            let inside = depth(sides(direction, corners.map(|v| self.lazy.vertex(v))));
             if inside > best.1 {
                 best = (child, inside);
             }

@@ -10,11 +10,11 @@ const CELLS: usize = 64;
 
 /// A face near every cell of a cube around the sphere, to start walking from.
 #[derive(Clone, Debug)]
-pub struct Index {
+pub struct FaceIndex {
     starts: Vec<u32>,
 }
 
-impl Index {
+impl FaceIndex {
     /// Indexes the faces of the control mesh.
     pub fn new(vertices: &[Vertex], faces: &[Face]) -> Self {
         let mut starts = vec![NONE; 6 * CELLS * CELLS];

@@ -4,12 +4,12 @@
 //! theoretical edge. The bound halves with the level while neighbours are about ℓ_L apart, so where
 //! c is at least 6 every face within three rings of a split one exists at its level: neighbours
 //! differ by one level at most, and no pass has to spread splits. A split face's neighbours are its
-//! halo: see [`Mark::Halo`].
+//! halo: see [`SplitMark::Halo`].
 
 use super::arith::{length, mul_q16};
 use super::fixed::{difference, mul_shift};
-use super::planet::Planet;
-use super::topology::{Edge, Face, Mark, NONE};
+use super::scale::PlanetScale;
+use super::topology::{Edge, Face, NONE, SplitMark};
 use super::vertex::Vertex;
 
 /// Least and greatest [`View::sharpness`] that keep neighbours within a level: 6 and 250, Q8.
@@ -81,27 +81,27 @@ impl View {
 
     /// Distance from what is looked at to a face's centre, sixteenths of a metre.
     #[inline]
-    pub fn distance(&self, planet: &Planet, corners: [&Vertex; 3]) -> i32 {
+    pub fn distance(&self, scale: &PlanetScale, corners: [&Vertex; 3]) -> i32 {
         let [a, b, c] = corners;
         let (ab, ac) = (
             difference(b.direction, a.direction),
             difference(c.direction, a.direction),
         );
         let centre = [0, 1, 2].map(|i| a.direction[i] + (ab[i] + ac[i]) / 3);
-        let ground = planet.chord(centre, self.direction);
+        let ground = scale.chord(centre, self.direction);
         let above = self.altitude.map_or(0, |altitude| {
             altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3
         });
         let outside = length(ground, above.clamp(-(1 << 28), 1 << 28), 0)
             .saturating_sub(self.radius)
             .max(0);
-        outside.max(self.beside(planet, centre))
+        outside.max(self.beside(scale, centre))
     }
 
     /// How far a direction lies beside the square, across the nearer pair of its sides; sixteenths
     /// of a metre, at most 0 within them.
     #[inline]
-    fn beside(&self, planet: &Planet, direction: [i32; 3]) -> i32 {
+    fn beside(&self, scale: &PlanetScale, direction: [i32; 3]) -> i32 {
         if self.sides == [[0; 3]; 2] {
             return 0;
         }
@@ -114,48 +114,52 @@ impl View {
         };
         let [x, y] = self.sides.map(along);
         // Half a side is the radius over the root of two.
-        planet.sixteenths(x.max(y)) - mul_q16(self.radius, 46_341)
+        scale.sixteenths(x.max(y)) - mul_q16(self.radius, 46_341)
     }
 
     /// Distance within which a face of a level is split, sixteenths of a metre.
     #[inline]
-    pub fn bound(&self, planet: &Planet, level: u32) -> i32 {
+    pub fn bound(&self, scale: &PlanetScale, level: u32) -> i32 {
         let finest = self.radius > 0 && level + 1 == self.level;
         let sharpness = if finest {
             RIM
         } else {
             self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1)
         };
-        mul_shift(planet.edge, sharpness, 8 + level)
+        mul_shift(scale.edge, sharpness, 8 + level)
     }
 
     /// Whether a face of a level is split.
     #[inline]
-    pub fn splits(&self, planet: &Planet, level: u32, corners: [&Vertex; 3]) -> bool {
-        level < self.level && self.distance(planet, corners) < self.bound(planet, level)
+    pub fn splits(&self, scale: &PlanetScale, level: u32, corners: [&Vertex; 3]) -> bool {
+        level < self.level && self.distance(scale, corners) < self.bound(scale, level)
     }
 }
 
 /// A face's mark once the splits are known: split, beside a split one, or neither.
 #[inline]
-pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> bool) -> Mark {
+pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> bool) -> SplitMark {
     if splits(index) {
-        return Mark::Split;
+        return SplitMark::Split;
     }
     let beside = face.edges.iter().any(|&e| {
         let [f, g] = edges[e as usize].faces;
         let other = if f == index { g } else { f };
         other != NONE && splits(other)
     });
-    if beside { Mark::Halo } else { Mark::Leaf }
+    if beside {
+        SplitMark::Halo
+    } else {
+        SplitMark::Leaf
+    }
 }
 
 /// An edge's mark: the greater of its faces'.
 #[inline]
-pub fn edge_mark(edge: &Edge, faces: &[Face]) -> Mark {
+pub fn edge_mark(edge: &Edge, faces: &[Face]) -> SplitMark {
     let of = |face: u32| {
         if face == NONE {
-            Mark::Leaf
+            SplitMark::Leaf
         } else {
             faces[face as usize].mark
         }

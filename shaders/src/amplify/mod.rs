@@ -25,7 +25,7 @@
 //! | [`emit`] | leaf, triangle | split edges; water | triangles of ground and of water |
 //!
 //! [`step`] runs those of one level, [`ground::refine`] those of a view. [`local`] answers for a
-//! single direction: it calls the same functions on [`demand`], for no more vertices than the
+//! single direction: it calls the same functions on [`lazy`], for no more vertices than the
 //! answer depends on.
 //!
 //! # Why no view changes a bit
@@ -42,7 +42,7 @@
 //!
 //! | paper | here | unit |
 //! |---|---|---|
-//! | λ, ℓ | level of an edge 0..=16, [`Planet::edge_grains`](planet::Planet::edge_grains) | ℓ₀ / 2^λ, grains of 1/1024 m |
+//! | λ, ℓ | level of an edge 0..=16, [`PlanetScale::edge_grains`](planet::Planet::edge_grains) | ℓ₀ / 2^λ, grains of 1/1024 m |
 //! | p | [`Vertex::direction`](vertex::Vertex::direction) | 1 / [`ONE`](fixed::ONE) of the radius: 3.1 mm on Earth |
 //! | h | `height`, then [`Carved::ground`](carve::Carved::ground) | grains above sea level |
 //! | h_w | `water` | grains |
@@ -70,7 +70,7 @@ pub mod geometry;
 pub mod seed;
 
 pub mod control;
-pub mod planet;
+pub mod scale;
 pub mod topology;
 pub mod vertex;
 
@@ -97,7 +97,7 @@ pub mod emit;
 
 pub mod ground;
 
-pub mod demand;
+pub mod lazy;
 pub mod local;
 
 pub mod synthetic;

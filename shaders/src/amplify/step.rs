@@ -5,21 +5,21 @@
 //! made, in the order of the edges.
 
 use super::edge_split;
-use super::face_decide::{self, Sight};
+use super::face_decide::{self, FaceContext};
 use super::face_split;
 use super::mark::edge_mark;
-use super::planet::Planet;
 use super::rules::{EdgeKind, Rules};
+use super::scale::PlanetScale;
 use super::scan::scan;
-use super::topology::{Edge, Face, Inner, Level, Mark};
+use super::topology::{Edge, Face, Inner, Level, SplitMark};
 use super::vertex::Vertex;
-use super::vertex_resolve::{Settled, Surroundings, asks, resolve};
+use super::vertex_resolve::{Settled, VertexContext, asks, resolve};
 
 /// Splits the marked faces of a level; returns the next. `vertices` grows. Without `edges` the next
 /// level has faces alone, which is all that a finest level needs; what their edges would be called
 /// is the same.
 pub fn step(
-    planet: &Planet,
+    scale: &PlanetScale,
     rules: &Rules,
     index: u32,
     level: &mut Level,
@@ -29,9 +29,9 @@ pub fn step(
     mark_edges(level);
     let made = place(level, vertices.len() as u32);
     vertices.reserve(made.vertices);
-    split_edges(planet, rules, index, level, vertices);
+    split_edges(scale, rules, index, level, vertices);
     decide_faces(rules, index, level, vertices);
-    resolve_vertices(planet, rules, index, level, vertices);
+    resolve_vertices(scale, rules, index, level, vertices);
     Level {
         edges: if edges {
             grow_edges(rules, index, level, vertices, made.edges())
@@ -43,13 +43,13 @@ pub fn step(
 }
 
 /// How much a level makes.
-struct Made {
+struct LevelCounts {
     vertices: usize,
     halves: usize,
     faces: usize,
 }
 
-impl Made {
+impl LevelCounts {
     /// Edges of the next level: halves, and three inner edges for every four faces.
     fn edges(&self) -> usize {
         self.halves + self.faces / 4 * 3
@@ -63,27 +63,27 @@ fn mark_edges(level: &mut Level) {
 }
 
 /// Gives midpoints, halves and children their places.
-fn place(level: &mut Level, first_vertex: u32) -> Made {
+fn place(level: &mut Level, first_vertex: u32) -> LevelCounts {
     let Level { edges, faces } = level;
     let mids = scan(
         edges,
         first_vertex,
-        |e| u32::from(e.mark != Mark::Leaf),
+        |e| u32::from(e.mark != SplitMark::Leaf),
         |e, place| e.mid = place,
     );
     let halves = scan(
         edges,
         0,
-        |e| 2 * u32::from(e.mark == Mark::Split),
+        |e| 2 * u32::from(e.mark == SplitMark::Split),
         |e, place| e.child = place,
     );
     let children = scan(
         faces,
         0,
-        |f| 4 * u32::from(f.mark == Mark::Split),
+        |f| 4 * u32::from(f.mark == SplitMark::Split),
         |f, place| f.child = place,
     );
-    Made {
+    LevelCounts {
         vertices: mids as usize,
         halves: halves as usize,
         faces: children as usize,
@@ -105,20 +105,20 @@ fn opposite<'a>(
 }
 
 fn split_edges(
-    planet: &Planet,
+    scale: &PlanetScale,
     rules: &Rules,
     index: u32,
     level: &Level,
     vertices: &mut Vec<Vertex>,
 ) {
     for (i, edge) in (0..).zip(&level.edges) {
-        if edge.mark != Mark::Leaf {
+        if edge.mark != SplitMark::Leaf {
             let ends = edge.vertices.map(|v| &vertices[v as usize]);
             let far = match index {
                 edge_split::STRAIGHT_LEVEL.. => [None; 2],
                 _ => [0, 1].map(|side| opposite(level, vertices, i, side)),
             };
-            let new = edge_split::split(planet, rules, edge, index, ends, far);
+            let new = edge_split::split(scale, rules, edge, index, ends, far);
             vertices.push(new);
         }
     }
@@ -130,7 +130,7 @@ fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex
     }
     for f in 0..level.faces.len() {
         let face = level.faces[f];
-        if face.mark == Mark::Leaf {
+        if face.mark == SplitMark::Leaf {
             continue;
         }
         let edges = face.edges.map(|e| &level.edges[e as usize]);
@@ -141,7 +141,7 @@ fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex
             let side = usize::from(edges[k].faces[0] == f as u32);
             opposite(level, vertices, face.edges[k], side)
         });
-        let sight = Sight {
+        let sight = FaceContext {
             corners: face.vertices,
             vertices: face.vertices.map(|v| &vertices[v as usize]),
             edges,
@@ -154,15 +154,15 @@ fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex
 }
 
 fn resolve_vertices(
-    planet: &Planet,
+    scale: &PlanetScale,
     rules: &Rules,
     index: u32,
     level: &Level,
     vertices: &mut [Vertex],
 ) {
     for (i, edge) in (0..).zip(&level.edges) {
-        if edge.mark == Mark::Split {
-            let settled = resolved((planet, rules), index, level, i, vertices);
+        if edge.mark == SplitMark::Split {
+            let settled = resolved((scale, rules), index, level, i, vertices);
             settled.write(&mut vertices[edge.mid as usize]);
         }
     }
@@ -170,14 +170,14 @@ fn resolve_vertices(
 
 /// What the faces beside an edge settle of its new vertex.
 fn resolved(
-    (planet, rules): (&Planet, &Rules),
+    (scale, rules): (&PlanetScale, &Rules),
     index: u32,
     level: &Level,
     i: u32,
     vertices: &[Vertex],
 ) -> Settled {
     let edge = &level.edges[i as usize];
-    let mut around = Surroundings {
+    let mut around = VertexContext {
         edge,
         ends: edge.vertices.map(|v| &vertices[v as usize]),
         opposite: [None; 2],
@@ -207,7 +207,7 @@ fn resolved(
             }
         }
     }
-    resolve(planet, rules, index, &vertices[edge.mid as usize], &around)
+    resolve(scale, rules, index, &vertices[edge.mid as usize], &around)
 }
 
 /// The next level's edges: halves, then inner edges.
@@ -219,7 +219,7 @@ fn grow_edges(
     count: usize,
 ) -> Vec<Edge> {
     let mut edges = Vec::with_capacity(count);
-    for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
+    for edge in level.edges.iter().filter(|e| e.mark == SplitMark::Split) {
         edges.extend(face_split::halve(
             rules,
             index,
@@ -228,7 +228,7 @@ fn grow_edges(
             vertices,
         ));
     }
-    for face in level.faces.iter().filter(|f| f.mark == Mark::Split) {
+    for face in level.faces.iter().filter(|f| f.mark == SplitMark::Split) {
         for k in 0..3 {
             edges.push(face_split::inner_edge(
                 face,
@@ -243,12 +243,12 @@ fn grow_edges(
 }
 
 /// The next level's faces.
-fn grow_faces(level: &Level, made: &Made) -> Vec<Face> {
+fn grow_faces(level: &Level, made: &LevelCounts) -> Vec<Face> {
     let mut faces = Vec::with_capacity(made.faces);
     let mut inner = made.halves as u32;
     for (f, face) in (0..)
         .zip(&level.faces)
-        .filter(|(_, f): &(u32, &Face)| f.mark == Mark::Split)
+        .filter(|(_, f): &(u32, &Face)| f.mark == SplitMark::Split)
     {
         faces.extend(face_split::quarter(face, f, inner, &level.edges));
         inner += 3;

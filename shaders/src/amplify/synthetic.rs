@@ -29,14 +29,14 @@ pub fn control_mesh(radius_m: u32, depth: u32, seed: u32) -> ControlMesh {
     mesh
 }
 
-type Point = [f64; 3];
+type UnitVector = [f64; 3];
 
-fn unit(p: Point) -> Point {
+fn unit(p: UnitVector) -> UnitVector {
     let n = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
     p.map(|x| x / n)
 }
 
-fn icosphere(depth: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
+fn icosphere(depth: u32) -> (Vec<UnitVector>, Vec<[u32; 3]>) {
     let g = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let mut points = Vec::new();
     for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
@@ -64,7 +64,7 @@ fn icosphere(depth: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
     }
     for _ in 0..depth {
         let mut middles = BTreeMap::new();
-        let mut middle = |a: u32, b: u32, points: &mut Vec<Point>| {
+        let mut middle = |a: u32, b: u32, points: &mut Vec<UnitVector>| {
             *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
                 let (p, q) = (points[a as usize], points[b as usize]);
                 points.push(unit([p[0] + q[0], p[1] + q[1], p[2] + q[2]]));
@@ -96,7 +96,7 @@ impl Square for f64 {
 }
 
 /// Positive where three points turn counter-clockwise seen from outside.
-pub fn facing([a, b, c]: [Point; 3]) -> f64 {
+pub fn facing([a, b, c]: [UnitVector; 3]) -> f64 {
     let (u, v) = (
         [0, 1, 2].map(|i| b[i] - a[i]),
         [0, 1, 2].map(|i| c[i] - a[i]),
@@ -110,7 +110,7 @@ pub fn facing([a, b, c]: [Point; 3]) -> f64 {
 }
 
 /// Moves every point by up to a fifth of an edge towards or from two of its neighbours.
-fn jitter(points: &[Point], triangles: &[[u32; 3]], seed: u32) -> Vec<Point> {
+fn jitter(points: &[UnitVector], triangles: &[[u32; 3]], seed: u32) -> Vec<UnitVector> {
     let mut moved = points.to_vec();
     let mut done = vec![false; points.len()];
     for t in triangles {
@@ -161,7 +161,7 @@ fn connect(triangles: &[[u32; 3]]) -> (Vec<ControlEdge>, Vec<ControlFace>) {
     (edges, faces)
 }
 
-fn vertex(p: Point, seed: u32, planet: u32) -> ControlVertex {
+fn vertex(p: UnitVector, seed: u32, planet: u32) -> ControlVertex {
     // Three waves of random direction make continents; a share of noise makes depressions.
     let mut wave = -0.15;
     for k in 0..6 {

@@ -11,7 +11,7 @@ pub const NONE: u32 = u32::MAX;
 /// How far an edge or a face takes part in a level's subdivision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
-pub enum Mark {
+pub enum SplitMark {
     /// Not at all: a leaf.
     #[default]
     Leaf = 0,
@@ -43,7 +43,7 @@ pub struct Edge {
     /// Level at which its river was born; 0 for a river of the control mesh.
     pub birth: u8,
     /// Whether it is split.
-    pub mark: Mark,
+    pub mark: SplitMark,
 }
 
 impl Edge {
@@ -58,7 +58,7 @@ impl Edge {
             arriving: 0,
             kind,
             birth: 0,
-            mark: Mark::Leaf,
+            mark: SplitMark::Leaf,
         }
     }
 }
@@ -108,7 +108,7 @@ pub struct Face {
     /// What lies along its inner edges.
     pub inner: [Inner; 3],
     /// Whether it is split.
-    pub mark: Mark,
+    pub mark: SplitMark,
 }
 
 impl Face {
@@ -121,7 +121,7 @@ impl Face {
             child: NONE,
             parent,
             inner: [Inner::Terrain; 3],
-            mark: Mark::Leaf,
+            mark: SplitMark::Leaf,
         }
     }
 

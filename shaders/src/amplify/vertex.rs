@@ -17,7 +17,7 @@ pub const NO_AGE: u16 = u16::MAX;
 /// true one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
-pub struct Segment {
+pub struct RiverSegment {
     /// Directions of its ends, upstream first, in units of 1 / `ONE` of the radius.
     pub ends: [[i32; 3]; 2],
     /// Bed at the ends, grains.
@@ -37,14 +37,14 @@ pub struct Segment {
 /// there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
-pub struct Section {
+pub struct ValleySection {
     /// Height of the side, grains.
     pub height: i32,
     /// Share of the ground's own height, Q16: 0 on the valley's floor, 1 beyond its rim.
     pub own: i32,
 }
 
-impl Section {
+impl ValleySection {
     /// Where there is no valley.
     #[inline]
     pub const fn outside(height: i32) -> Self {
@@ -83,13 +83,13 @@ pub struct Vertex {
     /// vertices.
     pub discharge: u32,
     /// The nearest river's segment; meaningless where `river_distance` is [`FAR`].
-    pub river: Segment,
+    pub river: RiverSegment,
     /// Distance to `river`, grains; [`FAR`] without one.
     pub river_distance: i32,
     /// Where along `river` its nearest point lies, Q16 from the upstream end.
     pub river_along: i32,
     /// What the river's valley makes of the ground here.
-    pub section: Section,
+    pub section: ValleySection,
     /// Ground of the nearest gully, grains.
     pub gully_bed: i32,
     /// Distance to the nearest gully, grains; [`FAR`] without one.
@@ -150,10 +150,10 @@ impl Vertex {
             bed: control.bed,
             water: control.water,
             discharge: flow * flow,
-            river: Segment::default(),
+            river: RiverSegment::default(),
             river_distance: FAR,
             river_along: 0,
-            section: Section::outside(control.height),
+            section: ValleySection::outside(control.height),
             gully_bed: control.height,
             gully_distance: FAR,
             lake,

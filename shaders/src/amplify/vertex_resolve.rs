@@ -13,17 +13,17 @@ use super::arith::isqrt;
 use super::control::VertexKind;
 use super::edge_split::STRAIGHT_LEVEL;
 use super::geometry::nearest_on;
-use super::planet::Planet;
 use super::rules::{EdgeKind, Rules, valley};
+use super::scale::PlanetScale;
 use super::seed::share;
 use super::topology::{Edge, Inner};
-use super::vertex::{FAR, Section, Segment, Vertex};
+use super::vertex::{FAR, RiverSegment, ValleySection, Vertex};
 
 /// An edge beside the vertex: the edge, its ends, its middle where it has one.
 pub type Beside<'a> = (&'a Edge, [&'a Vertex; 2], Option<&'a Vertex>);
 
 /// What a vertex's settling depends on.
-pub struct Surroundings<'a> {
+pub struct VertexContext<'a> {
     /// The edge that the vertex halves.
     pub edge: &'a Edge,
     /// Its ends.
@@ -56,8 +56,8 @@ pub fn asks(inner: &[Inner; 3], k: usize) -> (bool, bool, bool) {
 pub struct Settled {
     kind: VertexKind,
     branched: bool,
-    river: Nearest,
-    section: Section,
+    river: NearestRiver,
+    section: ValleySection,
     gully_bed: i32,
     gully_distance: i32,
 }
@@ -75,11 +75,11 @@ impl Settled {
 
 /// What the faces around a vertex settle of it.
 pub fn resolve(
-    planet: &Planet,
+    scale: &PlanetScale,
     rules: &Rules,
     level: u32,
     new: &Vertex,
-    around: &Surroundings,
+    around: &VertexContext,
 ) -> Settled {
     let becomes_gully = around.gully_tip && !around.river_tip && new.kind == VertexKind::Terrain;
     let kind = if becomes_gully {
@@ -87,18 +87,18 @@ pub fn resolve(
     } else {
         new.kind
     };
-    let river = near_river(planet, level, new, around);
+    let river = near_river(scale, level, new, around);
     let section = if river.is_beside {
         let mut at = *new;
         river.write(&mut at);
-        valley::section(rules, &at, planet.edge_grains(0))
+        valley::section(rules, &at, scale.edge_grains(0))
     } else {
         new.section
     };
     let (gully_bed, gully_distance) = if kind == VertexKind::Gully {
         (new.height, 0)
     } else {
-        near_gully(planet, new, around)
+        near_gully(scale, new, around)
     };
     Settled {
         kind,
@@ -123,12 +123,12 @@ pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
 /// The segment between two vertices of a river. `arriving` is the discharge at its lower end, where
 /// others may join it.
 pub fn segment(
-    planet: &Planet,
+    scale: &PlanetScale,
     birth: u8,
     level: u32,
     [up, down]: [&Vertex; 2],
     arriving: u32,
-) -> Segment {
+) -> RiverSegment {
     // A lake's floor is that of its vertices: beside them lies a beach, no bed.
     let bed = |v: &Vertex| {
         if v.kind == VertexKind::Lake {
@@ -137,7 +137,7 @@ pub fn segment(
             v.bed
         }
     };
-    Segment {
+    RiverSegment {
         ends: [up.direction, down.direction],
         bed: [bed(up), bed(down)],
         water: [up.water, down.water],
@@ -145,7 +145,7 @@ pub fn segment(
         reach: if birth == 0 {
             FAR
         } else {
-            planet.edge_grains(u32::from(birth)) / 2
+            scale.edge_grains(u32::from(birth)) / 2
         },
         level,
     }
@@ -153,23 +153,23 @@ pub fn segment(
 
 /// Nearest segment found so far.
 #[derive(Clone, Copy, Debug)]
-struct Nearest {
+struct NearestRiver {
     cost: i32,
     distance: i32,
     along: i32,
-    segment: Segment,
+    segment: RiverSegment,
     /// Whether it runs along a face of the vertex, or through an end of its edge.
     is_beside: bool,
 }
 
-impl Nearest {
+impl NearestRiver {
     /// No river yet.
     fn none() -> Self {
         Self {
             cost: i32::MAX,
             distance: FAR,
             along: 0,
-            segment: Segment::default(),
+            segment: RiverSegment::default(),
             is_beside: false,
         }
     }
@@ -182,9 +182,9 @@ impl Nearest {
     }
 
     /// Takes a segment if it is nearer; one beyond its reach counts as far.
-    fn offer(&mut self, planet: &Planet, p: [i32; 3], segment: &Segment, charge: i32) {
+    fn offer(&mut self, scale: &PlanetScale, p: [i32; 3], segment: &RiverSegment, charge: i32) {
         let (along, off) = nearest_on(segment.ends, p);
-        let distance = planet.grains(off).min(FAR / 4);
+        let distance = scale.grains(off).min(FAR / 4);
         let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
         let cost = distance + charge + beyond;
         if cost < self.cost {
@@ -200,16 +200,21 @@ impl Nearest {
 }
 
 /// The nearest river of a vertex.
-fn near_river(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) -> Nearest {
+fn near_river(
+    scale: &PlanetScale,
+    level: u32,
+    new: &Vertex,
+    around: &VertexContext,
+) -> NearestRiver {
     if new.is_wet() {
         let segment = segment(
-            planet,
+            scale,
             around.edge.birth,
             level + 1,
             [new, new],
             new.discharge,
         );
-        return Nearest {
+        return NearestRiver {
             cost: 0,
             distance: 0,
             along: 0,
@@ -218,9 +223,9 @@ fn near_river(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) 
         };
     }
     let is_beside = around.ends.iter().any(|end| end.is_wet());
-    let mut nearest = Nearest {
+    let mut nearest = NearestRiver {
         is_beside,
-        ..Nearest::none()
+        ..NearestRiver::none()
     };
     for (edge, [up, down], mid) in around.beside.iter().flatten() {
         if edge.kind != EdgeKind::River {
@@ -228,24 +233,24 @@ fn near_river(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) 
         }
         if up.is_wet() && (level >= STRAIGHT_LEVEL || mid.is_none()) {
             nearest.offer(
-                planet,
+                scale,
                 new.direction,
-                &segment(planet, edge.birth, level, [up, down], edge.arriving),
+                &segment(scale, edge.birth, level, [up, down], edge.arriving),
                 0,
             );
         } else if let Some(mid) = mid {
             if up.is_wet() {
                 nearest.offer(
-                    planet,
+                    scale,
                     new.direction,
-                    &segment(planet, edge.birth, level + 1, [up, mid], mid.discharge),
+                    &segment(scale, edge.birth, level + 1, [up, mid], mid.discharge),
                     0,
                 );
             }
             nearest.offer(
-                planet,
+                scale,
                 new.direction,
-                &segment(planet, edge.birth, level + 1, [mid, down], edge.arriving),
+                &segment(scale, edge.birth, level + 1, [mid, down], edge.arriving),
                 0,
             );
         }
@@ -253,18 +258,18 @@ fn near_river(planet: &Planet, level: u32, new: &Vertex, around: &Surroundings) 
     if nearest.cost < i32::MAX {
         nearest.is_beside = true;
     } else {
-        inherit(planet, level, new, around, &mut nearest);
+        inherit(scale, level, new, around, &mut nearest);
     }
     nearest
 }
 
 /// Offers the segments of the parents and, while edges move, of the opposite corners.
 fn inherit(
-    planet: &Planet,
+    scale: &PlanetScale,
     level: u32,
     new: &Vertex,
-    around: &Surroundings,
-    nearest: &mut Nearest,
+    around: &VertexContext,
+    nearest: &mut NearestRiver,
 ) {
     let opposite = if level < STRAIGHT_LEVEL {
         around.opposite
@@ -272,7 +277,7 @@ fn inherit(
         [None, None]
     };
     let [a, b] = around.ends.map(Some);
-    let mut seen: [Option<&Segment>; 4] = [None; 4];
+    let mut seen: [Option<&RiverSegment>; 4] = [None; 4];
     for (i, from) in [a, b, opposite[0], opposite[1]].into_iter().enumerate() {
         let Some(from) = from.filter(|v| v.river_distance < FAR) else {
             continue;
@@ -284,27 +289,27 @@ fn inherit(
         let moved = if from.river.level >= STRAIGHT_LEVEL {
             0
         } else {
-            planet.edge_grains(from.river.level) / 3
+            scale.edge_grains(from.river.level) / 3
         };
-        nearest.offer(planet, new.direction, &from.river, moved);
+        nearest.offer(scale, new.direction, &from.river, moved);
     }
 }
 
 /// Bed and distance of the nearest gully: that of an edge beside the vertex, else the mean of what
 /// the parents know.
-fn near_gully(planet: &Planet, new: &Vertex, around: &Surroundings) -> (i32, i32) {
+fn near_gully(scale: &PlanetScale, new: &Vertex, around: &VertexContext) -> (i32, i32) {
     let [a, b] = around.ends;
     let (mut bed, mut nearest) = match (a.gully_distance, b.gully_distance) {
         (FAR, FAR) => (new.height, FAR),
-        (FAR, d) => (b.gully_bed, apart(planet, new, b, d)),
-        (d, FAR) => (a.gully_bed, apart(planet, new, a, d)),
-        (d, e) if d == 0 && e == 0 => (a.gully_bed / 2 + b.gully_bed / 2, apart(planet, new, a, 0)),
+        (FAR, d) => (b.gully_bed, apart(scale, new, b, d)),
+        (d, FAR) => (a.gully_bed, apart(scale, new, a, d)),
+        (d, e) if d == 0 && e == 0 => (a.gully_bed / 2 + b.gully_bed / 2, apart(scale, new, a, 0)),
         (d, e) => (a.gully_bed / 2 + b.gully_bed / 2, d / 2 + e / 2),
     };
     for (edge, [up, down], _) in around.beside.iter().flatten() {
         if edge.kind == EdgeKind::Gully {
             let (along, off) = nearest_on([up.direction, down.direction], new.direction);
-            let distance = planet.grains(off);
+            let distance = scale.grains(off);
             if distance < nearest {
                 (bed, nearest) = (super::arith::mix(up.height, down.height, along), distance);
             }
@@ -314,7 +319,7 @@ fn near_gully(planet: &Planet, new: &Vertex, around: &Surroundings) -> (i32, i32
 }
 
 /// Distance to a parent's gully, at most that of going by the parent.
-fn apart(planet: &Planet, new: &Vertex, parent: &Vertex, distance: i32) -> i32 {
-    let step = planet.grains(super::fixed::difference(new.direction, parent.direction));
+fn apart(scale: &PlanetScale, new: &Vertex, parent: &Vertex, distance: i32) -> i32 {
+    let step = scale.grains(super::fixed::difference(new.direction, parent.direction));
     distance.min(FAR - step.min(FAR)) + step.min(FAR)
 }

@@ -6,14 +6,14 @@ use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
 use super::super::vertex::EdgeContext;
 use super::preset::Rules;
-use super::{Ground, terrain};
+use super::{VertexGround, terrain};
 
 /// The vertex of an edge with an end in the sea, or along the shore.
 ///
 /// Between land and sea it keeps the mean elevation, as the release does, drawn a little at random:
 /// the sign of the height makes the shore. Along the shore bays and headlands alternate. Under
 /// water the floor is smooth: its relief is noise, laid on once the subdivision is done.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
+pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
     use VertexKind::{Coast, Sea};
     let (a, b) = (context.a, context.b);
     match (a.kind, b.kind) {
@@ -33,7 +33,7 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
             if height <= 0 {
                 under_water(height)
             } else {
-                Ground::dry(VertexKind::Terrain, height)
+                VertexGround::dry(VertexKind::Terrain, height)
             }
         }
     }
@@ -41,9 +41,9 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
 
 /// The middle of an edge along the shore: a bay or a headland in ours, so that no coast runs
 /// straight; the shore itself at the finest levels, and in print and release.
-fn along_shore(rules: &Rules, context: &EdgeContext) -> Ground {
+fn along_shore(rules: &Rules, context: &EdgeContext) -> VertexGround {
     if !rules.landforms || context.level > 11 {
-        return Ground::dry(VertexKind::Coast, 0);
+        return VertexGround::dry(VertexKind::Coast, 0);
     }
     // Six in a thousand of the edge either way, at most 40 m; headlands a little oftener than bays.
     let toss = share(context.new.seed, 1) - 26_214;
@@ -51,7 +51,7 @@ fn along_shore(rules: &Rules, context: &EdgeContext) -> Ground {
     if height < 0 {
         under_water(height)
     } else {
-        Ground::dry(VertexKind::Terrain, height.max(1))
+        VertexGround::dry(VertexKind::Terrain, height.max(1))
     }
 }
 
@@ -73,8 +73,8 @@ fn floor(rules: &Rules, context: &EdgeContext) -> i32 {
 }
 
 /// Sea floor: its water is the sea's.
-fn under_water(height: i32) -> Ground {
-    Ground {
+fn under_water(height: i32) -> VertexGround {
+    VertexGround {
         kind: VertexKind::Sea,
         height,
         bed: height,

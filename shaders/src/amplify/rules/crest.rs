@@ -6,16 +6,16 @@ use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
 use super::super::vertex::EdgeContext;
 use super::preset::Rules;
-use super::{Ground, rise};
+use super::{VertexGround, rise};
 
 /// The crest between two rivers: above both.
-pub fn between_rivers(rules: &Rules, context: &EdgeContext) -> Ground {
-    Ground::dry(VertexKind::Terrain, height(rules, context, 50 * GRAINS))
+pub fn between_rivers(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    VertexGround::dry(VertexKind::Terrain, height(rules, context, 50 * GRAINS))
 }
 
 /// The crest between two gullies: above both.
-pub fn between_gullies(rules: &Rules, context: &EdgeContext) -> Ground {
-    Ground::dry(VertexKind::Terrain, height(rules, context, 25 * GRAINS))
+pub fn between_gullies(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    VertexGround::dry(VertexKind::Terrain, height(rules, context, 25 * GRAINS))
 }
 
 /// Height of a crest, grains. The release sets it (1 - 0.95ξ²)·min(C, 0.2 length) above the sea, at

@@ -5,15 +5,15 @@ use super::super::control::VertexKind;
 use super::super::fixed::Q16;
 use super::super::seed::share;
 use super::super::vertex::EdgeContext;
-use super::Ground;
+use super::VertexGround;
 use super::landform::steepness;
-use super::noise::{Corners, gradient};
+use super::noise::{CornerCache, gradient};
 use super::preset::Rules;
 use super::terrain::ordered;
 
 /// The ground in the middle of a fine edge.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
-    Ground::dry(VertexKind::Terrain, height(rules, context))
+pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    VertexGround::dry(VertexKind::Terrain, height(rules, context))
 }
 
 /// Its height: in ours that of the face there, and the level's own roughness.
@@ -50,7 +50,7 @@ pub fn rough(rules: &Rules, context: &EdgeContext) -> i32 {
     // Edges of level 0 have about 2²⁴ direction units.
     let cell = 25 - context.level.min(16);
     let noise = gradient(
-        &mut Corners::default(),
+        &mut CornerCache::default(),
         new.direction,
         cell,
         0x0f1e_0000 + context.level,

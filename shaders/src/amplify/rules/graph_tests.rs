@@ -44,7 +44,7 @@ fn vertex(seed: u32, kind: VertexKind) -> Vertex {
     }
 }
 
-fn halved(rules: &Rules, edge: EdgeKind, a: &Vertex, b: &Vertex, level: u32) -> Ground {
+fn halved(rules: &Rules, edge: EdgeKind, a: &Vertex, b: &Vertex, level: u32) -> VertexGround {
     let seed = super::super::seed::between(a.seed, b.seed);
     let new = Vertex {
         seed,

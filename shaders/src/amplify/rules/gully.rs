@@ -8,13 +8,13 @@ use super::super::control::VertexKind;
 use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
 use super::super::vertex::{EdgeContext, Vertex};
-use super::Ground;
+use super::VertexGround;
 use super::preset::Rules;
 use super::terrain::ordered;
 
 /// The vertex that halves a gully edge: 0.4..0.5 of the way up, in ours less at the coarse levels,
 /// so that the profile is hollow.
-pub fn along(rules: &Rules, context: &EdgeContext) -> Ground {
+pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let xi = share(context.new.seed, 0);
     let (low, high) = ordered(context.a.height, context.b.height);
     let lean = if rules.landforms {
@@ -35,7 +35,7 @@ pub fn along(rules: &Rules, context: &EdgeContext) -> Ground {
         }
         _ => height,
     };
-    Ground::dry(VertexKind::Gully, height)
+    VertexGround::dry(VertexKind::Gully, height)
 }
 
 /// Whether an internal edge of a level becomes a tributary of the river at its junction; the angle

@@ -7,7 +7,7 @@ use super::super::seed::share;
 use super::super::vertex::{EdgeContext, Vertex};
 use super::landform::dryness;
 use super::preset::Rules;
-use super::{Ground, crest};
+use super::{VertexGround, crest};
 
 /// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet
 /// land, or high in the mountains, on the coarse levels only.
@@ -34,7 +34,7 @@ fn spread(rules: &Rules) -> i32 {
 }
 
 /// R3 with a lake: the new vertex lies under the river's water, or nothing where no lake forms.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
+pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<VertexGround> {
     let (river, land) = if context.a.is_wet() {
         (context.a, context.b)
     } else {
@@ -62,7 +62,7 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
         // The floor shelves towards the shore.
         river.bed + (river.water - river.bed) / 2
     };
-    Some(Ground {
+    Some(VertexGround {
         kind: VertexKind::Lake,
         height: bed,
         bed,
@@ -71,13 +71,13 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
 }
 
 /// Between two lake vertices: the floor of their lake, or a crest between two lakes.
-pub fn between(rules: &Rules, context: &EdgeContext) -> Ground {
+pub fn between(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let (a, b) = (context.a, context.b);
     if a.lake != b.lake || a.water != b.water {
         return crest::between_rivers(rules, context);
     }
     let bed = a.bed + (b.bed - a.bed) / 2;
-    Ground {
+    VertexGround {
         kind: VertexKind::Lake,
         height: bed,
         bed,

@@ -48,7 +48,7 @@ pub enum EdgeKind {
 
 /// The ground that a rule gives to a new vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Ground {
+pub struct VertexGround {
     /// What the vertex is.
     pub kind: VertexKind,
     /// Ground, grains.
@@ -59,7 +59,7 @@ pub struct Ground {
     pub water: i32,
 }
 
-impl Ground {
+impl VertexGround {
     /// Dry ground of one kind.
     #[inline]
     pub const fn dry(kind: VertexKind, height: i32) -> Self {
@@ -74,7 +74,7 @@ impl Ground {
 
 /// The ground of the vertex that halves an edge: picks the rule by the configuration (kind, edge,
 /// kind).
-pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> Ground {
+pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
     use VertexKind::{Coast, Gully, Lake, River, Sea};
     let (a, b) = (context.a.kind, context.b.kind);
     match edge {

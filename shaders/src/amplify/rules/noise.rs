@@ -54,13 +54,13 @@ const fn gradient_dot(hash: u32, x: i32, y: i32, z: i32) -> i32 {
 /// What was drawn at the corners of a cell of one lattice. Most of a noise's work; points of a
 /// patch share it.
 #[derive(Clone, Copy, Debug)]
-pub struct Corners {
+pub struct CornerCache {
     address: [u32; 3],
     /// Of corner (x, y, z) at x + 2y + 4z.
     hashes: [u32; 8],
 }
 
-impl Default for Corners {
+impl Default for CornerCache {
     /// Those of no cell: addresses have 31 bits at most.
     fn default() -> Self {
         Self {
@@ -70,7 +70,7 @@ impl Default for Corners {
     }
 }
 
-impl Corners {
+impl CornerCache {
     fn of(address: [u32; 3], cell: u32, seed: u32) -> Self {
         let top = u32::MAX >> cell;
         let hash = |k: u32| {
@@ -85,12 +85,12 @@ impl Corners {
 }
 
 /// Gradient noise of wavelength 2^`cell` direction units at a point, about -1..1 in Q16, mean 0;
-/// `cell` 1..=30. `kept` is what the last point of the same `cell` and `seed` left; it changes no
+/// `cell` 1..=30. `cache` is what the last point of the same `cell` and `seed` left; it changes no
 /// bit.
 ///
 /// Continuous with its first two derivatives, exact at any frequency: the lattice is addressed by
 /// the bits themselves.
-pub fn gradient(kept: &mut Corners, point: [i32; 3], cell: u32, seed: u32) -> i32 {
+pub fn gradient(cache: &mut CornerCache, point: [i32; 3], cell: u32, seed: u32) -> i32 {
     // Every seed has its own origin, so that octaves do not share the zeros of their lattices.
     let mask = (1_u32 << cell) - 1;
     let mut address = [0_u32; 3];
@@ -108,14 +108,14 @@ pub fn gradient(kept: &mut Corners, point: [i32; 3], cell: u32, seed: u32) -> i3
         };
         axis += 1;
     }
-    if kept.address != address {
-        *kept = Corners::of(address, cell, seed);
+    if cache.address != address {
+        *cache = CornerCache::of(address, cell, seed);
     }
     let [x, y, z] = place;
     let (u, v, w) = (fade(x), fade(y), fade(z));
     let row = |j: usize, k: usize| {
         let (dy, dz) = (y - j as i32 * Q16, z - k as i32 * Q16);
-        let [near, far] = [0, 1].map(|i| kept.hashes[i + 2 * j + 4 * k]);
+        let [near, far] = [0, 1].map(|i| cache.hashes[i + 2 * j + 4 * k]);
         blend(
             gradient_dot(near, x, dy, dz),
             gradient_dot(far, x - Q16, dy, dz),
@@ -132,13 +132,13 @@ const fn blend(a: i32, b: i32, t: i32) -> i32 {
 }
 
 /// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of
-/// the last. As many as there are `kept` cells, at most `cell`.
-pub fn fbm(kept: &mut [Corners], point: [i32; 3], cell: u32, gain: i32, seed: u32) -> i32 {
+/// the last. As many as there are `cache` cells, at most `cell`.
+pub fn fbm(cache: &mut [CornerCache], point: [i32; 3], cell: u32, gain: i32, seed: u32) -> i32 {
     let mut sum = 0;
     let mut weight = Q16;
-    for (octave, kept) in (0..cell).zip(kept) {
+    for (octave, cache) in (0..cell).zip(cache) {
         let seed = seed.wrapping_add(octave.wrapping_mul(0x68bc_21eb));
-        sum += mul_q16(gradient(kept, point, cell - octave, seed), weight);
+        sum += mul_q16(gradient(cache, point, cell - octave, seed), weight);
         weight = mul_q16(weight, gain);
     }
     sum
@@ -152,7 +152,7 @@ mod tests {
 
     /// The noise at a point that nothing was asked before.
     fn gradient(point: [i32; 3], cell: u32, seed: u32) -> i32 {
-        super::gradient(&mut Corners::default(), point, cell, seed)
+        super::gradient(&mut CornerCache::default(), point, cell, seed)
     }
 
     fn points(count: u32) -> impl Iterator<Item = [i32; 3]> {
@@ -250,15 +250,15 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_changes_no_bit() {
+    fn a_cache_changes_no_bit() {
         for cell in [1, 9, 16, 17, 30] {
-            let mut kept = Corners::default();
+            let mut cache = CornerCache::default();
             for (k, p) in (0..).zip(points(300)) {
                 // Every point twice, the second time a little farther on.
                 for step in [0, 1 << cell >> (k % 8)] {
                     let at = p.map(|x| x.wrapping_add(step));
                     assert_eq!(
-                        super::gradient(&mut kept, at, cell, 5),
+                        super::gradient(&mut cache, at, cell, 5),
                         gradient(at, cell, 5)
                     );
                 }
@@ -273,7 +273,7 @@ mod tests {
             gradient([ONE, 0, 0], 24, 5),
             gradient([-3, 1 << 30, 77], 10, 6),
             fbm(
-                &mut [Corners::default(); 6],
+                &mut [CornerCache::default(); 6],
                 [ONE / 3, ONE / 3, ONE / 2],
                 20,
                 32_768,

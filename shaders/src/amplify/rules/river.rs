@@ -5,7 +5,7 @@ use super::super::control::VertexKind;
 use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
 use super::super::vertex::{EdgeContext, Vertex};
-use super::Ground;
+use super::VertexGround;
 use super::preset::Rules;
 
 /// First level whose river edges are halved evenly; coarser ones give the long profile its hollow.
@@ -13,7 +13,7 @@ const EVEN_LEVEL: u32 = 8;
 
 /// The vertex that halves a river edge: a bed between those of its ends, or the spring of a
 /// tributary.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
+pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
     match (context.a.is_wet(), context.b.is_wet()) {
         (true, false) if context.b.kind == VertexKind::Terrain => {
             spring(rules, context, context.a, context.b)
@@ -25,7 +25,7 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
 
 /// R1: the bed falls from one end to the other, three quarters of the way on the first half at the
 /// coarse levels, so that the long profile is hollow. Water likewise.
-fn along(context: &EdgeContext) -> Ground {
+fn along(context: &EdgeContext) -> VertexGround {
     let (up, down) = (context.a, context.b);
     let share_of_fall = if context.level < EVEN_LEVEL && context.level > 0 {
         42_598
@@ -34,7 +34,7 @@ fn along(context: &EdgeContext) -> Ground {
     };
     let bed = descend(up.bed, down.bed, share_of_fall);
     let water = descend(up.water, down.water, share_of_fall).max(bed);
-    Ground {
+    VertexGround {
         kind: VertexKind::River,
         height: bed,
         bed,
@@ -53,7 +53,7 @@ pub(super) fn descend(up: i32, down: i32, share_of_fall: i32) -> i32 {
 
 /// R4: the spring of a tributary, on the way from its mouth to the land above. The half beyond it
 /// stays land.
-fn spring(rules: &Rules, context: &EdgeContext, mouth: &Vertex, land: &Vertex) -> Ground {
+fn spring(rules: &Rules, context: &EdgeContext, mouth: &Vertex, land: &Vertex) -> VertexGround {
     let gentle = mouth.bed
         + mul_q16(mul_q16(context.length, rules.spring_slope), 39_322).min(1_500 * GRAINS);
     let xi = share(context.new.seed, 0);
@@ -64,7 +64,7 @@ fn spring(rules: &Rules, context: &EdgeContext, mouth: &Vertex, land: &Vertex) -
     );
     let bed = gentle.min(halfway).max(mouth.bed + 1);
     let water = bed.max(mouth.water.min(bed + GRAINS / 4));
-    Ground {
+    VertexGround {
         kind: VertexKind::River,
         height: bed,
         bed,

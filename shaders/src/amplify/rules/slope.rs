@@ -7,24 +7,24 @@ use super::super::fixed::{GRAINS, Q16};
 use super::super::seed::share;
 use super::super::vertex::{EdgeContext, Vertex};
 use super::preset::Rules;
-use super::{Ground, fine, rise};
+use super::{VertexGround, fine, rise};
 
 /// The slope beside a river.
-pub fn from_river(rules: &Rules, context: &EdgeContext) -> Ground {
+pub fn from_river(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let (wet, dry) = if context.a.is_wet() {
         (context.a, context.b)
     } else {
         (context.b, context.a)
     };
     let least = context.new.crust - wet.height;
-    Ground::dry(
+    VertexGround::dry(
         VertexKind::Terrain,
         height(rules, context, wet, dry, least.max(100 * GRAINS), 13_107),
     )
 }
 
 /// The slope beside a gully.
-pub fn from_gully(rules: &Rules, context: &EdgeContext) -> Ground {
+pub fn from_gully(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let gully_first = context.a.kind == VertexKind::Gully;
     let (gully, land) = if gully_first {
         (context.a, context.b)
@@ -32,7 +32,7 @@ pub fn from_gully(rules: &Rules, context: &EdgeContext) -> Ground {
         (context.b, context.a)
     };
     let least = context.new.crust - land.height;
-    Ground::dry(
+    VertexGround::dry(
         VertexKind::Terrain,
         height(rules, context, gully, land, least.max(10 * GRAINS), 6_554),
     )

@@ -14,14 +14,14 @@ use super::super::vertex::{EdgeContext, FAR, Vertex};
 use super::landform::Landform;
 use super::nodes;
 use super::preset::Rules;
-use super::{Ground, rise};
+use super::{VertexGround, rise};
 
 /// 5 km, the crust elevation at which peaks are full.
 const FULL_CRUST: i32 = 5_000 * GRAINS;
 
 /// The ground in the middle of a (t, T, t) edge.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
-    Ground::dry(VertexKind::Terrain, height(rules, context))
+pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    VertexGround::dry(VertexKind::Terrain, height(rules, context))
 }
 
 /// Its height, grains.

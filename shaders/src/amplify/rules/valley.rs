@@ -7,7 +7,7 @@
 //! root of the discharge: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
 //!
 //! The side is measured where a vertex touches its river; between such vertices and beyond it is
-//! halved as the ground is ([`Section`]). Nearest pieces of river change from one vertex to the
+//! halved as the ground is ([`ValleySection`]). Nearest pieces of river change from one vertex to the
 //! next, and a side measured from each would break off along seams.
 //!
 //! Departures: D is bounded by a share of the control mesh's edge, so that small planets have
@@ -17,7 +17,7 @@
 use super::super::arith::{mix, mul_q16, ratio, saturate, smooth, smoothstep, sqrt_q16, square};
 use super::super::control::{ValleyShape, VertexKind};
 use super::super::fixed::{GRAINS, Q16};
-use super::super::vertex::{FAR, Section, Vertex};
+use super::super::vertex::{FAR, ValleySection, Vertex};
 use super::ocean;
 use super::preset::Rules;
 
@@ -90,8 +90,8 @@ pub const fn archetype(shape: ValleyShape, x: i32) -> i32 {
 }
 
 /// The ground of a vertex after its river has carved it. `edge` is the mean edge of the control
-/// mesh, grains; `kept` is what the vertex before left.
-pub fn carve(kept: &mut ocean::Kept, vertex: &Vertex, edge: i32) -> Carved {
+/// mesh, grains; `cache` is what the vertex before left.
+pub fn carve(cache: &mut ocean::OceanCache, vertex: &Vertex, edge: i32) -> Carved {
     match vertex.kind {
         VertexKind::Lake => Carved {
             ground: vertex.bed.min(vertex.water),
@@ -102,7 +102,7 @@ pub fn carve(kept: &mut ocean::Kept, vertex: &Vertex, edge: i32) -> Carved {
             water: vertex.water.max(vertex.bed),
         },
         VertexKind::Sea => {
-            let ground = vertex.height + ocean::relief(kept, vertex, edge);
+            let ground = vertex.height + ocean::relief(cache, vertex, edge);
             Carved {
                 ground,
                 water: ground.max(0),
@@ -122,16 +122,16 @@ const fn dry(ground: i32) -> Carved {
 }
 
 /// What the valley of a vertex's river makes of its ground, `edge` as in [`carve`].
-pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> Section {
+pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
     if vertex.river_distance >= FAR || vertex.river.flow == [0, 0] {
         // A lake's shore: no stream shapes it.
-        return Section::outside(vertex.height);
+        return ValleySection::outside(vertex.height);
     }
     let reach = Reach::of(vertex);
     let across = (vertex.river_distance - reach.half_bed()).max(0);
     let width = width(vertex, &reach, edge);
     if across >= width {
-        return Section::outside(vertex.height);
+        return ValleySection::outside(vertex.height);
     }
     let x = ratio(across, width);
     let shape = if rules.archetypes {
@@ -144,7 +144,7 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> Section {
     let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x));
     let shoulder = reach.shoulder();
     let height = shoulder.saturating_add(rise.min((vertex.crust - shoulder).max(0)));
-    Section {
+    ValleySection {
         height,
         own: smoothstep(6_554, 58_982, x),
     }
@@ -174,7 +174,7 @@ fn beside(vertex: &Vertex, edge: i32) -> Carved {
             water: reach.water.max(ground),
         };
     }
-    let Section { height, own } = vertex.section;
+    let ValleySection { height, own } = vertex.section;
     let carved = mix(height.min(raw.max(shoulder)), raw, own);
     // No ground near a river lies below its water.
     let near = distance - bed < width(vertex, &reach, edge).min(3 * bed);
@@ -187,7 +187,7 @@ fn beside(vertex: &Vertex, edge: i32) -> Carved {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::vertex::Segment;
+    use super::super::super::vertex::RiverSegment;
     use super::*;
 
     fn beside_river(distance_m: f64, height_m: i32, flow: i32, valley: ValleyShape) -> Carved {
@@ -196,12 +196,12 @@ mod tests {
             kind: VertexKind::Terrain,
             height: m(height_m),
             crust: m(3_000),
-            river: Segment {
+            river: RiverSegment {
                 bed: [m(100); 2],
                 water: [m(105); 2],
                 flow: [flow; 2],
                 reach: FAR,
-                ..Segment::default()
+                ..RiverSegment::default()
             },
             river_distance: (distance_m * 1024.0) as i32,
             river_along: Q16 / 2,
@@ -209,7 +209,7 @@ mod tests {
             ..Vertex::default()
         };
         vertex.section = section(&Rules::default(), &vertex, m(52_000));
-        carve(&mut ocean::Kept::default(), &vertex, m(52_000))
+        carve(&mut ocean::OceanCache::default(), &vertex, m(52_000))
     }
 
     #[test]

@@ -11,8 +11,8 @@ pub mod phasor;
 use super::super::arith::{mul_q16, ratio, saturate, smoothstep, square};
 use super::super::fixed::{GRAINS, ONE, Q16};
 use super::super::vertex::Vertex;
-use super::noise::{Corners, fbm};
-use phasor::{Packets, phasor};
+use super::noise::{CornerCache, fbm};
+use phasor::{PacketCache, phasor};
 
 /// Age at which half of the young floor's relief is left, 1/64 My: 25 My.
 const HALF_AGE: i32 = 25 * 64;
@@ -20,42 +20,42 @@ const HALF_AGE: i32 = 25 * 64;
 /// What the noises drew for the last vertex: vertices of a patch share most of it. It changes no
 /// bit of a relief.
 #[derive(Clone, Debug, Default)]
-pub struct Kept {
-    fine: [Corners; 13],
-    coarse: [Corners; 4],
-    faults: Packets,
-    hills: Packets,
+pub struct OceanCache {
+    fine: [CornerCache; 13],
+    coarse: [CornerCache; 4],
+    faults: PacketCache,
+    hills: PacketCache,
 }
 
 /// Offset of the sea floor at a vertex, grains. `edge` is the mean edge of the control mesh,
 /// grains: on small planets the relief shrinks with it.
-pub fn relief(kept: &mut Kept, vertex: &Vertex, edge: i32) -> i32 {
+pub fn relief(cache: &mut OceanCache, vertex: &Vertex, edge: i32) -> i32 {
     let depth = -vertex.height;
     if depth <= 0 {
         return 0;
     }
     // 52 km carry the full relief.
     let size = ratio(edge, 52_000 * GRAINS);
-    let fine = fbm(&mut kept.fine, vertex.direction, 21, 31_457, 0x0cea_0001);
-    let coarse = fbm(&mut kept.coarse, vertex.direction, 25, 36_045, 0x0cea_0002);
+    let fine = fbm(&mut cache.fine, vertex.direction, 21, 31_457, 0x0cea_0001);
+    let coarse = fbm(&mut cache.coarse, vertex.direction, 25, 36_045, 0x0cea_0002);
     let rough = mul_q16(120 * GRAINS, fine) + mul_q16(260 * GRAINS, coarse);
     // No spreading is even: hills of one patch are up to five times as high as another's.
     let uneven = Q16 / 4 + saturate(Q16 / 2 + coarse);
-    let offset = mul_q16(rough + ridge_relief(kept, vertex, uneven), size);
+    let offset = mul_q16(rough + ridge_relief(cache, vertex, uneven), size);
     // A shelf 130 m deep keeps a fiftieth, the deep sea all.
     let room = smoothstep(0, 2_500 * GRAINS, depth);
     mul_q16(offset, room).min(depth / 2)
 }
 
 /// Transform faults and abyssal hills; `uneven` is the hills' height relative to the mean, Q16.
-fn ridge_relief(kept: &mut Kept, vertex: &Vertex, uneven: i32) -> i32 {
+fn ridge_relief(cache: &mut OceanCache, vertex: &Vertex, uneven: i32) -> i32 {
     if vertex.oceanic == 0 || vertex.ridge == [0; 3] {
         return 0;
     }
     let young = ratio(HALF_AGE, HALF_AGE + i32::from(vertex.ocean_age));
     // Packets of 200 km, three waves each: faults run on as far as they agree.
     let faults = phasor(
-        &mut kept.faults,
+        &mut cache.faults,
         vertex.direction,
         vertex.ridge,
         26,
@@ -69,7 +69,7 @@ fn ridge_relief(kept: &mut Kept, vertex: &Vertex, uneven: i32) -> i32 {
         smoothstep(9_830, 45_875, faults.presence),
     );
     let hills = phasor(
-        &mut kept.hills,
+        &mut cache.hills,
         vertex.direction,
         spreading(vertex),
         22,
@@ -102,7 +102,7 @@ mod tests {
 
     /// The relief at a vertex that nothing was asked before.
     fn relief(vertex: &Vertex, edge: i32) -> i32 {
-        super::relief(&mut Kept::default(), vertex, edge)
+        super::relief(&mut OceanCache::default(), vertex, edge)
     }
 
     fn floor(y: i32, age_my: u16, depth_m: i32) -> Vertex {

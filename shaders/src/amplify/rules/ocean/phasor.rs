@@ -29,12 +29,12 @@ struct Packet {
 
 /// The packets of a cell and of those around it; points of a patch share them.
 #[derive(Clone, Copy, Debug)]
-pub struct Packets {
+pub struct PacketCache {
     home: [i32; 3],
     packets: [Packet; 27],
 }
 
-impl Default for Packets {
+impl Default for PacketCache {
     /// Those of no cell: addresses have 14 bits at most.
     fn default() -> Self {
         Self {
@@ -44,7 +44,7 @@ impl Default for Packets {
     }
 }
 
-impl Packets {
+impl PacketCache {
     fn around(home: [i32; 3], cell: u32, seed: u32) -> Self {
         let packet = |k: usize| {
             let k = k as i32;
@@ -69,10 +69,10 @@ impl Packets {
 }
 
 /// The stripes at a point. `axis` is the direction across them, components times 32767; `waves`
-/// their number in a cell, Q16; `cell` 18..=26. `kept` is what the last point of the same `cell`
+/// their number in a cell, Q16; `cell` 18..=26. `cache` is what the last point of the same `cell`
 /// and `seed` left; it changes no bit.
 pub fn phasor(
-    kept: &mut Packets,
+    cache: &mut PacketCache,
     point: [i32; 3],
     axis: [i16; 3],
     cell: u32,
@@ -81,10 +81,10 @@ pub fn phasor(
 ) -> Phasor {
     let (mut real, mut imaginary, mut total) = (0_i32, 0_i32, 0_i32);
     let home = point.map(|c| c >> cell);
-    if kept.home != home {
-        *kept = Packets::around(home, cell, seed);
+    if cache.home != home {
+        *cache = PacketCache::around(home, cell, seed);
     }
-    for &Packet { place, hash } in &kept.packets {
+    for &Packet { place, hash } in &cache.packets {
         let away = [0, 1, 2].map(|i| point[i].wrapping_sub(place[i]));
         // Fifteen bits of a cell: with eight, weights have steps that show as a grid.
         let near = away.map(|x| (x >> (cell - 15)).unsigned_abs());
@@ -147,7 +147,7 @@ mod tests {
 
     /// The stripes at a point that nothing was asked before.
     fn phasor(point: [i32; 3], axis: [i16; 3], cell: u32, waves: i32, seed: u32) -> Phasor {
-        super::phasor(&mut Packets::default(), point, axis, cell, waves, seed)
+        super::phasor(&mut PacketCache::default(), point, axis, cell, waves, seed)
     }
 
     /// Energy of the noise's changes over a step of a sixteenth of a wave along a direction.
@@ -232,13 +232,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_changes_no_bit() {
-        let mut kept = Packets::default();
+    fn a_cache_changes_no_bit() {
+        let mut cache = PacketCache::default();
         for i in 0..500 {
             let p = [ONE / 2 + i * 777_777, i * 1_234_567, ONE / 3];
             let want = phasor(p, [9_000, 30_000, -8_000], 25, Q16, 3);
             assert_eq!(
-                super::phasor(&mut kept, p, [9_000, 30_000, -8_000], 25, Q16, 3),
+                super::phasor(&mut cache, p, [9_000, 30_000, -8_000], 25, Q16, 3),
                 want
             );
         }

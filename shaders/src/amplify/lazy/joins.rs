@@ -5,10 +5,10 @@ use super::super::base::Base;
 use super::super::rules::EdgeKind;
 use super::super::topology::{Edge, Face, NONE};
 use super::super::vertex::Vertex;
-use super::{Demand, Known, KnownFace};
+use super::{LazyEdge, LazyFace, LazyGround};
 use core::ops::Deref;
 
-impl<B: Deref<Target = Base>> Demand<B> {
+impl<B: Deref<Target = Base>> LazyGround<B> {
     /// A face of the control mesh as a face of level 0.
     pub fn base_face(&mut self, face: u32) -> u32 {
         if let Some(&place) = self.placed[2].get(&face) {
@@ -20,7 +20,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
         let vertices = vertices.map(|v| self.base_vertex(v));
         let edges = edges.map(|e| self.base_edge(e));
         let faces = &mut self.layers[0].faces;
-        faces.push(KnownFace {
+        faces.push(LazyFace {
             face: Face::new(vertices, edges, face),
             decided: false,
             dry: None,
@@ -44,7 +44,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
         }
         let from = self.base.level.edges[edge as usize];
         let vertices = from.vertices.map(|v| self.base_vertex(v));
-        let made = Known::new(
+        let made = LazyEdge::new(
             Edge {
                 vertices,
                 faces: [NONE; 2],
@@ -54,7 +54,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
             0,
         );
         let edges = &mut self.layers[0].edges;
-        edges.push(Known {
+        edges.push(LazyEdge {
             has_kind: true,
             has_arriving: true,
             ..made
@@ -94,7 +94,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
             let halves = &mut self.layers[level + 1].edges;
             let child = halves.len() as u32;
             for (slot, ends) in [(0, [a, mid]), (1, [mid, b])] {
-                halves.push(Known::new(
+                halves.push(LazyEdge::new(
                     Edge::new(EdgeKind::Terrain, ends, [NONE; 2]),
                     edge,
                     slot,
@@ -136,17 +136,17 @@ impl<B: Deref<Target = Base>> Demand<B> {
                 [mids[k], mids[other]],
                 [child + k as u32, child + 3],
             );
-            layer.edges.push(Known::new(edge, face, 2 + k as u8));
+            layer.edges.push(LazyEdge::new(edge, face, 2 + k as u8));
             let edges = [halves[k][0], inner + k as u32, halves[other][1]];
             let corner = Face::new([made.vertices[k], mids[k], mids[other]], edges, face);
-            layer.faces.push(KnownFace {
+            layer.faces.push(LazyFace {
                 face: corner,
                 decided: false,
                 dry: None,
             });
         }
         let middle = Face::new(mids, [inner + 1, inner + 2, inner], face);
-        layer.faces.push(KnownFace {
+        layer.faces.push(LazyFace {
             face: middle,
             decided: false,
             dry: None,

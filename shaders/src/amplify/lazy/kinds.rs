@@ -5,10 +5,10 @@ use super::super::edge_split::STRAIGHT_LEVEL;
 use super::super::face_split::{arriving_at, half_kind};
 use super::super::rules::EdgeKind;
 use super::super::vertex_resolve::tributary;
-use super::Demand;
+use super::LazyGround;
 use core::ops::Deref;
 
-impl<B: Deref<Target = Base>> Demand<B> {
+impl<B: Deref<Target = Base>> LazyGround<B> {
     /// Settles what an edge is, and with it its direction.
     pub(super) fn settle_kind(&mut self, level: usize, edge: u32) -> EdgeKind {
         let known = *self.edge(level, edge);

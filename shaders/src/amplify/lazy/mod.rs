@@ -20,7 +20,7 @@ use core::ops::Deref;
 
 /// How far a vertex has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Stage {
+enum VertexProgress {
     Pending,
     Split,
     Resolved,
@@ -28,7 +28,7 @@ enum Stage {
 
 /// An edge, and what is known of it.
 #[derive(Clone, Copy, Debug)]
-struct Known {
+struct LazyEdge {
     edge: Edge,
     /// The edge that it halves (slots 0, 1), the face whose corner 0..3 it cuts off (slots 2..5),
     /// or the edge of the control mesh.
@@ -40,12 +40,12 @@ struct Known {
     has_arriving: bool,
     /// From the straight levels on: whether no river or gully runs beside it.
     dry: Option<bool>,
-    stage: Stage,
+    stage: VertexProgress,
     /// Kind of its vertex before the faces settled it.
     split_kind: VertexKind,
 }
 
-impl Known {
+impl LazyEdge {
     #[inline]
     const fn new(edge: Edge, parent: u32, slot: u8) -> Self {
         Self {
@@ -56,7 +56,7 @@ impl Known {
             reversed: false,
             has_arriving: false,
             dry: None,
-            stage: Stage::Pending,
+            stage: VertexProgress::Pending,
             split_kind: VertexKind::Terrain,
         }
     }
@@ -64,33 +64,33 @@ impl Known {
 
 /// A face, and what is known of it.
 #[derive(Clone, Copy, Debug)]
-struct KnownFace {
+struct LazyFace {
     face: Face,
     decided: bool,
     dry: Option<bool>,
 }
 
 #[derive(Clone, Debug, Default)]
-struct Layer {
-    edges: Vec<Known>,
-    faces: Vec<KnownFace>,
+struct LazyLevel {
+    edges: Vec<LazyEdge>,
+    faces: Vec<LazyFace>,
 }
 
 /// Everything computed so far.
 #[derive(Clone, Debug)]
-pub struct Demand<B> {
+pub struct LazyGround<B> {
     base: B,
     rules: Rules,
     vertices: Vec<Vertex>,
     /// Level and edge that each vertex halves; level 255 for a vertex of the control mesh.
     origins: Vec<(u8, u32)>,
-    layers: Vec<Layer>,
+    layers: Vec<LazyLevel>,
     /// Where vertices, edges and faces of the control mesh are: of half a million items, some
     /// hundred.
     placed: [Places; 3],
 }
 
-impl<B: Deref<Target = Base>> Demand<B> {
+impl<B: Deref<Target = Base>> LazyGround<B> {
     /// Nothing computed yet.
     pub fn new(base: B, rules: &Rules) -> Self {
         Self {
@@ -98,7 +98,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
             rules: *rules,
             vertices: Vec::new(),
             origins: Vec::new(),
-            layers: vec![Layer::default(); FINEST as usize + 1],
+            layers: vec![LazyLevel::default(); FINEST as usize + 1],
             placed: Default::default(),
         }
     }
@@ -157,12 +157,12 @@ impl<B: Deref<Target = Base>> Demand<B> {
     }
 
     #[inline]
-    fn edge(&self, level: usize, edge: u32) -> &Known {
+    fn edge(&self, level: usize, edge: u32) -> &LazyEdge {
         &self.layers[level].edges[edge as usize]
     }
 
     #[inline]
-    fn edge_mut(&mut self, level: usize, edge: u32) -> &mut Known {
+    fn edge_mut(&mut self, level: usize, edge: u32) -> &mut LazyEdge {
         &mut self.layers[level].edges[edge as usize]
     }
 

@@ -2,14 +2,14 @@
 
 use super::super::base::Base;
 use super::super::edge_split::{self, STRAIGHT_LEVEL};
-use super::super::face_decide::{self, Sight};
+use super::super::face_decide::{self, FaceContext};
 use super::super::rules::EdgeKind;
 use super::super::topology::{Face, Inner, NONE};
-use super::super::vertex_resolve::{Beside, Surroundings, asks, resolve};
-use super::{Demand, Stage};
+use super::super::vertex_resolve::{Beside, VertexContext, asks, resolve};
+use super::{LazyGround, VertexProgress};
 use core::ops::Deref;
 
-impl<B: Deref<Target = Base>> Demand<B> {
+impl<B: Deref<Target = Base>> LazyGround<B> {
     /// Ensures that a vertex is settled.
     pub fn ensure(&mut self, vertex: u32) {
         let (level, edge) = self.origins[vertex as usize];
@@ -28,7 +28,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
 
     /// Pass `edge_split` for one edge.
     pub(super) fn split(&mut self, level: usize, edge: u32) {
-        if self.edge(level, edge).stage != Stage::Pending {
+        if self.edge(level, edge).stage != VertexProgress::Pending {
             return;
         }
         self.halve(level, edge);
@@ -50,12 +50,12 @@ impl<B: Deref<Target = Base>> Demand<B> {
         let known = self.edge(level, edge);
         let far = far.map(|v| self.vertices.get(v as usize));
         let ends = [a, b].map(|v| &self.vertices[v as usize]);
-        let planet = &self.base.planet;
-        let new = edge_split::split(planet, &self.rules, &known.edge, level as u32, ends, far);
+        let scale = &self.base.scale;
+        let new = edge_split::split(scale, &self.rules, &known.edge, level as u32, ends, far);
         let mid = known.edge.mid;
         self.vertices[mid as usize] = new;
         let known = self.edge_mut(level, edge);
-        (known.split_kind, known.stage) = (new.kind, Stage::Split);
+        (known.split_kind, known.stage) = (new.kind, VertexProgress::Split);
     }
 
     /// Pass `face_decide` for one face.
@@ -82,7 +82,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
                     self.ensure(beyond[k]);
                 }
             }
-            let sight = Sight {
+            let sight = FaceContext {
                 corners: vertices,
                 vertices: vertices.map(|v| &self.vertices[v as usize]),
                 edges: edges.map(|e| &self.edge(level, e).edge),
@@ -99,7 +99,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
 
     /// Pass `vertex_resolve` for one edge.
     fn resolve(&mut self, level: usize, edge: u32) {
-        if self.edge(level, edge).stage == Stage::Resolved {
+        if self.edge(level, edge).stage == VertexProgress::Resolved {
             return;
         }
         self.split(level, edge);
@@ -147,7 +147,7 @@ impl<B: Deref<Target = Base>> Demand<B> {
                 mid,
             ))
         });
-        let around = Surroundings {
+        let around = VertexContext {
             edge: &known.edge,
             ends: known.edge.vertices.map(|v| &self.vertices[v as usize]),
             opposite: if straight {
@@ -162,13 +162,13 @@ impl<B: Deref<Target = Base>> Demand<B> {
         };
         let mid = known.edge.mid;
         let settled = resolve(
-            &self.base.planet,
+            &self.base.scale,
             &self.rules,
             level as u32,
             &self.vertices[mid as usize],
             &around,
         );
         settled.write(&mut self.vertices[mid as usize]);
-        self.edge_mut(level, edge).stage = Stage::Resolved;
+        self.edge_mut(level, edge).stage = VertexProgress::Resolved;
     }
 }

@@ -8,7 +8,7 @@ use super::fixed::{ONE, difference, mul_shift};
 /// Constants of one planet; what a compute pass gets as a uniform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
-pub struct Planet {
+pub struct PlanetScale {
     /// Radius at sea level, metres.
     pub radius_m: u32,
     /// Grains in a unit of direction, Q20.
@@ -19,7 +19,7 @@ pub struct Planet {
     pub edge: u32,
 }
 
-impl Planet {
+impl PlanetScale {
     /// The planet of a control mesh.
     pub fn new(mesh: &ControlMesh) -> Self {
         let radius = f64::from(mesh.radius_m.clamp(1000, 20_000_000));
