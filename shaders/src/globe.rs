@@ -1,4 +1,19 @@
-//! The globe: ground, sea, air and lines of a planet seen from orbit.
+//! The WGSL of the globe: ground, sea, air and lines of a planet seen from orbit.
+//!
+//! Two kinds of source, told apart by their headers:
+//! - *libraries* (`#define_import_path pangaea_shaders::...`) hold pure functions and import nothing,
+//!   so other passes can reuse them and they can be validated alone;
+//! - *passes* have entry points and bindings, and import the renderer's view and mesh.
+//!
+//! ```
+//! use pangaea_shaders::globe::{LIBRARIES, PASSES};
+//!
+//! for library in LIBRARIES {
+//!     let import_path = library.path.replace('/', "::").replace(".wgsl", "");
+//!     assert!(library.wgsl.contains(&format!("#define_import_path {import_path}")));
+//! }
+//! assert!(PASSES.iter().all(|pass| pass.wgsl.contains("@fragment")));
+//! ```
 
 /// A source of WGSL with the path it is known by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
