@@ -4,7 +4,7 @@
 //! halves there, with the same bits (see the tests of [`fixed`](super::fixed)). Every function is
 //! total: no input panics.
 
-use super::fixed::Q16;
+use super::fixed::{Q16, q16};
 
 /// ⌊a·b / 2¹⁶⌋, exact while the result fits an i32, else its low 32 bits.
 #[inline]
@@ -19,7 +19,13 @@ pub const fn mix(a: i32, b: i32, t: i32) -> i32 {
     a.wrapping_add(mul_q16(b.wrapping_sub(a), t))
 }
 
-/// The nearest of 0..1 in Q16.
+/// Lower and higher of two.
+#[inline]
+pub const fn ordered(a: i32, b: i32) -> (i32, i32) {
+    if a < b { (a, b) } else { (b, a) }
+}
+
+/// The number of 0..1 in Q16 that is nearest to t.
 #[inline]
 pub const fn saturate(t: i32) -> i32 {
     if t < 0 {
@@ -125,10 +131,13 @@ pub const fn cos_turn(t: i32) -> i32 {
     let x = if half > 0x8000 { 0x1_0000 - half } else { half };
     let (x, sign) = if x > 0x4000 { (0x8000 - x, -1) } else { (x, 1) };
     // cos(πu/2) with u = x / 2¹⁴: 1 - u²(a - u²(b - c·u²)), a - b + c = 1.
+    const A: i32 = q16(1.23364);
+    const B: i32 = q16(0.25325);
+    const C: i32 = q16(0.0196);
     let u = x << 2;
     let u2 = square(u);
-    let inner = 16_597 - mul_q16(1_285, u2);
-    let outer = 80_848 - mul_q16(inner, u2);
+    let inner = B - mul_q16(C, u2);
+    let outer = A - mul_q16(inner, u2);
     sign * (Q16 - mul_q16(outer, u2))
 }
 

@@ -6,7 +6,7 @@
 
 use super::arith::{linear_step, ratio};
 use super::control::VertexKind;
-use super::fixed::{Q16, difference, lift, mul_high, square_q32, weigh};
+use super::fixed::{Q16, difference, lift, mul_high, q16, square_q32, weigh};
 use super::geometry::{Q12, Stance};
 use super::rules::{self, EdgeKind, Rules, shift::Shift};
 use super::scale::PlanetScale;
@@ -19,11 +19,11 @@ use super::vertex::{EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
 pub const STRAIGHT_LEVEL: u32 = 11;
 
 /// Most of a far corner that a displaced vertex may have or owe, Q16: 0.17.
-const DEPTH: i32 = 11_141;
+const DEPTH: i32 = q16(0.17);
 
 /// What a displaced vertex may lose of an end from its half, Q16: a sixth less what rounding may
 /// take.
-const SLACK: i32 = 10_267;
+const SLACK: i32 = q16(0.15666);
 
 /// The vertex that halves an edge of a level. `ends` are those of the edge, in its order.
 pub fn split(
@@ -176,8 +176,7 @@ fn place(
     if level < STRAIGHT_LEVEL
         && let [Some(x), Some(y)] = opposite
     {
-        let shift =
-            rules::shift::shift(rules, kind, [a.kind, b.kind], level, new.seed, new.wetness);
+        let shift = rules::shift::shift(rules, kind, [a.kind, b.kind], level, new);
         if shift.weight > 0 {
             let (x, y) = if shift.second { (y, x) } else { (x, y) };
             let to = [x, y].map(|v| difference(v.direction, a.direction));

@@ -7,7 +7,7 @@
 //! halo: see [`SplitMark::Halo`].
 
 use super::arith::{length, mul_q16};
-use super::fixed::{difference, mul_shift};
+use super::fixed::{difference, mul_shift, q16};
 use super::scale::PlanetScale;
 use super::topology::{Edge, Face, NONE, SplitMark};
 use super::vertex::Vertex;
@@ -114,7 +114,7 @@ impl View {
         };
         let [x, y] = self.sides.map(along);
         // Half a side is the radius over the root of two.
-        scale.sixteenths(x.max(y)) - mul_q16(self.radius, 46_341)
+        scale.sixteenths(x.max(y)) - mul_q16(self.radius, q16(core::f64::consts::FRAC_1_SQRT_2))
     }
 
     /// Distance within which a face of a level is split, sixteenths of a metre.

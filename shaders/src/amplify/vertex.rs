@@ -210,3 +210,14 @@ pub struct EdgeContext<'a> {
     /// Radius of the planet, metres.
     pub radius_m: u32,
 }
+
+impl<'a> EdgeContext<'a> {
+    /// The end that is wet, and the other: of an edge between water and land.
+    pub fn wet_end_first(&self) -> (&'a Vertex, &'a Vertex) {
+        if self.a.is_wet() {
+            (self.a, self.b)
+        } else {
+            (self.b, self.a)
+        }
+    }
+}

@@ -1,11 +1,11 @@
 //! What joins what, made as far as it is asked for: faces of the control mesh, halves of edges,
 //! quarters of faces.
 
-use super::super::base::Base;
-use super::super::rules::EdgeKind;
-use super::super::topology::{Edge, Face, NONE};
-use super::super::vertex::Vertex;
 use super::{LazyEdge, LazyFace, LazyGround};
+use crate::amplify::base::Base;
+use crate::amplify::rules::EdgeKind;
+use crate::amplify::topology::{Edge, Face, NONE};
+use crate::amplify::vertex::Vertex;
 use core::ops::Deref;
 
 impl<B: Deref<Target = Base>> LazyGround<B> {

@@ -1,11 +1,11 @@
 //! What edges are, what arrives along them, and where no river or gully ever comes.
 
-use super::super::base::Base;
-use super::super::edge_split::STRAIGHT_LEVEL;
-use super::super::face_split::{arriving_at, half_kind};
-use super::super::rules::EdgeKind;
-use super::super::vertex_resolve::tributary;
 use super::LazyGround;
+use crate::amplify::base::Base;
+use crate::amplify::edge_split::STRAIGHT_LEVEL;
+use crate::amplify::face_split::{arriving_at, half_kind};
+use crate::amplify::rules::EdgeKind;
+use crate::amplify::vertex_resolve::tributary;
 use core::ops::Deref;
 
 impl<B: Deref<Target = Base>> LazyGround<B> {

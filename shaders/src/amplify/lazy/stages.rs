@@ -1,12 +1,12 @@
 //! The passes of vertices and faces, each run once what it reads has come far enough.
 
-use super::super::base::Base;
-use super::super::edge_split::{self, STRAIGHT_LEVEL};
-use super::super::face_decide::{self, FaceContext};
-use super::super::rules::EdgeKind;
-use super::super::topology::{Face, Inner, NONE};
-use super::super::vertex_resolve::{Beside, VertexContext, asks, resolve};
 use super::{LazyGround, VertexProgress};
+use crate::amplify::base::Base;
+use crate::amplify::edge_split::{self, STRAIGHT_LEVEL};
+use crate::amplify::face_decide::{self, FaceContext};
+use crate::amplify::rules::EdgeKind;
+use crate::amplify::topology::{Face, Inner, NONE};
+use crate::amplify::vertex_resolve::{Beside, VertexContext, asks, resolve};
 use core::ops::Deref;
 
 impl<B: Deref<Target = Base>> LazyGround<B> {
