@@ -1,13 +1,13 @@
-//! The passes on demand: any one vertex of any level, from no more than it depends on.
+//! Lazy evaluation of the passes: any one vertex of any level, from no more than it depends on.
 //!
-//! What joins what is made without a vertex being computed (`joins`); a vertex, a face's decision
-//! (`stages`), an edge's kind (`kinds`) are computed by the passes' own functions when first asked
-//! for, and kept. So the bits are those of a whole refinement, and away from rivers a level costs
-//! half a dozen vertices.
+//! Edges and faces are made without a vertex being computed (`topology`); a vertex, a face's
+//! decision (`passes`) and an edge's kind (`kinds`) are computed by the passes' own functions when
+//! first asked for, and kept. So the bits are those of a whole refinement, and away from rivers a
+//! level costs half a dozen vertices.
 
-mod joins;
 mod kinds;
-mod stages;
+mod passes;
+mod topology;
 
 use super::base::Base;
 use super::control::VertexKind;
@@ -21,53 +21,78 @@ use core::ops::Deref;
 /// How far a vertex has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum VertexProgress {
+    /// It is named only.
     Pending,
+    /// It has its place and ground.
     Split,
+    /// It is final.
     Resolved,
 }
 
-/// An edge, and what is known of it.
+/// Origin of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum EdgeOrigin {
+    /// An edge of the control mesh.
+    Base(u32),
+    /// First (0) or second (1) half of an edge of the level above.
+    Half(u32, u8),
+    /// The inner edge of a face of the level above that cuts its corner 0, 1 or 2 off.
+    Inner(u32, u8),
+}
+
+/// An edge, and everything known of it.
 #[derive(Clone, Copy, Debug)]
 struct LazyEdge {
     edge: Edge,
-    /// The edge that it halves (slots 0, 1), the face whose corner 0..3 it cuts off (slots 2..5),
-    /// or the edge of the control mesh.
-    parent: u32,
-    slot: u8,
+    origin: EdgeOrigin,
+    /// Whether the edge's kind, birth and direction are known.
     has_kind: bool,
     /// Whether it runs against the edge that it halves.
     reversed: bool,
+    /// Whether the discharge that arrives along the edge is known.
     has_arriving: bool,
     /// From the straight levels on: whether no river or gully runs beside it.
     dry: Option<bool>,
-    stage: VertexProgress,
+    progress: VertexProgress,
     /// Kind of its vertex before the faces settled it.
     split_kind: VertexKind,
 }
 
 impl LazyEdge {
     #[inline]
-    const fn new(edge: Edge, parent: u32, slot: u8) -> Self {
+    const fn new(edge: Edge, origin: EdgeOrigin) -> Self {
         Self {
             edge,
-            parent,
-            slot,
+            origin,
             has_kind: false,
             reversed: false,
             has_arriving: false,
             dry: None,
-            stage: VertexProgress::Pending,
+            progress: VertexProgress::Pending,
             split_kind: VertexKind::Terrain,
         }
     }
 }
 
-/// A face, and what is known of it.
+/// A face, and everything known of it.
 #[derive(Clone, Copy, Debug)]
 struct LazyFace {
     face: Face,
+    /// Whether its inner edges are decided.
     decided: bool,
+    /// From the straight levels on: whether none of its edges is a river or gully.
     dry: Option<bool>,
+}
+
+impl LazyFace {
+    #[inline]
+    const fn new(face: Face) -> Self {
+        Self {
+            face,
+            decided: false,
+            dry: None,
+        }
+    }
 }
 
 #[derive(Clone, Debug, Default)]
@@ -76,7 +101,16 @@ struct LazyLevel {
     faces: Vec<LazyFace>,
 }
 
-/// Everything computed so far.
+/// Where vertices, edges and faces of the control mesh are held: of half a million items, some
+/// hundred.
+#[derive(Clone, Debug, Default)]
+struct BasePlaces {
+    vertices: Places,
+    edges: Places,
+    faces: Places,
+}
+
+/// The part of a planet's ground that was computed so far.
 #[derive(Clone, Debug)]
 pub struct LazyGround<B> {
     base: B,
@@ -84,10 +118,8 @@ pub struct LazyGround<B> {
     vertices: Vec<Vertex>,
     /// Level and edge that each vertex halves; level 255 for a vertex of the control mesh.
     origins: Vec<(u8, u32)>,
-    layers: Vec<LazyLevel>,
-    /// Where vertices, edges and faces of the control mesh are: of half a million items, some
-    /// hundred.
-    placed: [Places; 3],
+    levels: Vec<LazyLevel>,
+    placed: BasePlaces,
 }
 
 impl<B: Deref<Target = Base>> LazyGround<B> {
@@ -98,8 +130,8 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             rules: *rules,
             vertices: Vec::new(),
             origins: Vec::new(),
-            layers: vec![LazyLevel::default(); FINEST as usize + 1],
-            placed: Default::default(),
+            levels: vec![LazyLevel::default(); FINEST as usize + 1],
+            placed: BasePlaces::default(),
         }
     }
 
@@ -123,47 +155,44 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         self.vertices.is_empty()
     }
 
-    /// How many vertices are named only, have their place, are settled.
+    /// Numbers of vertices: named only; with their place and ground; final.
     pub fn counts(&self) -> [usize; 3] {
         let mut counts = [0; 3];
-        for known in self
-            .layers
-            .iter()
-            .flat_map(|l| &l.edges)
-            .filter(|k| k.edge.mid != NONE)
-        {
-            counts[known.stage as usize] += 1;
+        for edge in self.levels.iter().flat_map(|l| &l.edges) {
+            if edge.edge.mid != NONE {
+                counts[edge.progress as usize] += 1;
+            }
         }
         counts
     }
 
     /// Forgets everything.
     pub fn clear(&mut self) {
-        for places in &mut self.placed {
-            places.clear();
-        }
+        self.placed.vertices.clear();
+        self.placed.edges.clear();
+        self.placed.faces.clear();
         self.vertices.clear();
         self.origins.clear();
-        for layer in &mut self.layers {
-            layer.edges.clear();
-            layer.faces.clear();
+        for level in &mut self.levels {
+            level.edges.clear();
+            level.faces.clear();
         }
     }
 
-    /// A face's record.
+    /// A face of a level, by its place there.
     #[inline]
     pub fn face(&self, level: usize, face: u32) -> &Face {
-        &self.layers[level].faces[face as usize].face
+        &self.levels[level].faces[face as usize].face
     }
 
     #[inline]
     fn edge(&self, level: usize, edge: u32) -> &LazyEdge {
-        &self.layers[level].edges[edge as usize]
+        &self.levels[level].edges[edge as usize]
     }
 
     #[inline]
     fn edge_mut(&mut self, level: usize, edge: u32) -> &mut LazyEdge {
-        &mut self.layers[level].edges[edge as usize]
+        &mut self.levels[level].edges[edge as usize]
     }
 
     /// A vertex that has been asked for.
