@@ -8,8 +8,8 @@ pub use super::rules::valley::Carved;
 use super::scale::PlanetScale;
 use super::vertex::Vertex;
 
-/// Final ground and water of a vertex. `cache` is what an earlier one left, best one near it; it
-/// changes no bit.
+/// Final ground and water of a vertex. `cache` holds noise of an earlier vertex, best one near it;
+/// it changes no bit.
 #[inline]
 pub fn carve(cache: &mut OceanCache, scale: &PlanetScale, vertex: &Vertex) -> Carved {
     valley::carve(cache, vertex, scale.edge_grains(0))

@@ -12,7 +12,7 @@ use super::vertex::Vertex;
 /// The finest level: edges of 0.4 m on an Earth-sized planet.
 pub const FINEST: u32 = 17;
 
-/// Caps of a refinement: what its buffers hold.
+/// Caps of a refinement: the sizes of its buffers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Caps {
     /// Vertices.
@@ -22,7 +22,7 @@ pub struct Caps {
 }
 
 impl Default for Caps {
-    /// 8 million vertices, 8 million faces a level: 1.6 GB at most.
+    /// 8 million vertices, 8 million faces a level: about 3 GB with the edges, at most.
     fn default() -> Self {
         Self {
             vertices: 8_000_000,
@@ -31,7 +31,7 @@ impl Default for Caps {
     }
 }
 
-/// Refined ground.
+/// Ground refined for a view.
 #[derive(Clone, Debug)]
 pub struct RefinedGround {
     /// The planet's constants.
@@ -46,6 +46,21 @@ pub struct RefinedGround {
 
 /// Refines the ground for a view. At a cap the whole level that would pass it is dropped, so the
 /// mesh stays whole.
+///
+/// ```
+/// use pangaea_shaders::amplify::base::Base;
+/// use pangaea_shaders::amplify::ground::{Caps, refine};
+/// use pangaea_shaders::amplify::mark::View;
+/// use pangaea_shaders::amplify::rules::Rules;
+/// use pangaea_shaders::amplify::synthetic::control_mesh;
+///
+/// let base = Base::new(&control_mesh(6_371_000, 3, 1))?;
+/// let view = View::disc(base.vertices[7].direction, 50, 17);
+/// let ground = refine(&base, &Rules::default(), &view, &Caps::default());
+/// assert_eq!((ground.levels.len(), ground.capped), (18, None));
+/// assert!(!ground.triangles().is_empty());
+/// # Ok::<(), pangaea_shaders::amplify::base::BadMesh>(())
+/// ```
 pub fn refine(base: &Base, rules: &Rules, view: &View, caps: &Caps) -> RefinedGround {
     refined(base, rules, view, caps, true)
 }

@@ -1,12 +1,12 @@
-//! The ground at a direction without a view: the leaf of a level that contains it, with the bits
-//! that any view gives.
+//! The ground at a direction without a view: the leaf of a level that contains it, with the same
+//! bits as in any view.
 //!
 //! From the face of the control mesh down, the child that contains the direction is taken. Children
 //! leave their parent's outline when its edges' middles move sideways, so the child may belong to
 //! one of the three neighbours; never to a face farther off, because a middle stays within the two
 //! faces of its edge.
 //!
-//! What was computed stays until it passes a cap, so a query near earlier ones is quick.
+//! Results are kept until there are too many, so a query near earlier ones is quick.
 
 use super::base::Base;
 use super::carve::{Carved, OceanCache, carve};
@@ -18,7 +18,7 @@ use super::vertex::Vertex;
 use core::ops::Deref;
 
 /// Vertices kept between queries: 200,000, about 60 MB with what joins them.
-const KEPT: usize = 200_000;
+const MOST_KEPT: usize = 200_000;
 
 /// A leaf of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,8 +56,23 @@ impl Leaf {
     }
 }
 
-/// Answers queries about one planet's ground. Not shared between threads: each takes its own. `B`
-/// is a reference to the planet's level 0, or an `Arc` of it.
+/// Answers queries about one planet's ground. It is not shared between threads: each takes its own.
+/// `B` is a reference to the planet's level 0, or an `Arc` of it.
+///
+/// ```
+/// use pangaea_shaders::amplify::base::Base;
+/// use pangaea_shaders::amplify::local::LocalGround;
+/// use pangaea_shaders::amplify::rules::Rules;
+/// use pangaea_shaders::amplify::synthetic::control_mesh;
+///
+/// let base = Base::new(&control_mesh(6_371_000, 3, 1))?;
+/// let at = base.vertices[7].direction;
+/// let mut ground = LocalGround::new(&base, &Rules::default());
+/// let leaf = ground.leaf(at, 17, None);
+/// assert_eq!(leaf.level, 17);
+/// assert!(leaf.height_m(at).abs() < 12_000.0);
+/// # Ok::<(), pangaea_shaders::amplify::base::BadMesh>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct LocalGround<B> {
     lazy: LazyGround<B>,
@@ -67,7 +82,7 @@ pub struct LocalGround<B> {
 }
 
 impl<B: Deref<Target = Base>> LocalGround<B> {
-    /// An engine that has answered nothing yet.
+    /// An engine without results.
     pub fn new(base: B, rules: &Rules) -> Self {
         Self {
             lazy: LazyGround::new(base, rules),
@@ -76,7 +91,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
         }
     }
 
-    /// What was computed so far.
+    /// Everything computed so far.
     pub fn lazy(&self) -> &LazyGround<B> {
         &self.lazy
     }
@@ -90,7 +105,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
     /// control mesh near it, if the caller knows one. The answer depends on neither the hint nor
     /// earlier queries.
     pub fn leaf(&mut self, direction: [i32; 3], level: u32, hint: Option<u32>) -> Leaf {
-        if self.lazy.len() > KEPT {
+        if self.lazy.len() > MOST_KEPT {
             self.lazy.clear();
             self.path.clear();
         }
@@ -107,8 +122,8 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
         let base_face = (0..=level)
             .rev()
             .fold(face, |at, above| self.lazy.face(above, at).parent);
-        let Self { lazy, cache, .. } = self;
-        let carved = vertices.map(|v| carve(cache, &lazy.base().scale, &v));
+        let scale = self.base().scale;
+        let carved = vertices.map(|v| carve(&mut self.cache, &scale, &v));
         Leaf {
             vertices,
             carved,
@@ -124,10 +139,8 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
         self.path.truncate(level + 1);
         while let Some(&face) = self.path.last() {
             let corners = self.lazy.face(self.path.len() - 1, face).vertices;
-            if sides(direction, corners.map(|v| self.lazy.vertex(v)))
-                .iter()
-                .all(|&side| side > 0.0)
-            {
+            let inward = sides(direction, corners.map(|v| self.lazy.vertex(v)));
+            if inward.iter().all(|&side| side > 0.0) {
                 return face;
             }
             self.path.pop();
@@ -170,14 +183,12 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             return Some(first + 3);
         }
         // The middle's edge k cuts corner k + 1 off; children do not overlap.
-        let corner = (0..3).find(|k| {
-            let child = self.lazy.face(level + 1, first + *k as u32);
-            inward[(k + 2) % 3] <= 0.0
-                && sides(direction, child.vertices.map(|v| self.lazy.vertex(v)))
-                    .iter()
-                    .all(|&s| s >= 0.0)
+        let corner = (0..3).find(|&k| {
+            let child = self.lazy.face(level + 1, first + k).vertices;
+            let inside = sides(direction, child.map(|v| self.lazy.vertex(v)));
+            inward[(k as usize + 2) % 3] <= 0.0 && inside.iter().all(|&side| side >= 0.0)
         });
-        corner.map(|k| first + k as u32)
+        corner.map(|k| first + k)
     }
 
     /// The child of a face in which a direction lies deepest, and how deep; below 0 it lies in

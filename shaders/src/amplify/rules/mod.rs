@@ -3,7 +3,11 @@
 //!
 //! Pure functions of grains, shares in Q16 and seeds, in the 32-bit operations that WGSL has.
 //! [`halve`] picks the compute graph by the edge's configuration; each graph has its file. No rule
-//! reads anything finer than the edge, so no view changes a bit of what it yields.
+//! reads anything finer than the edge, so no view changes a bit of its result.
+//!
+//! Constants are in the units of [`fixed`](super::fixed); "release" names the source that the
+//! authors of paper 002 published, numbers without a source are chosen here by eye and by the
+//! statistics of real relief.
 
 pub mod nodes;
 pub mod noise;
@@ -33,7 +37,7 @@ pub use preset::Rules;
 /// slope stays even under sideways moves.
 const FACE_LEVEL: u32 = 6;
 
-/// What an edge is (the paper's edge types R and T; gullies have their own).
+/// Kind of an edge (the paper's edge types R and T; gullies have their own).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum EdgeKind {
@@ -49,7 +53,7 @@ pub enum EdgeKind {
 /// The ground that a rule gives to a new vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct VertexGround {
-    /// What the vertex is.
+    /// Kind of the vertex.
     pub kind: VertexKind,
     /// Ground, grains.
     pub height: i32,

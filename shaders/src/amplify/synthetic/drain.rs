@@ -6,9 +6,10 @@ use crate::amplify::fixed::{GRAINS, Q16, metres};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Discharge of a vertex of a desert, and how much of it wetness adds in a whole Q16; 2⁻³² of
-/// 200,000 m³/s.
+/// Runoff of a vertex of a desert, 2⁻³² of 200,000 m³/s.
 const RUNOFF: u64 = 300_000;
+
+/// Runoff that every 2⁻¹⁶ of wetness adds to it.
 const RUNOFF_PER_WETNESS: u64 = 20;
 
 /// Discharge from which on water is a river.

@@ -13,8 +13,10 @@ use icosphere::{UnitVector, connect, icosphere, jitter};
 
 pub use icosphere::facing;
 
-/// Height of the waves that make continents, and of the noise that makes depressions; metres.
+/// Height of the waves that make continents, metres.
 const WAVES_M: f64 = 1500.0;
+
+/// Height of the noise that makes depressions, metres.
 const NOISE_M: f64 = 250.0;
 
 /// A planet of 20·4^`depth` faces and a radius in metres.

@@ -37,13 +37,13 @@ pub struct VertexContext<'a> {
     pub ends: [&'a Vertex; 2],
     /// The corners opposite to it.
     pub opposite: [Option<&'a Vertex>; 2],
-    /// What the two faces ask of it.
+    /// Requests of the two faces.
     pub requests: Requests,
     /// The other edges of the two faces that run along a river or a gully.
     pub beside: [Option<DrainBeside<'a>>; 4],
 }
 
-/// What faces ask of a new vertex.
+/// Requests of faces to a new vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Requests {
     /// Whether a gully starts here.
