@@ -1,21 +1,23 @@
 //! Integer arithmetic of the rules: products, ratios, roots and blends of Q16 shares and of grains.
 //!
-//! Products are taken in 64 bits; WGSL, which has 32, builds the same bits from halves (see the tests
-//! of [`fixed`](super::fixed)). Every other operation is one of 32 bits.
+//! Products are taken in 64 bits; WGSL, which has 32, can build the same bits from halves (see the
+//! tests of [`fixed`](super::fixed)). Every other operation is one of 32 bits. Nothing wraps but
+//! hashes: a sum or product beyond 32 bits is a mistake, and debug assertions refuse it.
 
 use super::fixed::{Q16, q16};
 
-/// ⌊a·b / 2¹⁶⌋, exact while the result fits an i32, else its low 32 bits.
+/// ⌊a·b / 2¹⁶⌋; it must fit an i32.
 #[inline]
 pub const fn mul_q16(a: i32, b: i32) -> i32 {
-    ((a as i64 * b as i64) >> 16) as i32
+    let wide = (a as i64 * b as i64) >> 16;
+    debug_assert!(wide as i32 as i64 == wide);
+    wide as i32
 }
 
-/// a·(1 - t) + b·t for a share t in Q16; exact at both ends. The difference of the ends must fit an
-/// i32.
+/// a·(1 - t) + b·t for a share t in Q16; exact at both ends, whose difference must fit an i32.
 #[inline]
 pub const fn mix(a: i32, b: i32, t: i32) -> i32 {
-    a.wrapping_add(mul_q16(b.wrapping_sub(a), t))
+    a + mul_q16(b - a, t)
 }
 
 /// Lower and higher of two.
@@ -58,7 +60,7 @@ pub const fn ratio(a: i32, b: i32) -> i32 {
 /// Where x stands between two edges, 0..1 in Q16, linear. `low` < `high`.
 #[inline]
 pub const fn linear_step(low: i32, high: i32, x: i32) -> i32 {
-    ratio(x.wrapping_sub(low), high.wrapping_sub(low))
+    ratio(x - low, high - low)
 }
 
 /// 3t² - 2t³ of a share in Q16; monotone, 0 at 0 and 1 at 1.

@@ -123,3 +123,5 @@ pub mod synthetic;
 mod ground_tests;
 #[cfg(test)]
 mod local_tests;
+#[cfg(test)]
+mod range_tests;

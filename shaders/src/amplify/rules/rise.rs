@@ -13,7 +13,7 @@ use super::landform::{steepness, worn};
 use super::preset::Rules;
 use super::{FACE_LEVEL, fine};
 use crate::amplify::arith::{mix, mul_q16, ordered, ratio};
-use crate::amplify::fixed::{Q16, q16};
+use crate::amplify::fixed::{Q16, metres, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::EdgeContext;
 
@@ -38,6 +38,9 @@ const LEAST_RISE: i32 = q16(0.15259);
 
 /// Share of the bulge that worn land loses.
 const WORN_LOSS: i32 = q16(0.39673);
+
+/// Most rise of a slope, grains: beyond any crust, and products of it fit 32 bits on any planet.
+const MOST_SLOPE: i32 = metres(400_000);
 
 /// First level whose bulges fade where the land is worn.
 const FIRST_WORN_LEVEL: u32 = 3;
@@ -72,7 +75,7 @@ fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
     } else {
         context.length
     };
-    mul_q16(length / 2, steepness(rules, context.new))
+    mul_q16(length / 2, steepness(rules, context.new)).min(MOST_SLOPE)
 }
 
 /// How much a crest gains over the higher end: a draw of the bulge, bounded by the room that the
