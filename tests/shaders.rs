@@ -2,7 +2,7 @@
 //! stand-ins for the renderer.
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use pangaea_shaders::globe::{LIBRARIES, PASSES, Source};
+use pangaea_shaders::globe::{LIBRARIES, PASSES, WgslSource};
 
 /// What passes import from the renderer.
 const RENDERER: &str = "
@@ -48,7 +48,7 @@ fn validate(name: &str, wgsl: &str) -> naga::Module {
 
 #[test]
 fn libraries_stand_alone() {
-    for Source { path, wgsl } in LIBRARIES {
+    for WgslSource { path, wgsl } in LIBRARIES {
         let import_path = path.trim_end_matches(".wgsl").replace('/', "::");
         assert!(
             wgsl.contains(&format!("#define_import_path {import_path}\n")),
@@ -65,7 +65,7 @@ fn passes_are_sound_in_every_variant() {
         .iter()
         .map(|library| plain(library.wgsl, &[]))
         .collect();
-    for Source { path, wgsl } in PASSES {
+    for WgslSource { path, wgsl } in PASSES {
         for defined in [&[][..], &["WIREFRAME"]] {
             let whole = format!("{RENDERER}{libraries}{}", plain(wgsl, defined));
             let module = validate(path, &whole);
@@ -81,7 +81,7 @@ fn passes_are_sound_in_every_variant() {
 
 #[test]
 fn passes_import_what_libraries_have() {
-    for Source { path, wgsl } in PASSES {
+    for WgslSource { path, wgsl } in PASSES {
         for import in wgsl
             .lines()
             .filter_map(|line| line.strip_prefix("#import pangaea_shaders::"))

@@ -4,7 +4,7 @@ use pangaea_shaders::amplify::base::Base;
 use pangaea_shaders::amplify::carve::carve_all;
 use pangaea_shaders::amplify::fixed::{GRAINS, ONE};
 use pangaea_shaders::amplify::ground::{Caps, refine};
-use pangaea_shaders::amplify::local::Local;
+use pangaea_shaders::amplify::local::LocalGround;
 use pangaea_shaders::amplify::mark::View;
 use pangaea_shaders::amplify::rules::Rules;
 use pangaea_shaders::amplify::seed::{pcg, share};
@@ -70,7 +70,7 @@ fn main() {
         .filter(|v| v.height > 0)
         .map(|v| v.direction)
         .collect();
-    let mut local = Local::new(&base, &rules);
+    let mut local = LocalGround::new(&base, &rules);
     for (name, all_land) in [("anywhere", false), ("on land", true)] {
         let n = 2000;
         let start = Watch::start();
@@ -93,9 +93,9 @@ fn main() {
     }
     let mut sums = [0; 3];
     for k in 0..100 {
-        let mut fresh = Local::new(&base, &rules);
+        let mut fresh = LocalGround::new(&base, &rules);
         fresh.leaf(direction(k), 17, None);
-        let counts = fresh.demand().counts();
+        let counts = fresh.lazy().counts();
         sums = [0, 1, 2].map(|i| sums[i] + counts[i]);
     }
     println!(
@@ -140,7 +140,7 @@ fn main() {
         let start = Watch::start();
         // A square of 64 m lies in a disc of 46 m.
         let ground = refine(&base, &rules, &View::disc(centre, 46, 17), &Caps::default());
-        let carved = carve_all(&ground.planet, &ground.vertices);
+        let carved = carve_all(&ground.scale, &ground.vertices);
         let time = start.seconds() * 1e3;
         let finest = ground.levels.last().map_or(0, |l| l.faces.len());
         println!(
@@ -166,7 +166,7 @@ fn main() {
         let start = Watch::start();
         let ground = refine(&base, &rules, &view, &Caps::default());
         let refined = start.seconds() * 1e3;
-        let carved = carve_all(&ground.planet, &ground.vertices);
+        let carved = carve_all(&ground.scale, &ground.vertices);
         let triangles = ground.triangles();
         let time = start.seconds() * 1e3;
         println!(

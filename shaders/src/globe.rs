@@ -1,8 +1,23 @@
-//! The globe: ground, sea, air and lines of a planet seen from orbit.
+//! The WGSL of the globe: ground, sea, air and lines of a planet seen from orbit.
+//!
+//! Two kinds of source, told apart by their headers:
+//! - *libraries* (`#define_import_path pangaea_shaders::...`) hold pure functions and import nothing,
+//!   so other passes can reuse them and they can be validated alone;
+//! - *passes* have entry points and bindings, and import the renderer's view and mesh.
+//!
+//! ```
+//! use pangaea_shaders::globe::{LIBRARIES, PASSES};
+//!
+//! for library in LIBRARIES {
+//!     let import_path = library.path.replace('/', "::").replace(".wgsl", "");
+//!     assert!(library.wgsl.contains(&format!("#define_import_path {import_path}")));
+//! }
+//! assert!(PASSES.iter().all(|pass| pass.wgsl.contains("@fragment")));
+//! ```
 
 /// A source of WGSL with the path it is known by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Source {
+pub struct WgslSource {
     /// Path for error messages, and the import path with `::` for `/` where the source is a
     /// library.
     pub path: &'static str,
@@ -31,32 +46,32 @@ pub const ATMOSPHERE: &str = include_str!("globe/atmosphere.wgsl");
 pub const LINE: &str = include_str!("globe/line.wgsl");
 
 /// Libraries, in the order in which they may be composed.
-pub const LIBRARIES: [Source; 3] = [
-    Source {
+pub const LIBRARIES: [WgslSource; 3] = [
+    WgslSource {
         path: "pangaea_shaders/globe/sample.wgsl",
         wgsl: SAMPLE,
     },
-    Source {
+    WgslSource {
         path: "pangaea_shaders/globe/light.wgsl",
         wgsl: LIGHT,
     },
-    Source {
+    WgslSource {
         path: "pangaea_shaders/globe/coast.wgsl",
         wgsl: COAST,
     },
 ];
 
 /// Passes.
-pub const PASSES: [Source; 3] = [
-    Source {
+pub const PASSES: [WgslSource; 3] = [
+    WgslSource {
         path: "pangaea_shaders/globe/surface.wgsl",
         wgsl: SURFACE,
     },
-    Source {
+    WgslSource {
         path: "pangaea_shaders/globe/atmosphere.wgsl",
         wgsl: ATMOSPHERE,
     },
-    Source {
+    WgslSource {
         path: "pangaea_shaders/globe/line.wgsl",
         wgsl: LINE,
     },

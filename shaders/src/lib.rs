@@ -1,15 +1,13 @@
-//! The WGSL of Pangaea, and the ground in exact integers that its compute passes share with the
-//! CPU.
+//! The ground of a planet down to half a metre, in exact integers; and the WGSL of the globe.
 //!
-//! The crate has no dependencies and knows no renderer. [`amplify`] grows the ground from a control
-//! mesh; [`globe`] holds the passes that draw a planet from orbit. A source is written in the
-//! dialect of Bevy (`naga_oil`: `#import`, `#ifdef`, `#{NAME}`).
+//! - [`amplify`] refines a control mesh of 52 km to ground of half a metre. It runs on the CPU, is
+//!   written pass by pass and in operations that WGSL's 32-bit integers have, so that compute passes
+//!   can have the same bits. There is no compute pass yet.
+//! - [`globe`] holds the WGSL that draws a planet from orbit, as constants: ground and sea, air,
+//!   lines.
 //!
-//! Two kinds of source, told apart by their headers:
-//! - *libraries* (`#define_import_path pangaea_shaders::...`) hold pure functions and import
-//!   nothing, so they
-//!   can be reused in other passes, validated alone, and twinned on the CPU;
-//! - *passes* have entry points and bindings, and import the renderer's view and mesh.
+//! The crate has no dependencies and knows no renderer. A shader is written in the dialect of Bevy
+//! (`naga_oil`: `#import`, `#ifdef`, `#{NAME}`).
 
 pub mod amplify;
 

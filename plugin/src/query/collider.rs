@@ -7,11 +7,11 @@ use super::{GroundError, PlanetGround, checked};
 use crate::math::east_north;
 use bevy::math::{DVec2, DVec3};
 use core::f64::consts::FRAC_1_SQRT_2;
-use pangaea_shaders::amplify::carve::{Kept, carve};
+use pangaea_shaders::amplify::carve::{OceanCache, carve};
 use pangaea_shaders::amplify::fixed::{GRAINS, Q16};
-use pangaea_shaders::amplify::ground::{Caps, Ground as Refined, refine_faces};
+use pangaea_shaders::amplify::ground::{Caps, RefinedGround, refine_faces};
 use pangaea_shaders::amplify::mark::View;
-use pangaea_shaders::amplify::topology::{Face, Mark};
+use pangaea_shaders::amplify::topology::{Face, SplitMark};
 
 /// Most edges of a level along the side of a collider: two and a half million triangles, where they
 /// are small eight.
@@ -33,8 +33,8 @@ impl PlanetGround {
     /// for one with too many triangles.
     pub fn collider(&self, direction: DVec3, side_m: f64, level: u8) -> Result<Patch, GroundError> {
         let up = checked(direction, level)?;
-        let radius = f64::from(self.base().planet.radius_m);
-        let edge = f64::from(self.base().planet.edge) / 16.0 / f64::from(1_u32 << level);
+        let radius = f64::from(self.base().scale.radius_m);
+        let edge = f64::from(self.base().scale.edge) / 16.0 / f64::from(1_u32 << level);
         let (min, max) = (1e-3, (MOST_EDGES * edge).min(0.5 * radius));
         let refused = |max| GroundError::Length {
             what: "the side of the collider",
@@ -62,7 +62,7 @@ impl PlanetGround {
     }
 
     /// The ground of a square and of `margin` m around it.
-    fn refined(&self, square: &Square, margin: f64, level: u8) -> Refined {
+    fn refined(&self, square: &Square, margin: f64, level: u8) -> RefinedGround {
         let side = |side: DVec3| (side * f64::from(Q16)).round().to_array().map(|x| x as i32);
         let reach = ((square.half + margin) / FRAC_1_SQRT_2).ceil() as u32;
         let sides = [side(square.east), side(square.north)];
@@ -72,7 +72,7 @@ impl PlanetGround {
 
     /// The finest triangles of a refinement that reach into a square, with the corners they use;
     /// none if some of the square was not refined so far.
-    fn cut(&self, refined: &Refined, square: &Square, level: u8) -> Option<Patch> {
+    fn cut(&self, refined: &RefinedGround, square: &Square, level: u8) -> Option<Patch> {
         let places: Vec<_> = refined
             .vertices
             .iter()
@@ -83,7 +83,7 @@ impl PlanetGround {
         let mut leaves = coarser
             .iter()
             .flat_map(|level| &level.faces)
-            .filter(|f| f.mark != Mark::Split);
+            .filter(|f| f.mark != SplitMark::Split);
         if leaves.any(|face| meets(&face)) {
             return None;
         }
@@ -96,10 +96,10 @@ impl PlanetGround {
             positions: Vec::new(),
             triangles: Vec::new(),
         };
-        let mut kept = Kept::default();
+        let mut kept = OceanCache::default();
         let mut place = |v: u32| {
             let vertex = &refined.vertices[v as usize];
-            let ground = carve(&mut kept, &refined.planet, vertex).ground;
+            let ground = carve(&mut kept, &refined.scale, vertex).ground;
             // Rounding lets directions leave the sphere by up to 5 cm.
             let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
             (unit * (square.radius + f64::from(ground) / f64::from(GRAINS)) - origin).as_vec3()

@@ -11,7 +11,7 @@ use bevy::math::DVec3;
 use pangaea_shaders::amplify::base::Base;
 use pangaea_shaders::amplify::control::{ControlMesh, ControlVertex};
 use pangaea_shaders::amplify::fixed::{GRAINS, ONE};
-use pangaea_shaders::amplify::local::{Leaf, Local};
+use pangaea_shaders::amplify::local::{Leaf, LocalGround};
 use pangaea_shaders::amplify::rules::Rules;
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex};
@@ -19,7 +19,7 @@ use std::sync::{Arc, Mutex};
 /// Questions of a batch that one engine answers in a row: enough to profit from what it remembers.
 const RUN: usize = 512;
 
-type Engine = Local<Arc<Base>>;
+type Engine = LocalGround<Arc<Base>>;
 
 /// The amplified ground of one planet. Cheap to clone; clones share the control mesh.
 #[derive(Debug)]
@@ -134,8 +134,8 @@ impl PlanetGround {
     fn with_engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
         let resting =
             |engines: &Mutex<Vec<Engine>>| engines.lock().ok().and_then(|mut all| all.pop());
-        let mut engine =
-            resting(&self.engines).unwrap_or_else(|| Local::new(self.base.clone(), &self.rules));
+        let mut engine = resting(&self.engines)
+            .unwrap_or_else(|| LocalGround::new(self.base.clone(), &self.rules));
         let answer = work(&mut engine);
         if let Ok(mut all) = self.engines.lock() {
             all.push(engine);
@@ -163,7 +163,7 @@ pub(super) fn quantised(unit: DVec3) -> [i32; 3] {
 
 impl Ground for PlanetGround {
     fn radius_m(&self) -> f64 {
-        f64::from(self.base.planet.radius_m)
+        f64::from(self.base.scale.radius_m)
     }
 
     fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {

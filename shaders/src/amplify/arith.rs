@@ -1,25 +1,32 @@
 //! Integer arithmetic of the rules: products, ratios, roots and blends of Q16 shares and of grains.
 //!
-//! Sums and products wrap as WGSL's do, which has 32 bits only: what is wide here is built from
-//! halves there, with the same bits (see the tests of [`fixed`](super::fixed)). Every function is
-//! total: no input panics.
+//! Products are taken in 64 bits; WGSL, which has 32, can build the same bits from halves (see the
+//! tests of [`fixed`](super::fixed)). Every other operation is one of 32 bits. Nothing wraps but
+//! hashes: a sum or product beyond 32 bits is a mistake, and debug assertions refuse it.
 
-use super::fixed::Q16;
+use super::fixed::{Q16, q16};
 
-/// ⌊a·b / 2¹⁶⌋, exact while the result fits an i32, else its low 32 bits.
+/// ⌊a·b / 2¹⁶⌋; it must fit an i32.
 #[inline]
 pub const fn mul_q16(a: i32, b: i32) -> i32 {
-    ((a as i64 * b as i64) >> 16) as i32
+    let wide = (a as i64 * b as i64) >> 16;
+    debug_assert!(wide as i32 as i64 == wide);
+    wide as i32
 }
 
-/// a·(1 - t) + b·t for a share t in Q16; exact at both ends. The difference of the ends must fit an
-/// i32.
+/// a·(1 - t) + b·t for a share t in Q16; exact at both ends, whose difference must fit an i32.
 #[inline]
 pub const fn mix(a: i32, b: i32, t: i32) -> i32 {
-    a.wrapping_add(mul_q16(b.wrapping_sub(a), t))
+    a + mul_q16(b - a, t)
 }
 
-/// The nearest of 0..1 in Q16.
+/// Lower and higher of two.
+#[inline]
+pub const fn ordered(a: i32, b: i32) -> (i32, i32) {
+    if a < b { (a, b) } else { (b, a) }
+}
+
+/// The number of 0..1 in Q16 that is nearest to t.
 #[inline]
 pub const fn saturate(t: i32) -> i32 {
     if t < 0 {
@@ -53,7 +60,7 @@ pub const fn ratio(a: i32, b: i32) -> i32 {
 /// Where x stands between two edges, 0..1 in Q16, linear. `low` < `high`.
 #[inline]
 pub const fn linear_step(low: i32, high: i32, x: i32) -> i32 {
-    ratio(x.wrapping_sub(low), high.wrapping_sub(low))
+    ratio(x - low, high - low)
 }
 
 /// 3t² - 2t³ of a share in Q16; monotone, 0 at 0 and 1 at 1.
@@ -69,17 +76,41 @@ pub const fn smoothstep(low: i32, high: i32, x: i32) -> i32 {
     smooth(linear_step(low, high, x))
 }
 
-/// ⌊√x⌋; any way of computing it gives the same bits. The root of an f64 is the exact one rounded
-/// to 53 bits, and the one below n², n < 2¹⁶, lies more than 2⁻¹⁸ below n: it never rounds up to
-/// it. Quicker than an integer root.
+/// ⌊√x⌋, exact.
+///
+/// ```
+/// use pangaea_shaders::amplify::arith::isqrt;
+///
+/// assert_eq!([isqrt(15), isqrt(16), isqrt(u32::MAX)], [3, 4, 65_535]);
+/// ```
 #[inline]
-pub fn isqrt(x: u32) -> u32 {
-    f64::from(x).sqrt() as u32
+pub const fn isqrt(x: u32) -> u32 {
+    if x == 0 {
+        return 0;
+    }
+    // Shifted by pairs of bits, so that the root has sixteen bits.
+    let shift = x.leading_zeros() & !1;
+    let y = x << shift;
+    // The parabola 0.51855 + 0.52601u - 0.03954u² is within 0.5 % of √u, u = y / 2³⁰ in 1..4.
+    let u = y >> 16;
+    let guess = 16_992 + ((u * 34_473) >> 15) - ((((u * u) >> 16) * 20_730) >> 16);
+    // One step of Newton's never ends below the root, and at most two above.
+    let mut root = (guess + y / guess) >> 1;
+    if root > 0xffff {
+        root = 0xffff;
+    }
+    if root * root > y {
+        root -= 1;
+    }
+    if root * root > y {
+        root -= 1;
+    }
+    root >> (shift / 2)
 }
 
 /// √t of a share in Q16, rounded down to a multiple of 2⁻¹⁶.
 #[inline]
-pub fn sqrt_q16(t: i32) -> i32 {
+pub const fn sqrt_q16(t: i32) -> i32 {
     if t >= Q16 {
         return Q16;
     }
@@ -91,7 +122,7 @@ pub fn sqrt_q16(t: i32) -> i32 {
 
 /// t^1.5 of a share in Q16.
 #[inline]
-pub fn pow_1_5(t: i32) -> i32 {
+pub const fn pow_1_5(t: i32) -> i32 {
     mul_q16(t, sqrt_q16(t))
 }
 
@@ -103,17 +134,13 @@ pub const fn square(t: i32) -> i32 {
 
 /// Length of a vector of components below 2³⁰, rounded; relative error below 2⁻¹³.
 #[inline]
-pub fn length(x: i32, y: i32, z: i32) -> i32 {
-    let (x, y, z) = (x.unsigned_abs(), y.unsigned_abs(), z.unsigned_abs());
+pub const fn length(x: i32, y: i32, z: i32) -> i32 {
+    let [x, y, z] = [x.unsigned_abs(), y.unsigned_abs(), z.unsigned_abs()];
+    // Three squares of 15-bit numbers sum to less than 2³².
     let bits = 32 - (x | y | z).leading_zeros();
-    // Three squares of 15-bit numbers sum to less than 2^32.
-    if bits > 15 {
-        let shift = bits - 15;
-        let (x, y, z) = (x >> shift, y >> shift, z >> shift);
-        (isqrt(x * x + y * y + z * z) << shift) as i32
-    } else {
-        isqrt(x * x + y * y + z * z) as i32
-    }
+    let shift = bits.saturating_sub(15);
+    let [x, y, z] = [x >> shift, y >> shift, z >> shift];
+    (isqrt(x * x + y * y + z * z) << shift) as i32
 }
 
 /// cos(2πt) of a phase whose whole turn is 2¹⁶, Q16. Error below 0.001; even and periodic to the
@@ -121,23 +148,31 @@ pub fn length(x: i32, y: i32, z: i32) -> i32 {
 #[inline]
 pub const fn cos_turn(t: i32) -> i32 {
     // Folded to a quarter: x in 0..=2¹⁴ from a crest, sign by half turns.
-    let half = t & 0xffff;
-    let x = if half > 0x8000 { 0x1_0000 - half } else { half };
-    let (x, sign) = if x > 0x4000 { (0x8000 - x, -1) } else { (x, 1) };
+    let turn = t & 0xffff;
+    let half = if turn > 0x8000 { Q16 - turn } else { turn };
+    let (x, sign) = if half > 0x4000 {
+        (0x8000 - half, -1)
+    } else {
+        (half, 1)
+    };
     // cos(πu/2) with u = x / 2¹⁴: 1 - u²(a - u²(b - c·u²)), a - b + c = 1.
+    const A: i32 = q16(1.23364);
+    const B: i32 = q16(0.25325);
+    const C: i32 = q16(0.0196);
     let u = x << 2;
     let u2 = square(u);
-    let inner = 16_597 - mul_q16(1_285, u2);
-    let outer = 80_848 - mul_q16(inner, u2);
+    let inner = B - mul_q16(C, u2);
+    let outer = A - mul_q16(inner, u2);
     sign * (Q16 - mul_q16(outer, u2))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::amplify::seed::pcg;
 
     #[test]
-    fn ratios_and_roots_match_reals() {
+    fn ratios_match_reals() {
         for (a, b) in [
             (1, 3),
             (0, 7),
@@ -147,28 +182,24 @@ mod tests {
             (9, 2),
         ] {
             let want = (f64::from(a) / f64::from(b)).min(1.0);
-            assert!(
-                (f64::from(ratio(a, b)) / 65_536.0 - want).abs() < 1e-4,
-                "{a}/{b}"
-            );
+            let got = f64::from(ratio(a, b)) / 65_536.0;
+            assert!((got - want).abs() < 1e-4, "{a}/{b}");
         }
-        for x in [
-            0,
-            1,
-            2,
-            3,
-            4,
-            15,
-            16,
-            17,
-            65_535,
-            65_536,
-            u32::MAX - 1,
-            u32::MAX,
-        ] {
-            let root = u64::from(isqrt(x));
-            assert!(root * root <= u64::from(x) && (root + 1) * (root + 1) > u64::from(x));
+    }
+
+    /// The root of an f64 is the exact one rounded to 53 bits, and the one below n², n < 2¹⁶, lies
+    /// more than 2⁻¹⁸ below n: it never rounds up to it.
+    #[test]
+    fn roots_are_exact() {
+        let random = (0..2_000_000_u32).map(|k| pcg(k) >> (k % 31));
+        let squares = (1..=0xffff_u32).flat_map(|n| [n * n - 1, n * n, n * n + n, n * n + 2 * n]);
+        for x in squares.chain(random).chain([0, u32::MAX]) {
+            assert_eq!(isqrt(x), f64::from(x).sqrt() as u32, "{x}");
         }
+    }
+
+    #[test]
+    fn curves_of_shares_match_reals() {
         for t in (0..=Q16).step_by(13) {
             let x = f64::from(t) / 65_536.0;
             assert!((f64::from(pow_1_5(t)) - x * x.sqrt() * 65_536.0).abs() < 2.1);

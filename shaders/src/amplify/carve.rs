@@ -2,24 +2,24 @@
 //!
 //! Reads and writes one vertex; see [`rules::valley`](super::rules::valley) for the profile.
 
-use super::planet::Planet;
-pub use super::rules::ocean::Kept;
+pub use super::rules::ocean::OceanCache;
 use super::rules::valley;
 pub use super::rules::valley::Carved;
+use super::scale::PlanetScale;
 use super::vertex::Vertex;
 
-/// Final ground and water of a vertex. `kept` is what an earlier one left, best one near it; it
-/// changes no bit.
+/// Final ground and water of a vertex. `cache` holds noise of an earlier vertex, best one near it;
+/// it changes no bit.
 #[inline]
-pub fn carve(kept: &mut Kept, planet: &Planet, vertex: &Vertex) -> Carved {
-    valley::carve(kept, vertex, planet.edge_grains(0))
+pub fn carve(cache: &mut OceanCache, scale: &PlanetScale, vertex: &Vertex) -> Carved {
+    valley::carve(cache, vertex, scale.edge_grains(0))
 }
 
 /// Final ground and water of a column of vertices.
-pub fn carve_all(planet: &Planet, vertices: &[Vertex]) -> Vec<Carved> {
-    let mut kept = Kept::default();
+pub fn carve_all(scale: &PlanetScale, vertices: &[Vertex]) -> Vec<Carved> {
+    let mut cache = OceanCache::default();
     vertices
         .iter()
-        .map(|vertex| carve(&mut kept, planet, vertex))
+        .map(|vertex| carve(&mut cache, scale, vertex))
         .collect()
 }

@@ -5,13 +5,13 @@
 //! network (§4) in integers, so that every machine starts from the same bits. Units are those of
 //! [`crate::amplify::fixed`].
 
-/// One vertex of the control mesh, 68 bytes.
+/// One vertex of the control mesh, 64 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct ControlVertex {
     /// Unit direction from the planet's centre, each component times `ONE`.
     pub direction: [i32; 3],
-    /// Where the vertex's random numbers begin.
+    /// Seed of the vertex's random numbers.
     pub seed: u32,
     /// Ground above sea level, grains.
     pub height: i32,
@@ -28,7 +28,7 @@ pub struct ControlVertex {
     pub kind: u8,
     /// [`ValleyShape`] as a number.
     pub valley: u8,
-    /// Orogeny age A, 1/64 My; u16::MAX where no orogeny ever was.
+    /// Orogeny age A, 1/64 My; [`u16::MAX`] where no orogeny ever was.
     pub age: u16,
     /// Share of continental collision (Himalayan, 1) against subduction (Andean, 0) in the orogeny,
     /// Q16.
@@ -50,7 +50,9 @@ pub struct ControlVertex {
     pub ridge: [i16; 3],
 }
 
-/// What a vertex is (paper 002 Table 1).
+const _: () = assert!(size_of::<ControlVertex>() == 64);
+
+/// Kind of a vertex (paper 002 Table 1).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum VertexKind {
@@ -138,6 +140,17 @@ pub struct ControlFace {
 }
 
 /// The control mesh of one planet.
+///
+/// ```
+/// use pangaea_shaders::amplify::control::VertexKind;
+/// use pangaea_shaders::amplify::synthetic::control_mesh;
+///
+/// let mesh = control_mesh(6_371_000, 3, 1);
+/// let river = mesh.edges.iter().find(|edge| edge.river == 1).expect("a river");
+/// let [upper, _] = river.vertices.map(|v| &mesh.vertices[v as usize]);
+/// assert_ne!(upper.kind, VertexKind::Terrain as u8);
+/// assert!(upper.flow > 0 && upper.water >= upper.bed);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ControlMesh {
     /// Radius of the planet at sea level, metres; there is ground for 50,000 to 10,000,000.

@@ -14,37 +14,40 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
     if view.horizon == i32::MAX && view.radius == i32::MAX {
         return (base.vertices.clone(), base.level.clone());
     }
-    let edge = base.planet.edge.min(i32::MAX as u32 / 16) as i32;
-    let reach = view
-        .horizon
-        .max(view.bound(&base.planet, 0))
-        .saturating_add(edge * MARGIN);
+    let reach = reach(base, view);
+    // Distances along the ground from the view's centre.
     let ground = View {
         altitude: None,
         radius: 0,
         sides: [[0; 3]; 2],
         ..*view
     };
-    let near = |face: &Face| {
+    let is_near = |face: &Face| {
         let corners = face.vertices.map(|v| &base.vertices[v as usize]);
-        ground.distance(&base.planet, corners) < reach.saturating_add(view.radius)
+        ground.distance(&base.scale, corners) < reach
     };
-    // A small disc of faces is found by spreading from its middle, a great one by looking at all.
-    let quarter = (base.planet.radius_m * 4).min(1 << 28) as i32;
-    let kept = if reach.saturating_add(view.radius) < quarter {
-        spread(base, base.locate(view.direction, None), near)
+    // A small disc of faces is found by flooding from its middle, a great one by looking at all.
+    let quarter = (base.scale.radius_m * 4).min(1 << 28) as i32;
+    let kept = if reach < quarter {
+        flood(base, base.locate(view.direction, None), is_near)
     } else {
-        (0..)
-            .zip(&base.level.faces)
-            .filter(|(_, f)| near(f))
-            .map(|(i, _)| i)
-            .collect()
+        let faces = (0..).zip(&base.level.faces);
+        faces.filter(|(_, f)| is_near(f)).map(|(i, _)| i).collect()
     };
     compact(base, &kept)
 }
 
+/// Distance from a view's centre within which faces are kept, sixteenths of a metre.
+fn reach(base: &Base, view: &View) -> i32 {
+    let edge = base.scale.edge.min(i32::MAX as u32 / 16) as i32;
+    view.horizon
+        .max(view.bound(&base.scale, 0))
+        .saturating_add(edge * MARGIN)
+        .saturating_add(view.radius)
+}
+
 /// The faces that fulfil a condition and hang together with the first, in ascending order.
-fn spread(base: &Base, first: u32, near: impl Fn(&Face) -> bool) -> Vec<u32> {
+fn flood(base: &Base, first: u32, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
     let mut kept = vec![first];
     let mut seen = Numbers::from_iter([first]);
     let mut next = 0;
@@ -52,7 +55,7 @@ fn spread(base: &Base, first: u32, near: impl Fn(&Face) -> bool) -> Vec<u32> {
         let face = &base.level.faces[kept[next] as usize];
         next += 1;
         for &f in face.vertices.iter().flat_map(|&v| base.faces_around(v)) {
-            if seen.insert(f) && near(&base.level.faces[f as usize]) {
+            if seen.insert(f) && is_near(&base.level.faces[f as usize]) {
                 kept.push(f);
             }
         }
@@ -64,48 +67,61 @@ fn spread(base: &Base, first: u32, near: impl Fn(&Face) -> bool) -> Vec<u32> {
 /// Some faces of the control mesh as a level of their own, in the given order.
 pub fn compact(base: &Base, kept: &[u32]) -> (Vec<Vertex>, Level) {
     let faces = || kept.iter().map(|&f| &base.level.faces[f as usize]);
-    let vertices = sorted(faces().flat_map(|f| f.vertices));
-    let edges = sorted(faces().flat_map(|f| f.edges));
-    let mut by_index: Vec<(u32, u32)> = kept.iter().copied().zip(0..).collect();
-    by_index.sort_unstable();
-    let place = |sorted: &[u32], i: u32| sorted.binary_search(&i).map_or(NONE, |p| p as u32);
-    let face_place = |f: u32| {
-        by_index
-            .binary_search_by_key(&f, |p| p.0)
-            .map_or(NONE, |p| by_index[p].1)
+    let places = Kept {
+        vertices: sorted(faces().flat_map(|f| f.vertices)),
+        edges: sorted(faces().flat_map(|f| f.edges)),
+        faces: {
+            let mut faces: Vec<(u32, u32)> = kept.iter().copied().zip(0..).collect();
+            faces.sort_unstable();
+            faces
+        },
     };
+    let edges = places.edges.iter().map(|&e| places.edge(base, e));
+    let faces = kept.iter().map(|&f| places.face(base, f));
     let level = Level {
-        edges: edges
-            .iter()
-            .map(|&e| {
-                let edge = &base.level.edges[e as usize];
-                let ends = edge.vertices.map(|v| place(&vertices, v));
-                Edge {
-                    vertices: ends,
-                    faces: edge.faces.map(face_place),
-                    ..*edge
-                }
-            })
-            .collect(),
-        faces: kept
-            .iter()
-            .zip(faces())
-            .map(|(&i, f)| {
-                Face::new(
-                    f.vertices.map(|v| place(&vertices, v)),
-                    f.edges.map(|e| place(&edges, e)),
-                    i,
-                )
-            })
-            .collect(),
+        edges: edges.collect(),
+        faces: faces.collect(),
     };
-    (
-        vertices
-            .iter()
-            .map(|&v| base.vertices[v as usize])
-            .collect(),
-        level,
-    )
+    let vertices = places.vertices.iter().map(|&v| base.vertices[v as usize]);
+    (vertices.collect(), level)
+}
+
+/// Items of the control mesh that are kept, in ascending order.
+struct Kept {
+    vertices: Vec<u32>,
+    edges: Vec<u32>,
+    /// With their places among the kept.
+    faces: Vec<(u32, u32)>,
+}
+
+impl Kept {
+    /// An edge of the control mesh as an edge of the kept part.
+    fn edge(&self, base: &Base, edge: u32) -> Edge {
+        let edge = &base.level.edges[edge as usize];
+        Edge {
+            vertices: edge.vertices.map(|v| place(&self.vertices, v)),
+            faces: edge.faces.map(|f| self.face_place(f)),
+            ..*edge
+        }
+    }
+
+    /// A face of the control mesh as a face of the kept part.
+    fn face(&self, base: &Base, face: u32) -> Face {
+        let from = &base.level.faces[face as usize];
+        let vertices = from.vertices.map(|v| place(&self.vertices, v));
+        let edges = from.edges.map(|e| place(&self.edges, e));
+        Face::new(vertices, edges, face)
+    }
+
+    fn face_place(&self, face: u32) -> u32 {
+        let found = self.faces.binary_search_by_key(&face, |p| p.0);
+        found.map_or(NONE, |p| self.faces[p].1)
+    }
+}
+
+/// The place of an item among sorted ones; [`NONE`] without one.
+fn place(sorted: &[u32], item: u32) -> u32 {
+    sorted.binary_search(&item).map_or(NONE, |p| p as u32)
 }
 
 fn sorted(items: impl Iterator<Item = u32>) -> Vec<u32> {
@@ -132,20 +148,14 @@ mod tests {
                 radius: 0,
                 ..View::disc(direction, 1, 17)
             };
-            let near = |face: &Face| {
+            let is_near = |face: &Face| {
                 let corners = face.vertices.map(|v| &base.vertices[v as usize]);
-                view.distance(&base.planet, corners) < reach
+                view.distance(&base.scale, corners) < reach
             };
-            let all: Vec<u32> = (0..)
-                .zip(&base.level.faces)
-                .filter(|(_, f)| near(f))
-                .map(|(i, _)| i)
-                .collect();
-            assert_eq!(
-                spread(&base, base.locate(direction, None), near),
-                all,
-                "{k}"
-            );
+            let all = (0..).zip(&base.level.faces).filter(|(_, f)| is_near(f));
+            let all: Vec<u32> = all.map(|(i, _)| i).collect();
+            let found = flood(&base, base.locate(direction, None), is_near);
+            assert_eq!(found, all, "{k}");
         }
     }
 }

@@ -4,14 +4,14 @@
 //! more, so that every interior edge is used exactly twice and none has a vertex inside.
 
 use super::carve::Carved;
-use super::ground::Ground;
-use super::topology::{Face, Level, Mark, NONE};
+use super::ground::RefinedGround;
+use super::topology::{Face, Level, NONE, SplitMark};
 use super::vertex::Vertex;
 
 /// A triangle of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Triangle {
-    /// Its corners, counter-clockwise from outside; indices into [`Ground::vertices`].
+    /// Its corners, counter-clockwise from outside; indices into [`RefinedGround::vertices`].
     pub vertices: [u32; 3],
     /// The level of its leaf.
     pub level: u32,
@@ -21,55 +21,89 @@ pub struct Triangle {
 
 /// Up to four triangles of a leaf face; returns how many.
 pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]; 4]) -> usize {
-    let v = face.vertices;
     let mid = face.edges.map(|e| match level.edges.get(e as usize) {
-        Some(edge) if edge.mark == Mark::Split => edge.mid,
+        Some(edge) if edge.mark == SplitMark::Split => edge.mid,
         _ => NONE,
     });
     let split = mid.map(|m| m != NONE);
-    // The corner from which the fan starts.
-    let Some(k) = (0..3)
-        .find(|&k| split[k] && !split[(k + 2) % 3])
-        .or(split[0].then_some(0))
-    else {
-        out[0] = v;
-        return 1;
-    };
-    let at = |i: usize| (v[(k + i) % 3], mid[(k + i) % 3]);
-    let ((a, ab), (b, bc), (c, ca)) = (at(0), at(1), at(2));
-    match (split[(k + 1) % 3], split[(k + 2) % 3]) {
-        (false, _) => {
-            out[..2].copy_from_slice(&[[a, ab, c], [ab, b, c]]);
+    let turned = Turned::new(face.vertices, mid, first_split(split));
+    match split.into_iter().filter(|&s| s).count() {
+        0 => {
+            out[0] = face.vertices;
+            1
+        }
+        1 => {
+            out[..2].copy_from_slice(&turned.halves());
             2
         }
-        (true, false) => {
-            out[0] = [ab, b, bc];
-            // The quadrilateral a, ab, bc, c is cut by the seeds, which no view changes.
+        2 => {
             let seed = |v: u32| vertices[v as usize].seed;
-            let cut = if seed(ab) > seed(bc) {
-                [[a, ab, c], [ab, bc, c]]
-            } else {
-                [[a, ab, bc], [a, bc, c]]
-            };
-            out[1..3].copy_from_slice(&cut);
+            out[..3].copy_from_slice(&turned.thirds(seed));
             3
         }
-        (true, true) => {
-            *out = [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]];
+        _ => {
+            *out = turned.quarters();
             4
         }
     }
 }
 
-impl Ground {
+/// The split edge after one that is whole: a fan's first; 0 if all are split.
+fn first_split(split: [bool; 3]) -> usize {
+    (0..3)
+        .find(|&k| split[k] && !split[(k + 2) % 3])
+        .unwrap_or(0)
+}
+
+/// A face turned so that its first split edge is ab.
+struct Turned {
+    corners: [u32; 3],
+    /// Middles of ab, bc, ca; [`NONE`] where an edge is whole.
+    mids: [u32; 3],
+}
+
+impl Turned {
+    fn new(corners: [u32; 3], mids: [u32; 3], first: usize) -> Self {
+        Self {
+            corners: [0, 1, 2].map(|i| corners[(first + i) % 3]),
+            mids: [0, 1, 2].map(|i| mids[(first + i) % 3]),
+        }
+    }
+
+    /// The triangles where ab alone is split.
+    fn halves(&self) -> [[u32; 3]; 2] {
+        let ([a, b, c], ab) = (self.corners, self.mids[0]);
+        [[a, ab, c], [ab, b, c]]
+    }
+
+    /// The triangles where ab and bc are split. The quadrilateral a, ab, bc, c is cut by the seeds,
+    /// which no view changes.
+    fn thirds(&self, seed: impl Fn(u32) -> u32) -> [[u32; 3]; 3] {
+        let ([a, b, c], [ab, bc, _]) = (self.corners, self.mids);
+        let tip = [ab, b, bc];
+        if seed(ab) > seed(bc) {
+            [tip, [a, ab, c], [ab, bc, c]]
+        } else {
+            [tip, [a, ab, bc], [a, bc, c]]
+        }
+    }
+
+    /// The triangles where all edges are split.
+    fn quarters(&self) -> [[u32; 3]; 4] {
+        let ([a, b, c], [ab, bc, ca]) = (self.corners, self.mids);
+        [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+    }
+}
+
+impl RefinedGround {
     /// The triangles of all leaves, coarse levels first.
     pub fn triangles(&self) -> Vec<Triangle> {
         let mut triangles = Vec::new();
         for (index, level) in (0..).zip(&self.levels) {
-            for (f, face) in (0..)
-                .zip(&level.faces)
-                .filter(|(_, f): &(u32, &Face)| f.mark != Mark::Split)
-            {
+            for (f, face) in (0..).zip(&level.faces) {
+                if face.mark == SplitMark::Split {
+                    continue;
+                }
                 let mut out = [[0; 3]; 4];
                 let made = emit(face, level, &self.vertices, &mut out);
                 triangles.extend(out[..made].iter().map(|&vertices| Triangle {
@@ -87,10 +121,10 @@ impl Ground {
 /// belongs to it where any corner lies under water; its corners stand at [`Carved::water`], and at
 /// the ground where they are dry.
 pub fn water(triangles: &[Triangle], carved: &[Carved]) -> Vec<Triangle> {
-    let wet = |v: u32| carved[v as usize].water > carved[v as usize].ground;
+    let is_wet = |v: u32| carved[v as usize].water > carved[v as usize].ground;
     triangles
         .iter()
-        .filter(|t| t.vertices.into_iter().any(wet))
+        .filter(|t| t.vertices.into_iter().any(is_wet))
         .copied()
         .collect()
 }

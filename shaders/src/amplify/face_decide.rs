@@ -15,8 +15,8 @@ use super::seed::pcg;
 use super::topology::{Edge, Inner};
 use super::vertex::Vertex;
 
-/// What a face's decision depends on.
-pub struct Sight<'a> {
+/// The neighbourhood that a face's decision depends on.
+pub struct FaceContext<'a> {
     /// Indices of the corners, as the edges name them.
     pub corners: [u32; 3],
     /// The corners.
@@ -25,104 +25,100 @@ pub struct Sight<'a> {
     pub edges: [&'a Edge; 3],
     /// The new vertices on the edges.
     pub mids: [&'a Vertex; 3],
-    /// Their kinds before any face changed them.
+    /// Kinds of the new vertices before any face changed them.
     pub kinds: [VertexKind; 3],
     /// The corners beyond the edges.
     pub beyond: [Option<&'a Vertex>; 3],
 }
 
 /// Decides the three inner edges of a face of a level.
-pub fn decide(rules: &Rules, level: u32, sight: &Sight) -> [Inner; 3] {
-    let mut inner = [Inner::Terrain; 3];
-    if level >= STRAIGHT_LEVEL || sight.edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
-        return inner;
+pub fn decide(rules: &Rules, level: u32, face: &FaceContext) -> [Inner; 3] {
+    if level >= STRAIGHT_LEVEL {
+        return [Inner::Terrain; 3];
     }
-    for (k, inner) in inner.iter_mut().enumerate() {
+    [0, 1, 2].map(|k| {
         let other = (k + 2) % 3;
-        let drained = [k, other].map(|e| sight.edges[e].kind != EdgeKind::Terrain);
-        *inner = match drained {
-            [true, false] => drain(
-                rules,
-                level,
-                sight,
-                k,
-                k,
-                other,
-                Inner::RiverToFirst,
-                Inner::GullyToFirst,
-            ),
-            [false, true] => drain(
-                rules,
-                level,
-                sight,
-                k,
-                other,
-                k,
-                Inner::RiverToSecond,
-                Inner::GullyToSecond,
-            ),
-            _ => Inner::Terrain,
+        let is_drained = |e: usize| face.edges[e].kind != EdgeKind::Terrain;
+        let (low, high) = match (is_drained(k), is_drained(other)) {
+            (true, false) => (k, other),
+            (false, true) => (other, k),
+            _ => return Inner::Terrain,
         };
-    }
-    inner
+        let corner = Corner { k, low, high };
+        match (corner.drainage(rules, level, face), low == k) {
+            (EdgeKind::Terrain, _) => Inner::Terrain,
+            (EdgeKind::River, true) => Inner::RiverToFirst,
+            (EdgeKind::River, false) => Inner::RiverToSecond,
+            (EdgeKind::Gully, true) => Inner::GullyToFirst,
+            (EdgeKind::Gully, false) => Inner::GullyToSecond,
+        }
+    })
 }
 
-/// What the inner edge at a corner becomes, between the drained edge `low` and the ground's edge
-/// `high`.
-fn drain(
-    rules: &Rules,
-    level: u32,
-    sight: &Sight,
-    corner: usize,
+/// A corner of a face between an edge with a river or gully and an edge of the ground.
+struct Corner {
+    /// The corner.
+    k: usize,
+    /// The drained edge.
     low: usize,
+    /// The ground's edge.
     high: usize,
-    river: Inner,
-    dry: Inner,
-) -> Inner {
-    let (edge, junction, tip) = (sight.edges[low], sight.mids[low], sight.mids[high]);
-    let (junction_kind, tip_kind) = (sight.kinds[low], sight.kinds[high]);
-    let drains = matches!(junction_kind, VertexKind::River | VertexKind::Gully);
-    // Only at the upstream corner can a tributary meet its river at an acute angle.
-    if !drains || tip_kind != VertexKind::Terrain || sight.corners[corner] != edge.vertices[0] {
-        return Inner::Terrain;
-    }
-    let next = (low + 1) % 3;
-    let downstream = if next == corner { low } else { next };
-    let flow = difference(
-        sight.vertices[downstream].direction,
-        sight.vertices[corner].direction,
-    );
-    if dot(flow, difference(junction.direction, tip.direction)) <= 0 || tip.height <= junction.water
-    {
-        return Inner::Terrain;
-    }
-    let seed = pcg(junction.seed ^ pcg(tip.seed));
-    let off_gully = junction_kind == VertexKind::Gully;
-    let chosen = chosen(junction, sight.vertices[(low + 2) % 3], sight.beyond[low]);
-    let gains = junction.discharge > sight.vertices[corner].discharge + 1
-        && sight.vertices[corner].is_wet();
-    if !off_gully
-        && chosen
-        && gains
-        && gully::is_tributary(
-            rules,
-            level,
-            junction.flow(),
-            junction.height,
-            tip.height,
-            seed,
-        )
-    {
-        return river;
-    }
-    if gully::is_gully(rules, level, off_gully, junction.height, tip.height, seed) {
-        dry
-    } else {
-        Inner::Terrain
-    }
 }
 
-/// Whether the draw at a junction falls on the side of `here` rather than that of `beyond`.
-fn chosen(junction: &Vertex, here: &Vertex, beyond: Option<&Vertex>) -> bool {
-    beyond.is_some_and(|beyond| pcg(junction.seed ^ here.seed) > pcg(junction.seed ^ beyond.seed))
+impl Corner {
+    /// The kind of the inner edge that cuts the corner off.
+    fn drainage(&self, rules: &Rules, level: u32, face: &FaceContext) -> EdgeKind {
+        if !self.may_drain(face) {
+            return EdgeKind::Terrain;
+        }
+        let (junction, tip) = (face.mids[self.low], face.mids[self.high]);
+        let (height, spring, flow) = (junction.height, tip.height, junction.flow());
+        let seed = pcg(junction.seed ^ pcg(tip.seed));
+        let off_gully = face.kinds[self.low] == VertexKind::Gully;
+        if !off_gully
+            && self.is_chosen(face)
+            && self.gains_water(face)
+            && gully::is_tributary(rules, level, flow, height, spring, seed)
+        {
+            EdgeKind::River
+        } else if gully::is_gully(rules, level, off_gully, height, spring, seed) {
+            EdgeKind::Gully
+        } else {
+            EdgeKind::Terrain
+        }
+    }
+
+    /// Whether water from the ground's edge could join the drained one: downhill, and at an acute
+    /// angle.
+    fn may_drain(&self, face: &FaceContext) -> bool {
+        let is_drain = matches!(face.kinds[self.low], VertexKind::River | VertexKind::Gully);
+        // Only at the upstream corner can a tributary meet its river at an acute angle.
+        let is_upstream = face.corners[self.k] == face.edges[self.low].vertices[0];
+        if !is_drain || face.kinds[self.high] != VertexKind::Terrain || !is_upstream {
+            return false;
+        }
+        let next = (self.low + 1) % 3;
+        let downstream = if next == self.k { self.low } else { next };
+        let flow = difference(
+            face.vertices[downstream].direction,
+            face.vertices[self.k].direction,
+        );
+        let (junction, tip) = (face.mids[self.low], face.mids[self.high]);
+        let inflow = difference(junction.direction, tip.direction);
+        dot(flow, inflow) > 0 && tip.height > junction.water
+    }
+
+    /// Whether the draw at the junction falls on this face rather than the one beyond the river.
+    fn is_chosen(&self, face: &FaceContext) -> bool {
+        let draw = |side: &Vertex| pcg(face.mids[self.low].seed ^ side.seed);
+        let here = face.vertices[(self.low + 2) % 3];
+        face.beyond[self.low].is_some_and(|beyond| draw(here) > draw(beyond))
+    }
+
+    /// Whether the river gains water between the corner and the junction, which a tributary can
+    /// bring.
+    fn gains_water(&self, face: &FaceContext) -> bool {
+        let upstream = face.vertices[self.k];
+        upstream.is_wet() && face.mids[self.low].discharge > upstream.discharge.saturating_add(1)
+    }
 }

@@ -1,11 +1,10 @@
-//! Passes: edges are halved and faces quartered; what joins what in the next level (see
-//! [`topology`](super::topology)).
+//! Passes: edges are halved and faces quartered, as [`topology`](super::topology) describes.
 //!
 //! Every child edge and child face is written from its parent's data and that of the parent's
 //! neighbours alone.
 
 use super::rules::{EdgeKind, Rules, gully};
-use super::topology::{Edge, Face, Mark, NONE};
+use super::topology::{Edge, Face, NONE, SplitMark};
 use super::vertex::Vertex;
 use super::vertex_resolve::tributary;
 
@@ -18,38 +17,33 @@ pub fn halve(
     vertices: &[Vertex],
 ) -> [Edge; 2] {
     let [a, b] = edge.vertices;
-    let child = |end: u32| {
-        edge.faces.map(|f| match faces.get(f as usize) {
-            Some(face) if face.mark == Mark::Split => face.child + face.corner(end) as u32,
-            _ => NONE,
-        })
-    };
     let [up, mid, down] = [a, edge.mid, b].map(|v| &vertices[v as usize]);
-    let mut halves = [
-        Edge::new(edge.kind, [a, edge.mid], child(a)),
-        Edge::new(edge.kind, [edge.mid, b], child(b)),
-    ];
-    for (slot, half) in halves.iter_mut().enumerate() {
+    [0, 1].map(|slot| {
         let (kind, reversed) = half_kind(rules, level, edge.kind, slot, [up, mid, down]);
-        half.kind = kind;
+        let (end, ends) = [(a, [a, edge.mid]), (b, [edge.mid, b])][slot];
+        let mut half = Edge::new(kind, ends, children_at(end, edge, faces));
         if reversed {
             half.vertices.swap(0, 1);
             half.faces.swap(0, 1);
         }
         if kind == EdgeKind::River {
             half.birth = edge.birth;
-            half.arriving = if slot == 0 {
-                arriving_at(mid, up)
-            } else {
-                edge.arriving
-            };
+            half.arriving = [arriving_at(mid, up), edge.arriving][slot];
         }
-    }
-    halves
+        half
+    })
 }
 
-/// What a half of an edge is, and whether it runs against the edge. `along` are the edge's ends and
-/// its middle.
+/// The children that an edge's faces have at one of its ends, or [`NONE`].
+fn children_at(end: u32, edge: &Edge, faces: &[Face]) -> [u32; 2] {
+    edge.faces.map(|f| match faces.get(f as usize) {
+        Some(face) if face.mark == SplitMark::Split => face.child + face.corner(end) as u32,
+        _ => NONE,
+    })
+}
+
+/// The kind of a half of an edge, and whether it runs against the edge. The vertices are the edge's
+/// ends and, between them, its middle.
 ///
 /// R4a: on coarse levels a tributary goes on towards the land above its spring. R4b: later that
 /// half is ground. New dry land drains along one half of its edge.
@@ -82,10 +76,7 @@ pub fn arriving_at(mid: &Vertex, up: &Vertex) -> u32 {
 /// The inner edge of a split face at a corner. `first` is the index of the face's first inner edge.
 pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &[Vertex]) -> Edge {
     let other = (k + 2) % 3;
-    let (first, second) = (
-        edges[face.edges[k] as usize].mid,
-        edges[face.edges[other] as usize].mid,
-    );
+    let [first, second] = [k, other].map(|e| edges[face.edges[e] as usize].mid);
     let faces = [face.child + k as u32, face.child + 3];
     let (kind, reversed) = face.inner[k].edge();
     let mut edge = if reversed {
@@ -111,19 +102,11 @@ pub fn quarter(face: &Face, index: u32, first_inner: u32, edges: &[Edge]) -> [Fa
     let mids = along.map(|e| e.mid);
     // The half of edge e that ends at a corner.
     let half = |e: usize, corner: u32| along[e].child + u32::from(along[e].vertices[0] != corner);
-    let corner = |k: usize| {
+    let [c0, c1, c2] = [0, 1, 2].map(|k| {
         let (other, v) = ((k + 2) % 3, face.vertices[k]);
-        Face::new(
-            [v, mids[k], mids[other]],
-            [half(k, v), first_inner + k as u32, half(other, v)],
-            index,
-        )
-    };
-    let middle = [first_inner + 1, first_inner + 2, first_inner];
-    [
-        corner(0),
-        corner(1),
-        corner(2),
-        Face::new(mids, middle, index),
-    ]
+        let edges = [half(k, v), first_inner + k as u32, half(other, v)];
+        Face::new([v, mids[k], mids[other]], edges, index)
+    });
+    let inner = [first_inner + 1, first_inner + 2, first_inner];
+    [c0, c1, c2, Face::new(mids, inner, index)]
 }

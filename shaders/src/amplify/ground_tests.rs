@@ -4,12 +4,12 @@
 use super::base::{BadMesh, Base};
 use super::control::{ControlMesh, VertexKind};
 use super::fixed::{GRAINS, ONE};
-use super::ground::{Caps, Ground, refine};
+use super::ground::{Caps, RefinedGround, refine};
 use super::mark::View;
 use super::rules::{EdgeKind, Rules};
 use super::seed::{pcg, share};
 use super::synthetic::{control_mesh, facing};
-use super::topology::{Mark, NONE};
+use super::topology::{NONE, SplitMark};
 use super::vertex::Vertex;
 use std::collections::BTreeMap;
 
@@ -48,7 +48,7 @@ fn camera(direction: [i32; 3], altitude_m: i32, level: u32) -> View {
 }
 
 /// 128-bit names of all vertices by their path from the control mesh.
-fn paths(ground: &Ground, seeds: &mut BTreeMap<u128, Vertex>) -> Vec<u128> {
+fn paths(ground: &RefinedGround, seeds: &mut BTreeMap<u128, Vertex>) -> Vec<u128> {
     let mut names = vec![0_u128; ground.vertices.len()];
     let start = ground.levels[0]
         .edges
@@ -62,7 +62,7 @@ fn paths(ground: &Ground, seeds: &mut BTreeMap<u128, Vertex>) -> Vec<u128> {
         *name = d[0] | d[1] << 32 | d[2] << 64;
     }
     for level in &ground.levels {
-        for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
+        for edge in level.edges.iter().filter(|e| e.mark == SplitMark::Split) {
             let [a, b] = edge.vertices.map(|v| names[v as usize]);
             let (a, b) = (a.min(b), a.max(b));
             let mixed =
@@ -118,11 +118,11 @@ fn no_face_turns_over() {
     }
 }
 
-fn check_facing(ground: &Ground) {
+fn check_facing(ground: &RefinedGround) {
     let (mut worst, mut flipped, mut n) = (f64::MAX, 0, 0);
     for (index, level) in ground.levels.iter().enumerate() {
-        let edge = f64::from(ground.planet.edge_grains(index as u32))
-            / f64::from(ground.planet.radius_m)
+        let edge = f64::from(ground.scale.edge_grains(index as u32))
+            / f64::from(ground.scale.radius_m)
             / 1024.0;
         for face in &level.faces {
             let corners = face.vertices.map(|v| {
@@ -216,7 +216,7 @@ fn water_runs_downhill_and_lakes_are_level() {
                 for edge in level
                     .edges
                     .iter()
-                    .filter(|e| e.kind == EdgeKind::River && e.mark == Mark::Split)
+                    .filter(|e| e.kind == EdgeKind::River && e.mark == SplitMark::Split)
                 {
                     let [up, down] = edge.vertices.map(|v| &ground.vertices[v as usize]);
                     let mid = &ground.vertices[edge.mid as usize];
@@ -319,7 +319,7 @@ fn directions_stay_on_the_sphere_and_halves_are_halves() {
         );
         for (index, level) in ground.levels.iter().enumerate() {
             let mut worst = [0.0_f64; 2];
-            for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
+            for edge in level.edges.iter().filter(|e| e.mark == SplitMark::Split) {
                 let point = |v: u32| ground.vertices[v as usize].direction.map(f64::from);
                 let [a, b, m] = [edge.vertices[0], edge.vertices[1], edge.mid].map(point);
                 let norm = |p: [f64; 3]| (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
@@ -450,7 +450,7 @@ fn a_square_has_all_faces_of_its_disc_that_reach_into_it() {
                 .iter()
                 .all(|s| (0..3).map(|i| s[i] * off[i]).sum::<f64>().abs() < half)
         };
-        let inside = |ground: &Ground| -> std::collections::BTreeSet<_> {
+        let inside = |ground: &RefinedGround| -> std::collections::BTreeSet<_> {
             let corners =
                 |f: &super::topology::Face| f.vertices.map(|v| ground.vertices[v as usize]);
             let faces = ground.levels[16]

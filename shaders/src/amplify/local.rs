@@ -1,24 +1,24 @@
-//! The ground at a direction without a view: the leaf of a level that contains it, with the bits
-//! that any view gives.
+//! The ground at a direction without a view: the leaf of a level that contains it, with the same
+//! bits as in any view.
 //!
 //! From the face of the control mesh down, the child that contains the direction is taken. Children
 //! leave their parent's outline when its edges' middles move sideways, so the child may belong to
 //! one of the three neighbours; never to a face farther off, because a middle stays within the two
 //! faces of its edge.
 //!
-//! What was computed stays until it passes a cap, so a query near earlier ones is quick.
+//! Results are kept until there are too many, so a query near earlier ones is quick.
 
 use super::base::Base;
-use super::carve::{Carved, Kept, carve};
-use super::demand::Demand;
+use super::carve::{Carved, OceanCache, carve};
 use super::ground::FINEST;
+use super::lazy::LazyGround;
 use super::locate::{depth, sides};
 use super::rules::Rules;
 use super::vertex::Vertex;
 use core::ops::Deref;
 
 /// Vertices kept between queries: 200,000, about 60 MB with what joins them.
-const KEPT: usize = 200_000;
+const MOST_KEPT: usize = 200_000;
 
 /// A leaf of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,42 +56,57 @@ impl Leaf {
     }
 }
 
-/// Answers queries about one planet's ground. Not shared between threads: each takes its own. `B`
-/// is a reference to the planet's level 0, or an `Arc` of it.
+/// Answers queries about one planet's ground. It is not shared between threads: each takes its own.
+/// `B` is a reference to the planet's level 0, or an `Arc` of it.
+///
+/// ```
+/// use pangaea_shaders::amplify::base::Base;
+/// use pangaea_shaders::amplify::local::LocalGround;
+/// use pangaea_shaders::amplify::rules::Rules;
+/// use pangaea_shaders::amplify::synthetic::control_mesh;
+///
+/// let base = Base::new(&control_mesh(6_371_000, 3, 1))?;
+/// let at = base.vertices[7].direction;
+/// let mut ground = LocalGround::new(&base, &Rules::default());
+/// let leaf = ground.leaf(at, 17, None);
+/// assert_eq!(leaf.level, 17);
+/// assert!(leaf.height_m(at).abs() < 12_000.0);
+/// # Ok::<(), pangaea_shaders::amplify::base::BadMesh>(())
+/// ```
 #[derive(Clone, Debug)]
-pub struct Local<B> {
-    demand: Demand<B>,
-    kept: Box<Kept>,
+pub struct LocalGround<B> {
+    lazy: LazyGround<B>,
+    cache: Box<OceanCache>,
     /// Faces of the last answer, one of every level down to its leaf.
     path: Vec<u32>,
 }
 
-impl<B: Deref<Target = Base>> Local<B> {
-    /// An engine that has answered nothing yet.
+impl<B: Deref<Target = Base>> LocalGround<B> {
+    /// An engine without results.
     pub fn new(base: B, rules: &Rules) -> Self {
         Self {
-            demand: Demand::new(base, rules),
-            kept: Box::default(),
+            lazy: LazyGround::new(base, rules),
+            cache: Box::default(),
             path: Vec::new(),
         }
     }
 
-    /// What was computed so far.
-    pub fn demand(&self) -> &Demand<B> {
-        &self.demand
+    /// Everything computed so far.
+    pub fn lazy(&self) -> &LazyGround<B> {
+        &self.lazy
     }
 
     /// The planet's level 0.
     pub fn base(&self) -> &Base {
-        self.demand.base()
+        self.lazy.base()
     }
 
     /// The leaf of a level, at most [`FINEST`], that contains a direction. `hint` is a face of the
     /// control mesh near it, if the caller knows one. The answer depends on neither the hint nor
     /// earlier queries.
     pub fn leaf(&mut self, direction: [i32; 3], level: u32, hint: Option<u32>) -> Leaf {
-        if self.demand.len() > KEPT {
-            self.demand.clear();
+        if self.lazy.len() > MOST_KEPT {
+            self.lazy.clear();
             self.path.clear();
         }
         let level = level.min(FINEST) as usize;
@@ -100,15 +115,15 @@ impl<B: Deref<Target = Base>> Local<B> {
             face = self.child(above, face, direction);
             self.path.push(face);
         }
-        let vertices = self.demand.face(level, face).vertices.map(|v| {
-            self.demand.ensure(v);
-            *self.demand.vertex(v)
+        let vertices = self.lazy.face(level, face).vertices.map(|v| {
+            self.lazy.ensure(v);
+            *self.lazy.vertex(v)
         });
         let base_face = (0..=level)
             .rev()
-            .fold(face, |at, above| self.demand.face(above, at).parent);
-        let Self { demand, kept, .. } = self;
-        let carved = vertices.map(|v| carve(kept, &demand.base().planet, &v));
+            .fold(face, |at, above| self.lazy.face(above, at).parent);
+        let scale = self.base().scale;
+        let carved = vertices.map(|v| carve(&mut self.cache, &scale, &v));
         Leaf {
             vertices,
             carved,
@@ -123,17 +138,15 @@ impl<B: Deref<Target = Base>> Local<B> {
     fn start(&mut self, direction: [i32; 3], level: usize, hint: Option<u32>) -> u32 {
         self.path.truncate(level + 1);
         while let Some(&face) = self.path.last() {
-            let corners = self.demand.face(self.path.len() - 1, face).vertices;
-            if sides(direction, corners.map(|v| self.demand.vertex(v)))
-                .iter()
-                .all(|&side| side > 0.0)
-            {
+            let corners = self.lazy.face(self.path.len() - 1, face).vertices;
+            let inward = sides(direction, corners.map(|v| self.lazy.vertex(v)));
+            if inward.iter().all(|&side| side > 0.0) {
                 return face;
             }
             self.path.pop();
         }
         let face = self.base().locate(direction, hint);
-        let face = self.demand.base_face(face);
+        let face = self.lazy.base_face(face);
         self.path.push(face);
         face
     }
@@ -144,8 +157,8 @@ impl<B: Deref<Target = Base>> Local<B> {
             return child;
         }
         let mut best = self.deepest(level, face, direction);
-        for edge in self.demand.face(level, face).edges {
-            for neighbour in self.demand.faces(level, edge) {
+        for edge in self.lazy.face(level, face).edges {
+            for neighbour in self.lazy.faces(level, edge) {
                 if neighbour != face {
                     let found = self.deepest(level, neighbour, direction);
                     if found.1 > best.1 {
@@ -160,37 +173,35 @@ impl<B: Deref<Target = Base>> Local<B> {
     /// The child of a face that a direction lies in, if it is one of them. On an edge between two
     /// it is the first.
     fn inside(&mut self, level: usize, face: u32, direction: [i32; 3]) -> Option<u32> {
-        let first = self.demand.quarter(level, face);
-        let middle = self.demand.face(level + 1, first + 3).vertices;
+        let first = self.lazy.quarter(level, face);
+        let middle = self.lazy.face(level + 1, first + 3).vertices;
         for v in middle {
-            self.demand.ensure_place(v);
+            self.lazy.ensure_place(v);
         }
-        let inward = sides(direction, middle.map(|v| self.demand.vertex(v)));
+        let inward = sides(direction, middle.map(|v| self.lazy.vertex(v)));
         if inward.iter().all(|&side| side > 0.0) {
             return Some(first + 3);
         }
         // The middle's edge k cuts corner k + 1 off; children do not overlap.
-        let corner = (0..3).find(|k| {
-            let child = self.demand.face(level + 1, first + *k as u32);
-            inward[(k + 2) % 3] <= 0.0
-                && sides(direction, child.vertices.map(|v| self.demand.vertex(v)))
-                    .iter()
-                    .all(|&s| s >= 0.0)
+        let corner = (0..3).find(|&k| {
+            let child = self.lazy.face(level + 1, first + k).vertices;
+            let inside = sides(direction, child.map(|v| self.lazy.vertex(v)));
+            inward[(k as usize + 2) % 3] <= 0.0 && inside.iter().all(|&side| side >= 0.0)
         });
-        corner.map(|k| first + k as u32)
+        corner.map(|k| first + k)
     }
 
     /// The child of a face in which a direction lies deepest, and how deep; below 0 it lies in
     /// none.
     fn deepest(&mut self, level: usize, face: u32, direction: [i32; 3]) -> (u32, f64) {
-        let first = self.demand.quarter(level, face);
+        let first = self.lazy.quarter(level, face);
         let mut best = (first, f64::MIN);
         for child in first..first + 4 {
-            let corners = self.demand.face(level + 1, child).vertices;
+            let corners = self.lazy.face(level + 1, child).vertices;
             for v in corners {
-                self.demand.ensure_place(v);
+                self.lazy.ensure_place(v);
             }
-            let inside = depth(sides(direction, corners.map(|v| self.demand.vertex(v))));
+            let inside = depth(sides(direction, corners.map(|v| self.lazy.vertex(v))));
             if inside > best.1 {
                 best = (child, inside);
             }

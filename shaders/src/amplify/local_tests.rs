@@ -2,14 +2,14 @@
 
 use super::base::Base;
 use super::fixed::ONE;
-use super::ground::{Caps, Ground, refine};
-use super::local::Local;
+use super::ground::{Caps, RefinedGround, refine};
+use super::local::LocalGround;
 use super::locate::{depth, sides};
 use super::mark::View;
 use super::rules::Rules;
 use super::seed::{pcg, share};
 use super::synthetic::control_mesh;
-use super::topology::Mark;
+use super::topology::SplitMark;
 use super::vertex::Vertex;
 
 fn direction(k: u32) -> [i32; 3] {
@@ -28,7 +28,7 @@ fn nearby(direction: [i32; 3], k: u32, range: i32) -> [i32; 3] {
 }
 
 /// All leaves of a level that contain a direction.
-fn brute(ground: &Ground, level: u32, direction: [i32; 3]) -> Vec<[Vertex; 3]> {
+fn brute(ground: &RefinedGround, level: u32, direction: [i32; 3]) -> Vec<[Vertex; 3]> {
     let Some(faces) = ground.levels.get(level as usize).map(|l| &l.faces) else {
         return Vec::new();
     };
@@ -36,7 +36,7 @@ fn brute(ground: &Ground, level: u32, direction: [i32; 3]) -> Vec<[Vertex; 3]> {
         |v: &Vertex| (0..3).all(|i| (v.direction[i] >> 3).abs_diff(direction[i] >> 3) < 1 << 26);
     faces
         .iter()
-        .filter(|f| f.mark != Mark::Split)
+        .filter(|f| f.mark != SplitMark::Split)
         .map(|f| f.vertices.map(|v| &ground.vertices[v as usize]))
         .filter(|c| near(c[0]) && depth(sides(direction, *c)) >= 0.0)
         .map(|c| c.map(|v| *v))
@@ -47,7 +47,7 @@ fn brute(ground: &Ground, level: u32, direction: [i32; 3]) -> Vec<[Vertex; 3]> {
 fn leaf_is_that_of_the_whole_planet() {
     let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
     for rules in [Rules::default(), Rules::RELEASE] {
-        let mut local = Local::new(&base, &rules);
+        let mut local = LocalGround::new(&base, &rules);
         for level in [0, 1, 2, 4] {
             let ground = refine(&base, &rules, &View::whole(level), &Caps::default());
             for k in 0..80 {
@@ -88,11 +88,11 @@ fn leaf_is_that_of_a_fine_patch() {
         );
         // Units in a metre: ONE / radius.
         let range = (f64::from(ONE) / 300_000.0 * f64::from(radius)) as i32;
-        let mut local = Local::new(&base, &rules);
+        let mut local = LocalGround::new(&base, &rules);
         for j in 0..20 {
             let at = nearby(centre, 1000 * k + j, range);
             let leaf = local.leaf(at, level, None);
-            let fresh = Local::new(&base, &rules).leaf(at, level, Some(j));
+            let fresh = LocalGround::new(&base, &rules).leaf(at, level, Some(j));
             assert_eq!(leaf, fresh, "a query depends on the one before it");
             let found = brute(&ground, level, at);
             // From the straight levels on a point within two units of an edge may lie across it.
@@ -110,7 +110,7 @@ fn leaf_is_that_of_a_fine_patch() {
 #[test]
 fn any_direction_gets_an_answer() {
     let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
-    let mut local = Local::new(&base, &Rules::default());
+    let mut local = LocalGround::new(&base, &Rules::default());
     for at in [
         [0; 3],
         [i32::MIN; 3],
@@ -131,14 +131,14 @@ fn any_direction_gets_an_answer() {
 fn forgetting_changes_nothing() {
     let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
     let rules = Rules::default();
-    let mut local = Local::new(&base, &rules);
+    let mut local = LocalGround::new(&base, &rules);
     let first: Vec<_> = (0..300)
         .map(|k| local.leaf(direction(k), 17, None))
         .collect();
-    let mut demand = local.demand().clone();
-    assert!(!demand.is_empty());
-    demand.clear();
-    assert!(demand.is_empty());
+    let mut lazy = local.lazy().clone();
+    assert!(!lazy.is_empty());
+    lazy.clear();
+    assert!(lazy.is_empty());
     // A thousand queries later everything has been forgotten at least once.
     for k in 0..1500 {
         local.leaf(direction(10_000 + k), 17, None);

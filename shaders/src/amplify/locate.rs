@@ -1,20 +1,23 @@
-//! Which face a direction lies in. On the CPU alone, in f64: it chooses a face, and changes no bit
-//! of it.
+//! The face that a direction lies in. On the CPU alone, in f64: it chooses a face, and changes no
+//! bit of it.
 
-use super::base::Base;
-use super::topology::{Face, NONE};
+use super::topology::{Face, Level, NONE};
 use super::vertex::Vertex;
 
 /// Cells along an edge of the cube.
 const CELLS: usize = 64;
 
+/// Steps after which a walk across edges is given up: it would end in any Delaunay triangulation,
+/// but a mesh need not be one.
+const MOST_STEPS: u32 = 4096;
+
 /// A face near every cell of a cube around the sphere, to start walking from.
 #[derive(Clone, Debug)]
-pub struct Index {
+pub struct FaceIndex {
     starts: Vec<u32>,
 }
 
-impl Index {
+impl FaceIndex {
     /// Indexes the faces of the control mesh.
     pub fn new(vertices: &[Vertex], faces: &[Face]) -> Self {
         let mut starts = vec![NONE; 6 * CELLS * CELLS];
@@ -31,6 +34,50 @@ impl Index {
         }
         Self { starts }
     }
+
+    /// The face of the indexed mesh that a direction lies in; `hint` is a face likely to be near.
+    pub fn locate(
+        &self,
+        level: &Level,
+        vertices: &[Vertex],
+        direction: [i32; 3],
+        hint: Option<u32>,
+    ) -> u32 {
+        let mut at = hint
+            .filter(|&f| (f as usize) < level.faces.len())
+            .unwrap_or(self.starts[cell(direction)]);
+        for _ in 0..MOST_STEPS {
+            let face = &level.faces[at as usize];
+            let sides = sides(direction, face.vertices.map(|v| &vertices[v as usize]));
+            let worst = (0..3)
+                .min_by(|&i, &j| sides[i].total_cmp(&sides[j]))
+                .unwrap_or(0);
+            if sides[worst] >= 0.0 {
+                return at;
+            }
+            let [f, g] = level.edges[face.edges[worst] as usize].faces;
+            at = if f == at { g } else { f };
+        }
+        locate_slowly(&level.faces, vertices, direction)
+    }
+}
+
+/// The face in which a direction lies deepest, of those whose first corner is on its side of the
+/// planet.
+fn locate_slowly(faces: &[Face], vertices: &[Vertex], direction: [i32; 3]) -> u32 {
+    let corners = |f: &Face| f.vertices.map(|v| &vertices[v as usize]);
+    let depth_in = |f: &Face| depth(sides(direction, corners(f)));
+    (0..)
+        .zip(faces)
+        .filter(|(_, f)| is_ahead(direction, corners(f)[0]))
+        .max_by(|(_, f), (_, g)| depth_in(f).total_cmp(&depth_in(g)))
+        .map_or(0, |(i, _)| i)
+}
+
+/// Whether a vertex is on a direction's side of the planet.
+fn is_ahead(direction: [i32; 3], vertex: &Vertex) -> bool {
+    let along = (0..3).map(|i| f64::from(direction[i]) * f64::from(vertex.direction[i]));
+    along.sum::<f64>() > 0.0
 }
 
 /// The cell of a direction of any length.
@@ -44,30 +91,33 @@ fn cell(direction: [i32; 3]) -> usize {
         2
     };
     let depth = f64::from(size[axis].max(1));
-    let on = |i: usize| {
-        let share = f64::from(direction[i]) / depth * 0.5 + 0.5;
+    let [row, column] = [1, 2].map(|step| {
+        let share = f64::from(direction[(axis + step) % 3]) / depth * 0.5 + 0.5;
         ((share * CELLS as f64) as usize).min(CELLS - 1)
-    };
+    });
     let side = axis * 2 + usize::from(direction[axis] < 0);
-    (side * CELLS + on((axis + 1) % 3)) * CELLS + on((axis + 2) % 3)
+    (side * CELLS + row) * CELLS + column
 }
 
-/// How far a direction lies left of each edge of a triangle; none is negative inside. Opposite in
+/// How far a direction lies left of each edge of a triangle; all are at least 0 inside. Opposite in
 /// sign for the two faces of an edge, to the last bit. All corners must be less than 60 degrees
 /// away.
 #[inline]
 pub fn sides(direction: [i32; 3], corners: [&Vertex; 3]) -> [f64; 3] {
     let d = direction.map(f64::from);
     let to = corners.map(|v| [0, 1, 2].map(|i| f64::from(v.direction[i]) - d[i]));
-    let side = |p: [f64; 3], q: [f64; 3]| {
-        let n = [
-            p[1] * q[2] - p[2] * q[1],
-            p[2] * q[0] - p[0] * q[2],
-            p[0] * q[1] - p[1] * q[0],
-        ];
-        n[0] * d[0] + n[1] * d[1] + n[2] * d[2]
-    };
-    [side(to[0], to[1]), side(to[1], to[2]), side(to[2], to[0])]
+    [[0, 1], [1, 2], [2, 0]].map(|[i, j]| triple(to[i], to[j], d))
+}
+
+/// The triple product (p × q)·d.
+#[inline]
+fn triple(p: [f64; 3], q: [f64; 3], d: [f64; 3]) -> f64 {
+    let n = [
+        p[1] * q[2] - p[2] * q[1],
+        p[2] * q[0] - p[0] * q[2],
+        p[0] * q[1] - p[1] * q[0],
+    ];
+    n[0] * d[0] + n[1] * d[1] + n[2] * d[2]
 }
 
 /// Least of the three sides of a triangle, as a share of their sum: at least 0 inside, at most a
@@ -78,49 +128,4 @@ pub fn depth(sides: [f64; 3]) -> f64 {
         .abs()
         .max(f64::MIN_POSITIVE);
     sides[0].min(sides[1]).min(sides[2]) / sum
-}
-
-impl Base {
-    /// The face of the control mesh that a direction lies in; `hint` is a face likely to be near.
-    pub fn locate(&self, direction: [i32; 3], hint: Option<u32>) -> u32 {
-        let faces = &self.level.faces;
-        let start = hint
-            .filter(|&f| (f as usize) < faces.len())
-            .unwrap_or(self.index.starts[cell(direction)]);
-        let mut at = start;
-        // A walk across whatever edge the direction lies beyond ends in any Delaunay triangulation.
-        for _ in 0..4096 {
-            let face = &faces[at as usize];
-            let sides = sides(direction, face.vertices.map(|v| &self.vertices[v as usize]));
-            let worst = (0..3)
-                .min_by(|&i, &j| sides[i].total_cmp(&sides[j]))
-                .unwrap_or(0);
-            if sides[worst] >= 0.0 {
-                return at;
-            }
-            let [f, g] = self.level.edges[face.edges[worst] as usize].faces;
-            at = if f == at { g } else { f };
-        }
-        self.locate_slowly(direction)
-    }
-
-    /// The same by looking at all faces: those whose first corner is on the direction's side of the
-    /// planet.
-    fn locate_slowly(&self, direction: [i32; 3]) -> u32 {
-        let d = direction.map(f64::from);
-        let ahead = |v: &Vertex| {
-            (0..3)
-                .map(|i| d[i] * f64::from(v.direction[i]))
-                .sum::<f64>()
-                > 0.0
-        };
-        let corners = |f: &Face| f.vertices.map(|v| &self.vertices[v as usize]);
-        (0..)
-            .zip(&self.level.faces)
-            .filter(|(_, f)| ahead(corners(f)[0]))
-            .max_by(|(_, f), (_, g)| {
-                depth(sides(direction, corners(f))).total_cmp(&depth(sides(direction, corners(g))))
-            })
-            .map_or(0, |(i, _)| i)
-    }
 }

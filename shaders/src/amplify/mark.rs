@@ -1,25 +1,45 @@
 //! Pass: a face decides whether it is split for a view.
 //!
-//! A face of level L is split where its centre is nearer than c·ℓ_L to what is looked at, ℓ_L the
+//! A face of level L is split where its centre is nearer than c·ℓ_L to the camera or the disc, ℓ_L the
 //! theoretical edge. The bound halves with the level while neighbours are about ℓ_L apart, so where
 //! c is at least 6 every face within three rings of a split one exists at its level: neighbours
 //! differ by one level at most, and no pass has to spread splits. A split face's neighbours are its
-//! halo: see [`Mark::Halo`].
+//! halo: see [`SplitMark::Halo`].
 
 use super::arith::{length, mul_q16};
-use super::fixed::{difference, mul_shift};
-use super::planet::Planet;
-use super::topology::{Edge, Face, Mark, NONE};
+use super::fixed::{GRAINS, difference, mul_shift, q16};
+use super::scale::PlanetScale;
+use super::topology::{Edge, Face, NONE, SplitMark};
 use super::vertex::Vertex;
 
 /// Least and greatest [`View::sharpness`] that keep neighbours within a level: 6 and 250, Q8.
 pub const SHARPNESS: (u32, u32) = (6 << 8, 250 << 8);
 
-/// Sharpness of a disc's finest level: nothing finer follows, so it needs no margin but a face's
-/// own size. Q8.
-const RIM: u32 = 3 << 7;
+/// Sharpness of a disc's finest level, 1.5 in Q8: nothing finer follows, so it needs no margin but a
+/// face's own size.
+const RIM_SHARPNESS: u32 = 3 << 7;
 
-/// What the ground is refined for: a camera, or a disc or a square of ground.
+/// Grains in a sixteenth of a metre.
+const GRAINS_IN_SIXTEENTH: i32 = GRAINS / 16;
+
+/// The part of the ground that is refined, and how finely: for a camera, or a disc or a square of
+/// ground.
+///
+/// ```
+/// use pangaea_shaders::amplify::fixed::{ONE, metres};
+/// use pangaea_shaders::amplify::mark::View;
+///
+/// // Ground with edges of 0.4 m around the north pole, coarser from 50 m on.
+/// let disc = View::disc([0, 0, ONE], 50, 17);
+/// // The same place seen from an altitude of 300 m, as far as 20 km.
+/// let camera = View {
+///     altitude: Some(metres(300)),
+///     radius: 0,
+///     horizon: 20_000 * 16,
+///     ..disc
+/// };
+/// assert!(camera.altitude > disc.altitude);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct View {
@@ -29,15 +49,16 @@ pub struct View {
     pub altitude: Option<i32>,
     /// Radius of the disc that is refined evenly, sixteenths of a metre; 0 for a camera.
     pub radius: i32,
-    /// Unit tangents, Q16: of the disc, only the square in it whose sides run along them; zero for
-    /// all of it.
+    /// Unit tangents, Q16: only the square in the disc whose sides run along them is refined evenly;
+    /// zero for the whole disc.
     pub sides: [[i32; 3]; 2],
     /// c: distance over edge length at which a face is split, Q8; 117 gives edges of 8 pixels at
     /// 1080p.
     pub sharpness: u32,
     /// Finest level, 0..=17.
     pub level: u32,
-    /// Ground farther than this from the centre is left out, sixteenths of a metre, as a chord.
+    /// Ground as far as this from the centre is always there, if only as coarse faces; sixteenths
+    /// of a metre, as a chord. Coarse faces farther off may be left out.
     pub horizon: i32,
 }
 
@@ -79,86 +100,84 @@ impl View {
         }
     }
 
-    /// Distance from what is looked at to a face's centre, sixteenths of a metre.
+    /// Distance from the camera or the disc to a face's centre, sixteenths of a metre.
     #[inline]
-    pub fn distance(&self, planet: &Planet, corners: [&Vertex; 3]) -> i32 {
+    pub fn distance(&self, scale: &PlanetScale, corners: [&Vertex; 3]) -> i32 {
         let [a, b, c] = corners;
-        let (ab, ac) = (
-            difference(b.direction, a.direction),
-            difference(c.direction, a.direction),
-        );
+        let [ab, ac] = [b, c].map(|v| difference(v.direction, a.direction));
         let centre = [0, 1, 2].map(|i| a.direction[i] + (ab[i] + ac[i]) / 3);
-        let ground = planet.chord(centre, self.direction);
+        let ground = scale.chord(centre, self.direction);
         let above = self.altitude.map_or(0, |altitude| {
-            altitude / 64 - (a.height / 64 + b.height / 64 + c.height / 64) / 3
+            altitude / GRAINS_IN_SIXTEENTH
+                - corners
+                    .map(|v| v.height / GRAINS_IN_SIXTEENTH)
+                    .iter()
+                    .sum::<i32>()
+                    / 3
         });
-        let outside = length(ground, above.clamp(-(1 << 28), 1 << 28), 0)
-            .saturating_sub(self.radius)
-            .max(0);
-        outside.max(self.beside(planet, centre))
+        let distance = length(ground, above.clamp(-(1 << 28), 1 << 28), 0);
+        let outside = distance.saturating_sub(self.radius).max(0);
+        outside.max(self.beside(scale, centre))
     }
 
     /// How far a direction lies beside the square, across the nearer pair of its sides; sixteenths
     /// of a metre, at most 0 within them.
     #[inline]
-    fn beside(&self, planet: &Planet, direction: [i32; 3]) -> i32 {
+    fn beside(&self, scale: &PlanetScale, direction: [i32; 3]) -> i32 {
         if self.sides == [[0; 3]; 2] {
             return 0;
         }
         let offset = difference(direction.map(|x| x >> 2), self.direction.map(|x| x >> 2));
-        let along = |side: [i32; 3]| {
-            (0..3)
-                .map(|i| mul_q16(offset[i], side[i]))
-                .sum::<i32>()
-                .unsigned_abs()
-        };
-        let [x, y] = self.sides.map(along);
+        let [x, y] = self.sides.map(|side| {
+            let along: i32 = (0..3).map(|i| mul_q16(offset[i], side[i])).sum();
+            along.unsigned_abs()
+        });
         // Half a side is the radius over the root of two.
-        planet.sixteenths(x.max(y)) - mul_q16(self.radius, 46_341)
+        scale.sixteenths(x.max(y)) - mul_q16(self.radius, q16(core::f64::consts::FRAC_1_SQRT_2))
     }
 
     /// Distance within which a face of a level is split, sixteenths of a metre.
     #[inline]
-    pub fn bound(&self, planet: &Planet, level: u32) -> i32 {
+    pub fn bound(&self, scale: &PlanetScale, level: u32) -> i32 {
         let finest = self.radius > 0 && level + 1 == self.level;
         let sharpness = if finest {
-            RIM
+            RIM_SHARPNESS
         } else {
             self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1)
         };
-        mul_shift(planet.edge, sharpness, 8 + level)
+        mul_shift(scale.edge, sharpness, 8 + level)
     }
 
     /// Whether a face of a level is split.
     #[inline]
-    pub fn splits(&self, planet: &Planet, level: u32, corners: [&Vertex; 3]) -> bool {
-        level < self.level && self.distance(planet, corners) < self.bound(planet, level)
+    pub fn splits(&self, scale: &PlanetScale, level: u32, corners: [&Vertex; 3]) -> bool {
+        level < self.level && self.distance(scale, corners) < self.bound(scale, level)
     }
 }
 
 /// A face's mark once the splits are known: split, beside a split one, or neither.
 #[inline]
-pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> bool) -> Mark {
+pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> bool) -> SplitMark {
     if splits(index) {
-        return Mark::Split;
+        return SplitMark::Split;
     }
     let beside = face.edges.iter().any(|&e| {
         let [f, g] = edges[e as usize].faces;
         let other = if f == index { g } else { f };
         other != NONE && splits(other)
     });
-    if beside { Mark::Halo } else { Mark::Leaf }
+    if beside {
+        SplitMark::Halo
+    } else {
+        SplitMark::Leaf
+    }
 }
 
 /// An edge's mark: the greater of its faces'.
 #[inline]
-pub fn edge_mark(edge: &Edge, faces: &[Face]) -> Mark {
-    let of = |face: u32| {
-        if face == NONE {
-            Mark::Leaf
-        } else {
-            faces[face as usize].mark
-        }
-    };
-    of(edge.faces[0]).max(of(edge.faces[1]))
+pub fn edge_mark(edge: &Edge, faces: &[Face]) -> SplitMark {
+    let [left, right] = edge
+        .faces
+        .map(|f| faces.get(f as usize).map_or(SplitMark::Leaf, |f| f.mark));
+    left.max(right)
 }

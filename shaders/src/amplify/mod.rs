@@ -3,13 +3,14 @@
 //! A control mesh is refined level by level: an edge gets a vertex in its middle, a face becomes
 //! four. Rules see the kinds of an edge's ends (river, lake, gully, coast, sea, ground) and give
 //! the new vertex its ground; faces lay tributaries and gullies along their inner edges. What is
-//! not split stays a leaf, and is drawn.
+//! not split stays a leaf and is drawn.
 //!
 //! # The passes
 //!
 //! One file is one pass: a function of one item that reads what it needs and writes that item
-//! alone, so any number of items can be done at once and in any order. Each will have its WGSL twin
-//! with the same name and the same bits.
+//! alone, so any number of items can be done at once and in any order. All of them run on the CPU.
+//! They use no operation that WGSL's 32-bit integers lack (products of 64 bits are built from halves,
+//! see [`fixed`]), so a compute pass can have the same bits.
 //!
 //! | pass | once per | reads | writes |
 //! |---|---|---|---|
@@ -24,9 +25,25 @@
 //! | [`carve`] | vertex | itself | final ground and water |
 //! | [`emit`] | leaf, triangle | split edges; water | triangles of ground and of water |
 //!
-//! [`step`] runs those of one level, [`ground::refine`] those of a view. [`local`] answers for a
-//! single direction: it calls the same functions on [`demand`], for no more vertices than the
-//! answer depends on.
+//! [`step`] runs the passes of one level, [`ground::refine`] all levels of a view. [`local`] answers
+//! for a single direction: [`lazy`] calls the same functions for no more vertices than the answer
+//! depends on.
+//!
+//! ```
+//! use pangaea_shaders::amplify::base::Base;
+//! use pangaea_shaders::amplify::carve::carve_all;
+//! use pangaea_shaders::amplify::ground::{Caps, refine};
+//! use pangaea_shaders::amplify::mark::View;
+//! use pangaea_shaders::amplify::rules::Rules;
+//! use pangaea_shaders::amplify::synthetic::control_mesh;
+//!
+//! let base = Base::new(&control_mesh(6_371_000, 3, 1))?;
+//! let at = base.vertices[7].direction;
+//! let ground = refine(&base, &Rules::default(), &View::disc(at, 50, 17), &Caps::default());
+//! let carved = carve_all(&ground.scale, &ground.vertices);
+//! assert_eq!(carved.len(), ground.vertices.len());
+//! # Ok::<(), pangaea_shaders::amplify::base::BadMesh>(())
+//! ```
 //!
 //! # Why no view changes a bit
 //!
@@ -42,7 +59,7 @@
 //!
 //! | paper | here | unit |
 //! |---|---|---|
-//! | λ, ℓ | level of an edge 0..=16, [`Planet::edge_grains`](planet::Planet::edge_grains) | ℓ₀ / 2^λ, grains of 1/1024 m |
+//! | λ, ℓ | level of an edge 0..=16, [`PlanetScale::edge_grains`](scale::PlanetScale::edge_grains) | ℓ₀ / 2^λ, grains of 1/1024 m |
 //! | p | [`Vertex::direction`](vertex::Vertex::direction) | 1 / [`ONE`](fixed::ONE) of the radius: 3.1 mm on Earth |
 //! | h | `height`, then [`Carved::ground`](carve::Carved::ground) | grains above sea level |
 //! | h_w | `water` | grains |
@@ -70,7 +87,7 @@ pub mod geometry;
 pub mod seed;
 
 pub mod control;
-pub mod planet;
+pub mod scale;
 pub mod topology;
 pub mod vertex;
 
@@ -97,7 +114,7 @@ pub mod emit;
 
 pub mod ground;
 
-pub mod demand;
+pub mod lazy;
 pub mod local;
 
 pub mod synthetic;
@@ -106,3 +123,5 @@ pub mod synthetic;
 mod ground_tests;
 #[cfg(test)]
 mod local_tests;
+#[cfg(test)]
+mod range_tests;

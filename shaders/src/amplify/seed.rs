@@ -1,10 +1,21 @@
-//! Random numbers without state: a vertex's seed comes from its parents', its draws from its seed.
+//! Random numbers without state: a vertex's seed comes from its parents' seeds, its draws from its
+//! own.
 //!
 //! Paper 002 §7 sums the parents' seeds, which is linear: far relatives share draws. Here both go
 //! through a permutation first. Neither depends on the order of the parents, on the view, nor on
 //! the order of the work.
+//!
+//! ```
+//! use pangaea_shaders::amplify::seed::{between, share};
+//!
+//! let seed = between(17, 4);
+//! assert_eq!(seed, between(4, 17));
+//! assert!((0..65_536).contains(&share(seed, 0)));
+//! ```
 
-/// The PCG-RXS-M-XS permutation of 32 bits.
+use super::fixed::Q16;
+
+/// The PCG-RXS-M-XS permutation of 32 bits (M. O'Neill, PCG, 2014).
 #[inline]
 pub const fn pcg(value: u32) -> u32 {
     let state = value.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
@@ -29,6 +40,12 @@ pub const fn draw(seed: u32, k: u32) -> u32 {
 #[inline]
 pub const fn share(seed: u32, k: u32) -> i32 {
     (draw(seed, k) >> 16) as i32
+}
+
+/// The `k`th random number of a seed in -½..½, Q16; at the same time its `k`th share less a half.
+#[inline]
+pub const fn centred_share(seed: u32, k: u32) -> i32 {
+    share(seed, k) - Q16 / 2
 }
 
 #[cfg(test)]

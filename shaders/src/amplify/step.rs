@@ -1,55 +1,61 @@
 //! One level of the subdivision: the passes in their order.
 //!
 //! The marks of the level's faces are given; the next level's vertices, edges and faces come out.
-//! Vertices of all levels share one column; what a level makes comes after what the coarser ones
-//! made, in the order of the edges.
+//! Vertices of all levels share one column; those that a level makes come after those of the coarser
+//! ones, in the order of the edges.
 
-use super::edge_split;
-use super::face_decide::{self, Sight};
+use super::edge_split::{self, STRAIGHT_LEVEL};
+use super::face_decide::{self, FaceContext};
 use super::face_split;
 use super::mark::edge_mark;
-use super::planet::Planet;
 use super::rules::{EdgeKind, Rules};
+use super::scale::PlanetScale;
 use super::scan::scan;
-use super::topology::{Edge, Face, Inner, Level, Mark};
+use super::topology::{Edge, Face, Inner, Level, SplitMark};
 use super::vertex::Vertex;
-use super::vertex_resolve::{Settled, Surroundings, asks, resolve};
+use super::vertex_resolve::{DrainBeside, Requests, Settled, VertexContext, resolve};
 
 /// Splits the marked faces of a level; returns the next. `vertices` grows. Without `edges` the next
-/// level has faces alone, which is all that a finest level needs; what their edges would be called
-/// is the same.
+/// level has faces alone, which a finest level needs no more than; its faces name the edges all the
+/// same.
 pub fn step(
-    planet: &Planet,
+    scale: &PlanetScale,
     rules: &Rules,
     index: u32,
     level: &mut Level,
     vertices: &mut Vec<Vertex>,
     edges: bool,
 ) -> Level {
+    let passes = LevelPasses {
+        scale,
+        rules,
+        index,
+    };
     mark_edges(level);
-    let made = place(level, vertices.len() as u32);
-    vertices.reserve(made.vertices);
-    split_edges(planet, rules, index, level, vertices);
-    decide_faces(rules, index, level, vertices);
-    resolve_vertices(planet, rules, index, level, vertices);
+    let counts = place(level, vertices.len() as u32);
+    vertices.reserve(counts.vertices);
+    passes.split_edges(level, vertices);
+    passes.decide_faces(level, vertices);
+    passes.resolve_vertices(level, vertices);
+    let edges = if edges {
+        passes.grow_edges(level, vertices, counts.edges())
+    } else {
+        Vec::new()
+    };
     Level {
-        edges: if edges {
-            grow_edges(rules, index, level, vertices, made.edges())
-        } else {
-            Vec::new()
-        },
-        faces: grow_faces(level, &made),
+        edges,
+        faces: grow_faces(level, &counts),
     }
 }
 
-/// How much a level makes.
-struct Made {
+/// Numbers of items that a level makes.
+struct LevelCounts {
     vertices: usize,
     halves: usize,
     faces: usize,
 }
 
-impl Made {
+impl LevelCounts {
     /// Edges of the next level: halves, and three inner edges for every four faces.
     fn edges(&self) -> usize {
         self.halves + self.faces / 4 * 3
@@ -63,30 +69,140 @@ fn mark_edges(level: &mut Level) {
 }
 
 /// Gives midpoints, halves and children their places.
-fn place(level: &mut Level, first_vertex: u32) -> Made {
+fn place(level: &mut Level, first_vertex: u32) -> LevelCounts {
     let Level { edges, faces } = level;
-    let mids = scan(
-        edges,
-        first_vertex,
-        |e| u32::from(e.mark != Mark::Leaf),
-        |e, place| e.mid = place,
-    );
-    let halves = scan(
-        edges,
-        0,
-        |e| 2 * u32::from(e.mark == Mark::Split),
-        |e, place| e.child = place,
-    );
-    let children = scan(
-        faces,
-        0,
-        |f| 4 * u32::from(f.mark == Mark::Split),
-        |f, place| f.child = place,
-    );
-    Made {
+    let has_mid = |e: &Edge| u32::from(e.mark != SplitMark::Leaf);
+    let halves_of = |e: &Edge| 2 * u32::from(e.mark == SplitMark::Split);
+    let children_of = |f: &Face| 4 * u32::from(f.mark == SplitMark::Split);
+    let mids = scan(edges, first_vertex, has_mid, |e, place| e.mid = place);
+    let halves = scan(edges, 0, halves_of, |e, place| e.child = place);
+    let children = scan(faces, 0, children_of, |f, place| f.child = place);
+    LevelCounts {
         vertices: mids as usize,
         halves: halves as usize,
         faces: children as usize,
+    }
+}
+
+/// The passes of one level of a planet.
+struct LevelPasses<'a> {
+    scale: &'a PlanetScale,
+    rules: &'a Rules,
+    /// The level that is split.
+    index: u32,
+}
+
+impl LevelPasses<'_> {
+    fn split_edges(&self, level: &Level, vertices: &mut Vec<Vertex>) {
+        for (i, edge) in (0..).zip(&level.edges) {
+            if edge.mark != SplitMark::Leaf {
+                let new = self.split_edge(level, vertices, i);
+                vertices.push(new);
+            }
+        }
+    }
+
+    /// The vertex that halves the `i`th edge.
+    fn split_edge(&self, level: &Level, vertices: &[Vertex], i: u32) -> Vertex {
+        let edge = &level.edges[i as usize];
+        let ends = edge.vertices.map(|v| &vertices[v as usize]);
+        let corners = if self.index < STRAIGHT_LEVEL {
+            [0, 1].map(|side| opposite(level, vertices, i, side))
+        } else {
+            [None; 2]
+        };
+        edge_split::split(self.scale, self.rules, edge, self.index, ends, corners)
+    }
+
+    fn decide_faces(&self, level: &mut Level, vertices: &[Vertex]) {
+        if self.index >= STRAIGHT_LEVEL {
+            return;
+        }
+        for f in 0..level.faces.len() {
+            if level.faces[f].mark != SplitMark::Leaf {
+                level.faces[f].inner = self.decide_face(level, vertices, f as u32);
+            }
+        }
+    }
+
+    /// The inner edges of the `f`th face.
+    fn decide_face(&self, level: &Level, vertices: &[Vertex], f: u32) -> [Inner; 3] {
+        let face = &level.faces[f as usize];
+        let edges = face.edges.map(|e| &level.edges[e as usize]);
+        if edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
+            return [Inner::Terrain; 3];
+        }
+        let beyond = [0, 1, 2].map(|k| {
+            let side = usize::from(edges[k].faces[0] == f);
+            opposite(level, vertices, face.edges[k], side)
+        });
+        let mids = edges.map(|e| &vertices[e.mid as usize]);
+        let context = FaceContext {
+            corners: face.vertices,
+            vertices: face.vertices.map(|v| &vertices[v as usize]),
+            edges,
+            mids,
+            kinds: mids.map(|mid| mid.kind),
+            beyond,
+        };
+        face_decide::decide(self.rules, self.index, &context)
+    }
+
+    fn resolve_vertices(&self, level: &Level, vertices: &mut [Vertex]) {
+        for (i, edge) in (0..).zip(&level.edges) {
+            if edge.mark == SplitMark::Split {
+                let settled = self.resolve_vertex(level, vertices, i);
+                settled.write(&mut vertices[edge.mid as usize]);
+            }
+        }
+    }
+
+    /// Settles the new vertex of the `i`th edge from the faces beside it.
+    fn resolve_vertex(&self, level: &Level, vertices: &[Vertex], i: u32) -> Settled {
+        let edge = &level.edges[i as usize];
+        let mut around = VertexContext {
+            edge,
+            ends: edge.vertices.map(|v| &vertices[v as usize]),
+            opposite: [None; 2],
+            requests: Requests::default(),
+            beside: [None; 4],
+        };
+        for side in 0..2 {
+            let Some(face) = level.faces.get(edge.faces[side] as usize) else {
+                continue;
+            };
+            around.opposite[side] = Some(&vertices[face.opposite(i) as usize]);
+            let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
+            around.requests = around.requests.and(Requests::of(&face.inner, k));
+            for j in 0..2 {
+                let other = &level.edges[face.edges[(k + 1 + j) % 3] as usize];
+                around.beside[side * 2 + j] = drain_beside(other, vertices);
+            }
+        }
+        let new = &vertices[edge.mid as usize];
+        resolve(self.scale, self.rules, self.index, new, &around)
+    }
+
+    /// The next level's edges: halves, then inner edges.
+    fn grow_edges(&self, level: &Level, vertices: &[Vertex], count: usize) -> Vec<Edge> {
+        let mut edges = Vec::with_capacity(count);
+        for edge in &level.edges {
+            if edge.mark == SplitMark::Split {
+                let halves =
+                    face_split::halve(self.rules, self.index, edge, &level.faces, vertices);
+                edges.extend(halves);
+            }
+        }
+        for face in &level.faces {
+            if face.mark == SplitMark::Split {
+                edges.extend(
+                    [0, 1, 2].map(|k| {
+                        face_split::inner_edge(face, self.index, k, &level.edges, vertices)
+                    }),
+                );
+            }
+        }
+        edges
     }
 }
 
@@ -98,160 +214,82 @@ fn opposite<'a>(
     side: usize,
 ) -> Option<&'a Vertex> {
     let face = level.edges[edge as usize].faces[side];
-    level
-        .faces
-        .get(face as usize)
-        .map(|f| &vertices[f.opposite(edge) as usize])
+    let face = level.faces.get(face as usize)?;
+    Some(&vertices[face.opposite(edge) as usize])
 }
 
-fn split_edges(
-    planet: &Planet,
-    rules: &Rules,
-    index: u32,
-    level: &Level,
-    vertices: &mut Vec<Vertex>,
-) {
-    for (i, edge) in (0..).zip(&level.edges) {
-        if edge.mark != Mark::Leaf {
-            let ends = edge.vertices.map(|v| &vertices[v as usize]);
-            let far = match index {
-                edge_split::STRAIGHT_LEVEL.. => [None; 2],
-                _ => [0, 1].map(|side| opposite(level, vertices, i, side)),
-            };
-            let new = edge_split::split(planet, rules, edge, index, ends, far);
-            vertices.push(new);
-        }
-    }
-}
-
-fn decide_faces(rules: &Rules, index: u32, level: &mut Level, vertices: &[Vertex]) {
-    if index >= edge_split::STRAIGHT_LEVEL {
-        return;
-    }
-    for f in 0..level.faces.len() {
-        let face = level.faces[f];
-        if face.mark == Mark::Leaf {
-            continue;
-        }
-        let edges = face.edges.map(|e| &level.edges[e as usize]);
-        if edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
-            continue;
-        }
-        let beyond = [0, 1, 2].map(|k| {
-            let side = usize::from(edges[k].faces[0] == f as u32);
-            opposite(level, vertices, face.edges[k], side)
-        });
-        let sight = Sight {
-            corners: face.vertices,
-            vertices: face.vertices.map(|v| &vertices[v as usize]),
-            edges,
-            mids: edges.map(|e| &vertices[e.mid as usize]),
-            kinds: edges.map(|e| vertices[e.mid as usize].kind),
-            beyond,
-        };
-        level.faces[f].inner = face_decide::decide(rules, index, &sight);
-    }
-}
-
-fn resolve_vertices(
-    planet: &Planet,
-    rules: &Rules,
-    index: u32,
-    level: &Level,
-    vertices: &mut [Vertex],
-) {
-    for (i, edge) in (0..).zip(&level.edges) {
-        if edge.mark == Mark::Split {
-            let settled = resolved((planet, rules), index, level, i, vertices);
-            settled.write(&mut vertices[edge.mid as usize]);
-        }
-    }
-}
-
-/// What the faces beside an edge settle of its new vertex.
-fn resolved(
-    (planet, rules): (&Planet, &Rules),
-    index: u32,
-    level: &Level,
-    i: u32,
-    vertices: &[Vertex],
-) -> Settled {
-    let edge = &level.edges[i as usize];
-    let mut around = Surroundings {
+/// An edge that runs along a river or a gully; `None` for another.
+fn drain_beside<'a>(edge: &'a Edge, vertices: &'a [Vertex]) -> Option<DrainBeside<'a>> {
+    (edge.kind != EdgeKind::Terrain).then(|| DrainBeside {
         edge,
         ends: edge.vertices.map(|v| &vertices[v as usize]),
-        opposite: [None; 2],
-        gully_tip: false,
-        river_tip: false,
-        branched: false,
-        beside: [None; 4],
-    };
-    for side in 0..2 {
-        let Some(face) = level.faces.get(edge.faces[side] as usize) else {
-            continue;
-        };
-        around.opposite[side] = Some(&vertices[face.opposite(i) as usize]);
-        let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
-        if face.inner != [Inner::Terrain; 3] {
-            let (gully, river, junction) = asks(&face.inner, k);
-            around.gully_tip |= gully;
-            around.river_tip |= river;
-            around.branched |= junction;
-        }
-        for j in 0..2 {
-            let other = &level.edges[face.edges[(k + 1 + j) % 3] as usize];
-            if other.kind != EdgeKind::Terrain {
-                let ends = other.vertices.map(|v| &vertices[v as usize]);
-                let mid = vertices.get(other.mid as usize);
-                around.beside[side * 2 + j] = Some((other, ends, mid));
-            }
-        }
-    }
-    resolve(planet, rules, index, &vertices[edge.mid as usize], &around)
-}
-
-/// The next level's edges: halves, then inner edges.
-fn grow_edges(
-    rules: &Rules,
-    index: u32,
-    level: &Level,
-    vertices: &[Vertex],
-    count: usize,
-) -> Vec<Edge> {
-    let mut edges = Vec::with_capacity(count);
-    for edge in level.edges.iter().filter(|e| e.mark == Mark::Split) {
-        edges.extend(face_split::halve(
-            rules,
-            index,
-            edge,
-            &level.faces,
-            vertices,
-        ));
-    }
-    for face in level.faces.iter().filter(|f| f.mark == Mark::Split) {
-        for k in 0..3 {
-            edges.push(face_split::inner_edge(
-                face,
-                index,
-                k,
-                &level.edges,
-                vertices,
-            ));
-        }
-    }
-    edges
+        mid: vertices.get(edge.mid as usize),
+    })
 }
 
 /// The next level's faces.
-fn grow_faces(level: &Level, made: &Made) -> Vec<Face> {
-    let mut faces = Vec::with_capacity(made.faces);
-    let mut inner = made.halves as u32;
-    for (f, face) in (0..)
-        .zip(&level.faces)
-        .filter(|(_, f): &(u32, &Face)| f.mark == Mark::Split)
-    {
-        faces.extend(face_split::quarter(face, f, inner, &level.edges));
-        inner += 3;
+fn grow_faces(level: &Level, counts: &LevelCounts) -> Vec<Face> {
+    let mut faces = Vec::with_capacity(counts.faces);
+    let mut inner = counts.halves as u32;
+    for (f, face) in (0..).zip(&level.faces) {
+        if face.mark == SplitMark::Split {
+            faces.extend(face_split::quarter(face, f, inner, &level.edges));
+            inner += 3;
+        }
     }
     faces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::amplify::base::Base;
+    use crate::amplify::ground::{Caps, refine};
+    use crate::amplify::mark::View;
+    use crate::amplify::seed::pcg;
+    use crate::amplify::synthetic::control_mesh;
+
+    /// The numbers below `count` in a random order.
+    fn shuffled(count: usize, seed: u32) -> Vec<u32> {
+        let mut order: Vec<u32> = (0..count as u32).collect();
+        order.sort_unstable_by_key(|&i| pcg(pcg(i) ^ seed));
+        order
+    }
+
+    #[test]
+    fn items_are_done_in_any_order() {
+        let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
+        let rules = Rules::default();
+        let river = base.vertices.iter().find(|v| v.is_wet()).unwrap();
+        let view = View::disc(river.direction, 2_000, 13);
+        let want = refine(&base, &rules, &view, &Caps::default());
+        let mut vertices = want.vertices.clone();
+        for (index, made) in (0..).zip(&want.levels[..want.levels.len() - 1]) {
+            let passes = LevelPasses {
+                scale: &base.scale,
+                rules: &rules,
+                index,
+            };
+            let edges = shuffled(made.edges.len(), index);
+            let split = |i: &&u32| made.edges[**i as usize].mark != SplitMark::Leaf;
+            for &i in edges.iter().filter(split) {
+                let mid = made.edges[i as usize].mid as usize;
+                vertices[mid] = passes.split_edge(made, &vertices, i);
+            }
+            for f in shuffled(made.faces.len(), index) {
+                let face = &made.faces[f as usize];
+                if face.mark != SplitMark::Leaf && index < STRAIGHT_LEVEL {
+                    assert_eq!(passes.decide_face(made, &vertices, f), face.inner);
+                }
+            }
+            for &i in &edges {
+                let edge = &made.edges[i as usize];
+                if edge.mark == SplitMark::Split {
+                    let settled = passes.resolve_vertex(made, &vertices, i);
+                    settled.write(&mut vertices[edge.mid as usize]);
+                }
+            }
+        }
+        assert!(vertices.len() > 10_000 && vertices == want.vertices);
+    }
 }

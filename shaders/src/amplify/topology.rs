@@ -1,4 +1,4 @@
-//! Edges and faces of one level, and how those of the next follow from them.
+//! Edges and faces of one level, and their parts in the next.
 //!
 //! A face (v₀, v₁, v₂) with midpoints m₀ (of v₀v₁), m₁, m₂ becomes the corner faces cₖ = (vₖ, mₖ,
 //! mₖ₋₁) and the middle c₃ = (m₀, m₁, m₂). Its inner edge iₖ = (mₖ, mₖ₋₁) cuts the corner k off.
@@ -11,8 +11,8 @@ pub const NONE: u32 = u32::MAX;
 /// How far an edge or a face takes part in a level's subdivision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
-pub enum Mark {
-    /// Not at all: a leaf.
+pub enum SplitMark {
+    /// It takes no part: it is a leaf, or beside leaves only.
     #[default]
     Leaf = 0,
     /// Beside a split face: its midpoints are computed and its inner edges decided, because the
@@ -38,16 +38,18 @@ pub struct Edge {
     /// Discharge that arrives at the second vertex of a river edge, as
     /// [`Vertex::discharge`](super::vertex::Vertex::discharge).
     pub arriving: u32,
-    /// What it is.
+    /// Kind: ground, river or gully.
     pub kind: EdgeKind,
     /// Level at which its river was born; 0 for a river of the control mesh.
     pub birth: u8,
     /// Whether it is split.
-    pub mark: Mark,
+    pub mark: SplitMark,
 }
 
+const _: () = assert!(size_of::<Edge>() == 32);
+
 impl Edge {
-    /// An edge that nothing has happened to.
+    /// An edge that is not split yet.
     #[inline]
     pub const fn new(kind: EdgeKind, vertices: [u32; 2], faces: [u32; 2]) -> Self {
         Self {
@@ -58,12 +60,12 @@ impl Edge {
             arriving: 0,
             kind,
             birth: 0,
-            mark: Mark::Leaf,
+            mark: SplitMark::Leaf,
         }
     }
 }
 
-/// What a face lays along one of its inner edges (rules Ia to Ic).
+/// Drainage that a face lays along one of its inner edges (rules Ia to Ic).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum Inner {
@@ -105,14 +107,16 @@ pub struct Face {
     pub child: u32,
     /// The face of the level above; of level 0, the face of the control mesh.
     pub parent: u32,
-    /// What lies along its inner edges.
+    /// Drainage along its inner edges.
     pub inner: [Inner; 3],
     /// Whether it is split.
-    pub mark: Mark,
+    pub mark: SplitMark,
 }
 
+const _: () = assert!(size_of::<Face>() == 36);
+
 impl Face {
-    /// A face that nothing has happened to.
+    /// A face that is not split yet.
     #[inline]
     pub const fn new(vertices: [u32; 3], edges: [u32; 3], parent: u32) -> Self {
         Self {
@@ -121,11 +125,11 @@ impl Face {
             child: NONE,
             parent,
             inner: [Inner::Terrain; 3],
-            mark: Mark::Leaf,
+            mark: SplitMark::Leaf,
         }
     }
 
-    /// Which corner a vertex is; 3 if none.
+    /// The number of the corner that is a vertex; 3 without one.
     #[inline]
     pub const fn corner(&self, vertex: u32) -> usize {
         let mut k = 0;
@@ -146,8 +150,8 @@ impl Face {
     }
 }
 
-/// Edges and faces of one level. A finest level may lack its edges, which its faces name none the
-/// less.
+/// Edges and faces of one level. A finest level may lack its edges; its faces name them all the
+/// same.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Level {
     /// Edges.

@@ -1,23 +1,25 @@
-//! What a vertex of the ground knows (paper 002 Table 1), and what the rules see of an edge that is
-//! split.
+//! A vertex of the ground with its attributes (paper 002 Table 1), and an edge that is split as the
+//! rules see it.
 //!
 //! A vertex is made once, by the edge that it halves, from data of coarser levels; no view changes
 //! a bit of it.
 
+use super::arith::isqrt;
 use super::control::{ControlVertex, VertexKind};
-use super::fixed::{GRAINS, Q16};
+use super::fixed::{Q16, metres};
+use super::seed::pcg;
 
-/// A distance that means "nowhere near": 2000 km in grains.
-pub const FAR: i32 = 2_000_000 * GRAINS;
+/// A distance that means "nowhere near", grains.
+pub const FAR: i32 = metres(2_000_000);
 
 /// Age of land that no orogeny ever touched, 1/64 My.
 pub const NO_AGE: u16 = u16::MAX;
 
-/// A piece of river, carried by value by the vertices around it, so that their distance to it is a
-/// true one.
+/// A piece of river. Vertices around it carry it by value, so that their distance to it is a true
+/// one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
-pub struct Segment {
+pub struct RiverSegment {
     /// Directions of its ends, upstream first, in units of 1 / `ONE` of the radius.
     pub ends: [[i32; 3]; 2],
     /// Bed at the ends, grains.
@@ -33,18 +35,17 @@ pub struct Segment {
     pub level: u32,
 }
 
-/// Height of a valley's side at a place, and how much of the ground as the graphs made it is left
-/// there.
+/// A valley's side at a place: its height, and how much of the ground that the graphs made is left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
-pub struct Section {
+pub struct ValleySection {
     /// Height of the side, grains.
     pub height: i32,
     /// Share of the ground's own height, Q16: 0 on the valley's floor, 1 beyond its rim.
     pub own: i32,
 }
 
-impl Section {
+impl ValleySection {
     /// Where there is no valley.
     #[inline]
     pub const fn outside(height: i32) -> Self {
@@ -64,8 +65,8 @@ impl Section {
 /// One vertex of the ground.
 ///
 /// Most of its fields are a [`ControlVertex`]'s. It does not hold one: a control vertex is packed
-/// for whoever bakes a planet, with its flow and its kind as plain numbers, and rules and their
-/// twins name what they read without a path.
+/// for whoever bakes a planet, with its flow and its kind as plain numbers, and rules name the
+/// fields that they read without a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct Vertex {
@@ -73,7 +74,7 @@ pub struct Vertex {
     pub direction: [i32; 3],
     /// Ground above sea level before carving, grains.
     pub height: i32,
-    /// Where its random numbers begin.
+    /// Seed of its random numbers.
     pub seed: u32,
     /// River bed or lake floor, grains; equals `height` at dry vertices.
     pub bed: i32,
@@ -83,13 +84,13 @@ pub struct Vertex {
     /// vertices.
     pub discharge: u32,
     /// The nearest river's segment; meaningless where `river_distance` is [`FAR`].
-    pub river: Segment,
+    pub river: RiverSegment,
     /// Distance to `river`, grains; [`FAR`] without one.
     pub river_distance: i32,
     /// Where along `river` its nearest point lies, Q16 from the upstream end.
     pub river_along: i32,
-    /// What the river's valley makes of the ground here.
-    pub section: Section,
+    /// The side of the river's valley here.
+    pub section: ValleySection,
     /// Ground of the nearest gully, grains.
     pub gully_bed: i32,
     /// Distance to the nearest gully, grains; [`FAR`] without one.
@@ -98,7 +99,7 @@ pub struct Vertex {
     pub lake: u32,
     /// Crust elevation C above sea level, grains: the level that summits reach.
     pub crust: i32,
-    /// What it is.
+    /// Kind: ground, sea, coast, river, lake or gully.
     pub kind: VertexKind,
     /// Level that made it; 0 in the control mesh.
     pub level: u8,
@@ -137,9 +138,10 @@ impl Vertex {
     /// A vertex of level 0.
     pub fn from_control(control: &ControlVertex) -> Self {
         let flow = control.flow.min(0xffff);
+        // Vertices of a lake have its level in common, so the level names the lake.
         let is_lake = control.kind == VertexKind::Lake as u8;
         let lake = if is_lake {
-            super::seed::pcg(control.water as u32) | 1
+            pcg(control.water as u32) | 1
         } else {
             0
         };
@@ -150,10 +152,10 @@ impl Vertex {
             bed: control.bed,
             water: control.water,
             discharge: flow * flow,
-            river: Segment::default(),
+            river: RiverSegment::default(),
             river_distance: FAR,
             river_along: 0,
-            section: Section::outside(control.height),
+            section: ValleySection::outside(control.height),
             gully_bed: control.height,
             gully_distance: FAR,
             lake,
@@ -177,7 +179,7 @@ impl Vertex {
     /// Flow φ = sqrt(discharge / 200,000 m³/s), Q16.
     #[inline]
     pub fn flow(&self) -> i32 {
-        super::arith::isqrt(self.discharge) as i32
+        isqrt(self.discharge) as i32
     }
 
     /// Whether water stands or runs here on land.
@@ -187,8 +189,8 @@ impl Vertex {
     }
 }
 
-/// What a vertex's rule sees: an edge, and the vertex that halves it with everything but its
-/// elevation.
+/// An edge as a vertex's rule sees it: its ends, and the vertex that halves it, which has everything
+/// but its elevation.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeContext<'a> {
     /// One end; the upstream one of a river edge, the wet one of an edge between a river and land.
@@ -209,4 +211,15 @@ pub struct EdgeContext<'a> {
     pub level: u32,
     /// Radius of the planet, metres.
     pub radius_m: u32,
+}
+
+impl<'a> EdgeContext<'a> {
+    /// The end that is wet, and the other: of an edge between water and land.
+    pub fn wet_end_first(&self) -> (&'a Vertex, &'a Vertex) {
+        if self.a.is_wet() {
+            (self.a, self.b)
+        } else {
+            (self.b, self.a)
+        }
+    }
 }

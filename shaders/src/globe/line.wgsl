@@ -2,8 +2,8 @@
 //
 // In:  vertex buffer   0 this end (f32x3, unit, globe axes)   1 other end (the same)
 //                      2 elevations of this and the other end in km (f32x2)
-//                      3 x: side of the line, -1 or 1; y: half the width in pixels of a 720 pixel
-// high picture (f32x2)
+//                      3 x: side of the line, -1 or 1; y: half the width in pixels, where the
+//                        picture is 720 pixels high (f32x2)
 //                      4 colour, sRGB (unorm8x4)
 //      group 3         0 line (uniform)
 // Out: colour, linear.

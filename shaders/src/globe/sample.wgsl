@@ -1,4 +1,4 @@
-// What the globe knows of a sample, and where that puts it.
+// A sample of the globe: unpacked, and placed in space.
 //
 // Lengths are in planet radii, elevations in km, directions in the globe's own axes (north = +y).
 // `relief` is exaggeration / planet radius, in 1/km: it turns an elevation into planet radii.
@@ -11,7 +11,7 @@ struct Sample {
     land: f32,
     // Elevation of the sea floor in km.
     floor: f32,
-    // Gradient of what is seen of them in km per radian, in the tangent basis of the sample.
+    // Gradient of the visible one of the two in km per radian, in the tangent basis of the sample.
     gradient: vec2<f32>,
     // Colour of the overlay, linear.
     color: vec3<f32>,

@@ -1,8 +1,9 @@
 // Pass: the ground and the sea of a globe, or its triangles as lines (WIREFRAME).
 //
 // In:  vertex buffer   0 direction (f32x3, unit, globe axes)   1 number of the sample (u32)
-//      group 3         0 globe (uniform)   1 samples (storage, four words a sample: see
-// sample.wgsl) Out: colour, linear.
+//      group 3         0 globe (uniform)
+//                      1 samples (storage, four words each: see sample.wgsl)
+// Out: colour, linear.
 
 #import bevy_pbr::mesh_functions::get_world_from_local
 #import bevy_pbr::mesh_view_bindings::view

@@ -1,60 +1,68 @@
 //! The finest levels, edges of 50 m and less: rock and soil (release, level >= 10).
 
-use super::super::arith::{mix, mul_q16};
-use super::super::control::VertexKind;
-use super::super::fixed::Q16;
-use super::super::seed::share;
-use super::super::vertex::EdgeContext;
-use super::Ground;
+use super::VertexGround;
 use super::landform::steepness;
-use super::noise::{Corners, gradient};
+use super::noise::{CornerCache, gradient};
 use super::preset::Rules;
-use super::terrain::ordered;
+use crate::amplify::arith::{mix, mul_q16, ordered};
+use crate::amplify::control::VertexKind;
+use crate::amplify::fixed::{Q16, q16};
+use crate::amplify::seed::{centred_share, share};
+use crate::amplify::vertex::EdgeContext;
+
+/// 0.618 / 16²: how much narrower the draw between the ends gets with the squared level (release).
+const NARROWING: i32 = q16(0.618) / 256;
+
+/// How far fine ground leaves the face beside it, as a share of the difference of its ends.
+const FACE_SPREAD: i32 = q16(0.09155);
+
+/// Tangent of 1.1°: soil, too, is uneven.
+const SOIL_SLOPE: i32 = q16(0.02);
+
+/// Logarithm of an edge of level 0, about 2²⁴ direction units.
+const EDGE_BITS: u32 = 24;
+
+/// Seed of the roughness of level 0; the levels' follow.
+const ROUGHNESS_SEED: u32 = 0x0f1e_0000;
 
 /// The ground in the middle of a fine edge.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
-    Ground::dry(VertexKind::Terrain, height(rules, context))
+pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    VertexGround::dry(VertexKind::Terrain, height(rules, context))
 }
 
-/// Its height: in ours that of the face there, and the level's own roughness.
-///
-/// Release: α = ½ - q/2 + qξ between the ends, with q = 1 - 0.618 (λ/16)², then up to length / 6.82
-/// above.
+/// Height in the middle of a fine edge: in ours that of the face there, and the level's own
+/// roughness.
 pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
-    let new = context.new;
     let (low, high) = ordered(context.a.height, context.b.height);
-    let toss = share(new.seed, 0) - Q16 / 2;
+    let toss = centred_share(context.new.seed, 0);
     if !rules.landforms {
-        let level = context.level.min(16) as i32;
-        let base = mix(
-            low,
-            high,
-            Q16 / 2 + mul_q16(Q16 - level * level * 158, toss),
-        );
-        let rough = mul_q16(share(new.seed, 1), share(new.seed, 2));
-        let raised = base + mul_q16(context.length, rough) / 7;
-        return mix(
-            base,
-            raised,
-            mul_q16(share(new.seed, 3), share(new.seed, 4)),
-        );
+        return released_height(context, low, high, toss);
     }
-    context.face + mul_q16(high - low, mul_q16(toss, 6_000)) + rough(rules, context)
+    context.face + mul_q16(high - low, mul_q16(toss, FACE_SPREAD)) + rough(rules, context)
+}
+
+/// α = ½ - q/2 + qξ between the ends, with q = 1 - 0.618 (λ/16)², then up to length / 6.82 above
+/// (release).
+fn released_height(context: &EdgeContext, low: i32, high: i32, toss: i32) -> i32 {
+    let draw = |k| share(context.new.seed, k);
+    let level = context.level.min(16) as i32;
+    let spread = Q16 - level * level * NARROWING;
+    let base = mix(low, high, Q16 / 2 + mul_q16(spread, toss));
+    let rough = mul_q16(draw(1), draw(2));
+    let raised = base + mul_q16(context.length, rough) / 7;
+    mix(base, raised, mul_q16(draw(3), draw(4)))
 }
 
 /// Roughness of a level: noise whose cells are two edges wide, a third of the slope high. A draw
 /// for every edge would make streaks of thin faces; noise is alike in all directions, whatever the
 /// faces are.
 pub fn rough(rules: &Rules, context: &EdgeContext) -> i32 {
-    let new = context.new;
-    // Edges of level 0 have about 2²⁴ direction units.
-    let cell = 25 - context.level.min(16);
     let noise = gradient(
-        &mut Corners::default(),
-        new.direction,
-        cell,
-        0x0f1e_0000 + context.level,
+        &mut CornerCache::default(),
+        context.new.direction,
+        EDGE_BITS + 1 - context.level.min(16),
+        ROUGHNESS_SEED + context.level,
     );
-    // Soil, too, is uneven: tan 1.1°.
-    mul_q16(mul_q16(context.span, steepness(rules, new) + 1_311), noise) / 3
+    let slope = steepness(rules, context.new) + SOIL_SLOPE;
+    mul_q16(mul_q16(context.span, slope), noise) / 3
 }

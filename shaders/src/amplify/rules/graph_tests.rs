@@ -1,10 +1,10 @@
 //! Laws of the graphs: what must hold for any two vertices and any seed.
 
-use super::super::control::VertexKind;
-use super::super::fixed::{GRAINS, Q16};
-use super::super::seed::{draw, pcg, share};
-use super::super::vertex::{EdgeContext, FAR, Vertex};
 use super::*;
+use crate::amplify::control::VertexKind;
+use crate::amplify::fixed::{GRAINS, Q16};
+use crate::amplify::seed::{between, draw, pcg, share};
+use crate::amplify::vertex::{EdgeContext, FAR, Vertex};
 
 const PRESETS: [Rules; 2] = [Rules::PAPER, Rules::RELEASE];
 
@@ -44,8 +44,8 @@ fn vertex(seed: u32, kind: VertexKind) -> Vertex {
     }
 }
 
-fn halved(rules: &Rules, edge: EdgeKind, a: &Vertex, b: &Vertex, level: u32) -> Ground {
-    let seed = super::super::seed::between(a.seed, b.seed);
+fn halved(rules: &Rules, edge: EdgeKind, a: &Vertex, b: &Vertex, level: u32) -> VertexGround {
+    let seed = between(a.seed, b.seed);
     let new = Vertex {
         seed,
         crust: a.crust / 2 + b.crust / 2,
@@ -135,7 +135,7 @@ fn terrain_does_not_know_which_end_comes_first() {
                 vertex(seed, VertexKind::Terrain),
                 vertex(seed + 70_000, VertexKind::Terrain),
             );
-            let seed_of = super::super::seed::between(a.seed, b.seed);
+            let seed_of = between(a.seed, b.seed);
             let new = Vertex { seed: seed_of, ..a };
             let at = |a, b| EdgeContext {
                 a,
@@ -262,8 +262,7 @@ fn printed_and_released_slopes_are_the_closed_forms() {
             land.height = river.height + 500 * GRAINS;
             river.branched = true;
             let ground = halved(&rules, EdgeKind::Terrain, &river, &land, 6);
-            let xi =
-                f64::from(share(super::super::seed::between(river.seed, land.seed), 0)) / 65_536.0;
+            let xi = f64::from(share(between(river.seed, land.seed), 0)) / 65_536.0;
             let want = f64::from(river.height) + (0.1 + 0.9 * xi) * 500.0 * 1024.0;
             assert!(
                 (f64::from(ground.height) - want).abs() < 24.0,

@@ -3,44 +3,70 @@
 //! A gully follows the rules of a river without its water. It climbs steeper, and branches down to
 //! hillslopes.
 
-use super::super::arith::{mix, mul_q16};
-use super::super::control::VertexKind;
-use super::super::fixed::{GRAINS, Q16};
-use super::super::seed::share;
-use super::super::vertex::{EdgeContext, Vertex};
-use super::Ground;
+use super::VertexGround;
 use super::preset::Rules;
-use super::terrain::ordered;
+use crate::amplify::arith::{mix, mul_q16, ordered, smoothstep};
+use crate::amplify::control::VertexKind;
+use crate::amplify::fixed::{metres, q16};
+use crate::amplify::seed::share;
+use crate::amplify::vertex::{EdgeContext, Vertex};
+
+/// Least share of the way up that the middle of a gully's edge stands (release).
+const LEAST_RISE: i32 = q16(0.4);
+
+/// How much higher the middle's draw may raise it, as a share of the way up (release).
+const DRAWN_RISE: i32 = q16(0.1);
+
+/// Least share of the way up on level 0 in ours: gullies are hollow at the coarse levels.
+const HOLLOW_RISE: i32 = q16(0.13733);
+
+/// How much less hollow a gully is with every level.
+const HOLLOW_LOSS: i32 = q16(0.04425);
+
+/// Rise of a gully whose land lies below its river: this share of the edge, times its draw
+/// (release).
+const RISE_FROM_RIVER: i32 = q16(0.1);
+
+/// Most of the same, grains (release).
+const MOST_RISE_FROM_RIVER: i32 = metres(500);
+
+/// Least of the same, grains (release).
+const LEAST_RISE_FROM_RIVER: i32 = metres(31);
+
+/// Share of the draws for a tributary that fail beside a great river: 100 of 128 (release).
+const GREAT_RIVER_REFUSAL: i32 = q16(0.78125);
+
+/// Flow φ from which on a river is great.
+const GREAT_FLOW: i32 = q16(0.5);
+
+/// How much higher a gully's tip must stand to branch off another, grains (release).
+const LEAST_HILLSLOPE: i32 = metres(50);
 
 /// The vertex that halves a gully edge: 0.4..0.5 of the way up, in ours less at the coarse levels,
 /// so that the profile is hollow.
-pub fn along(rules: &Rules, context: &EdgeContext) -> Ground {
+pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let xi = share(context.new.seed, 0);
     let (low, high) = ordered(context.a.height, context.b.height);
-    let lean = if rules.landforms {
-        (9_000 + 2_900 * context.level.min(6) as i32).min(26_214)
+    let rise = if rules.landforms {
+        (HOLLOW_RISE + HOLLOW_LOSS * context.level.min(6) as i32).min(LEAST_RISE)
     } else {
-        26_214
+        LEAST_RISE
     };
-    let height = mix(low, high, lean + mul_q16(xi, 6_554));
-    let mouth = if context.b.is_wet() {
-        Some(context.b)
-    } else {
-        context.a.is_wet().then_some(context.a)
-    };
-    let height = match mouth {
+    let height = mix(low, high, rise + mul_q16(xi, DRAWN_RISE));
+    let river = [context.b, context.a].into_iter().find(|end| end.is_wet());
+    let height = match river {
         Some(river) if height <= river.height => {
-            let up = mul_q16(context.length, 6_554).min(500 * GRAINS);
-            river.height + 31 * GRAINS + mul_q16(up, xi)
+            let most = mul_q16(context.length, RISE_FROM_RIVER).min(MOST_RISE_FROM_RIVER);
+            river.height + LEAST_RISE_FROM_RIVER + mul_q16(most, xi)
         }
         _ => height,
     };
-    Ground::dry(VertexKind::Gully, height)
+    VertexGround::dry(VertexKind::Gully, height)
 }
 
 /// Whether an internal edge of a level becomes a tributary of the river at its junction; the angle
-/// is tested before. `flow` and `height` are the junction's, `spring` the height of the other end,
-/// `seed` the junction's (Q16, grains).
+/// is tested before. `flow` (Q16) and `height` (grains) are the junction's, `spring` is the height
+/// of the other end, `seed` the edge's.
 pub fn is_tributary(
     rules: &Rules,
     level: u32,
@@ -49,11 +75,12 @@ pub fn is_tributary(
     spring: i32,
     seed: u32,
 ) -> bool {
-    if level < rules.tributary_levels[0] || level >= rules.tributary_levels[1] || spring <= height {
+    let [first, end] = rules.tributary_levels;
+    if !(first..end).contains(&level) || spring <= height {
         return false;
     }
-    // Great rivers branch less: up to 100 of 128 draws fail at a flow of a half.
-    let refused = mul_q16(51_200, super::super::arith::smoothstep(0, Q16 / 2, flow));
+    // Great rivers branch less.
+    let refused = mul_q16(GREAT_RIVER_REFUSAL, smoothstep(0, GREAT_FLOW, flow));
     share(seed, 8) > refused
 }
 
@@ -70,9 +97,8 @@ pub fn is_gully(
     if level >= rules.gully_levels || tip <= height {
         return false;
     }
-    !off_gully
-        || (share(seed, 9) < rules.gully_branching
-            && (rules.landforms || tip > height + 50 * GRAINS))
+    let high_enough = rules.landforms || tip > height + LEAST_HILLSLOPE;
+    !off_gully || (share(seed, 9) < rules.gully_branching && high_enough)
 }
 
 /// Whether new dry land drains along the half of its edge that leads to `end`: to the lower end of

@@ -1,86 +1,103 @@
 //! Lakes: widened rivers with a level surface (paper 002 §5.3, Figs. 14, 15; rule R3 with a lake).
 
-use super::super::arith::{mul_q16, smoothstep};
-use super::super::control::VertexKind;
-use super::super::fixed::{GRAINS, Q16};
-use super::super::seed::share;
-use super::super::vertex::{EdgeContext, Vertex};
 use super::landform::dryness;
 use super::preset::Rules;
-use super::{Ground, crest};
+use super::{VertexGround, crest};
+use crate::amplify::arith::{mul_q16, smoothstep};
+use crate::amplify::control::VertexKind;
+use crate::amplify::fixed::{GRAINS, Q16, metres, q16};
+use crate::amplify::seed::share;
+use crate::amplify::vertex::{EdgeContext, Vertex};
+
+/// A river's bed must lie higher than this to widen to a lake, grains (release).
+const LEAST_BED: i32 = metres(10);
+
+/// First level on which lakes form in ours. The release's, from level 0 on, are as long as 26 km
+/// and as thin as a river.
+const FIRST_LEVEL: u32 = 2;
+
+/// Beds over which lakes become more likely, from not at all to fully; grains (release).
+const HIGH_BEDS: [i32; 2] = [metres(200), metres(1_000)];
+
+/// Crust elevations over which lakes become more likely still; grains (release).
+const HIGH_CRUST: [i32; 2] = [metres(1_500), metres(2_500)];
+
+/// How much less likely lakes are in the driest land (release).
+const DRY_LOSS: i32 = q16(0.9);
+
+/// Chance that a lake reaches half the way to the land beside it, in ours.
+const SHORE_CHANCE: i32 = q16(0.45776);
+
+/// Least depth of a new lake, grains (release).
+const LEAST_DEPTH: i32 = metres(20);
+
+/// How much deeper than the least a new lake may be drawn, grains (release).
+const DRAWN_DEPTH: i32 = metres(100);
 
 /// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet
 /// land, or high in the mountains, on the coarse levels only.
 pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u16) -> i32 {
-    if level >= rules.lake_levels || river.bed <= 10 * GRAINS || river.branched {
-        return 0;
-    }
-    // The release's lakes are as long as 26 km and as thin as a river; ours begin two levels on.
-    let first = if rules.landforms { 2 } else { 0 };
-    if level < first {
+    let first = if rules.landforms { FIRST_LEVEL } else { 0 };
+    let is_lake_level = (first..rules.lake_levels).contains(&level);
+    if !is_lake_level || river.bed <= LEAST_BED || river.branched {
         return 0;
     }
     let coarse = Q16 - ((level - first).min(4) as i32) * (Q16 / 4);
-    let high = smoothstep(200 * GRAINS, 1_000 * GRAINS, river.bed)
-        + 2 * smoothstep(1_500 * GRAINS, 2_500 * GRAINS, crust);
-    let wet = Q16 - mul_q16(dryness(wetness), 58_982);
+    let high = smoothstep(HIGH_BEDS[0], HIGH_BEDS[1], river.bed)
+        + 2 * smoothstep(HIGH_CRUST[0], HIGH_CRUST[1], crust);
+    let wet = Q16 - mul_q16(dryness(wetness), DRY_LOSS);
     mul_q16(mul_q16(mul_q16(rules.lake_chance, coarse), high), wet)
 }
 
-/// Chance that a lake reaches half the way to land beside it. In ours on all levels: bays and
-/// points of all sizes make its shore, as they make a coast.
-fn spread(rules: &Rules) -> i32 {
-    if rules.landforms { 30_000 } else { 0 }
+/// Chance that a lake reaches half the way to the land beside it, Q16. In ours on all levels: bays
+/// and points of all sizes make its shore, as they make a coast.
+fn shore_chance(rules: &Rules) -> i32 {
+    if rules.landforms { SHORE_CHANCE } else { 0 }
 }
 
-/// R3 with a lake: the new vertex lies under the river's water, or nothing where no lake forms.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<Ground> {
-    let (river, land) = if context.a.is_wet() {
-        (context.a, context.b)
-    } else {
-        (context.b, context.a)
-    };
+/// R3 with a lake: the new vertex lies under the river's water; `None` where no lake forms.
+pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<VertexGround> {
+    let (water, land) = context.wet_end_first();
     let on_land = matches!(land.kind, VertexKind::Terrain | VertexKind::Gully);
     // Land lower than the water is the valley below: no lake there.
-    if !on_land || river.water <= river.bed || land.height <= river.water {
+    if !on_land || water.water <= water.bed || land.height <= water.water {
         return None;
     }
     let new = context.new;
-    let born = river.kind == VertexKind::River;
-    let chance = if born {
-        chance(rules, context.level, river, new.crust, new.wetness)
+    let is_river = water.kind == VertexKind::River;
+    let chance = if is_river {
+        chance(rules, context.level, water, new.crust, new.wetness)
     } else {
-        spread(rules)
+        shore_chance(rules)
     };
     if share(new.seed, 10) >= chance {
         return None;
     }
-    let bed = if born || context.level < rules.lake_levels {
-        let depth = 20 * GRAINS + mul_q16(100 * GRAINS, share(new.seed, 11));
-        river.bed - depth.min(river.bed - GRAINS).max(0)
+    let bed = if is_river || context.level < rules.lake_levels {
+        let depth = LEAST_DEPTH + mul_q16(DRAWN_DEPTH, share(new.seed, 11));
+        water.bed - depth.min(water.bed - GRAINS).max(0)
     } else {
         // The floor shelves towards the shore.
-        river.bed + (river.water - river.bed) / 2
+        water.bed + (water.water - water.bed) / 2
     };
-    Some(Ground {
-        kind: VertexKind::Lake,
-        height: bed,
-        bed,
-        water: river.water,
-    })
+    Some(lake(bed, water.water))
 }
 
 /// Between two lake vertices: the floor of their lake, or a crest between two lakes.
-pub fn between(rules: &Rules, context: &EdgeContext) -> Ground {
+pub fn between(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let (a, b) = (context.a, context.b);
     if a.lake != b.lake || a.water != b.water {
         return crest::between_rivers(rules, context);
     }
-    let bed = a.bed + (b.bed - a.bed) / 2;
-    Ground {
+    lake(a.bed + (b.bed - a.bed) / 2, a.water)
+}
+
+/// A lake's floor under its water, grains.
+const fn lake(bed: i32, water: i32) -> VertexGround {
+    VertexGround {
         kind: VertexKind::Lake,
         height: bed,
         bed,
-        water: a.water,
+        water,
     }
 }

@@ -1,14 +1,26 @@
-//! What kind of land a vertex lies in: how old, how dry, how steep (paper 002 §3; DESIGN's Andean
-//! and Himalayan belts).
+//! Character of the land at a vertex: how old, how dry, how steep (paper 002 §3).
 //!
-//! Steepness stands for rock and uplift: real young belts of collision keep slopes near 30° at all
-//! scales, those of subduction near 25°, old belts near 12°, and it falls with the crust's height
-//! above the sea, which is all the relief that rivers have to cut.
+//! Steepness stands for rock and uplift: real young belts of collision (Himalayan) keep slopes near
+//! 30° at all scales, those of subduction (Andean) near 25°, old belts near 12°, and it falls with
+//! the crust's height above the sea, which is all the relief that rivers have to cut.
 
-use super::super::arith::{mix, mul_q16, ratio, smoothstep, square};
-use super::super::fixed::{GRAINS, Q16};
-use super::super::vertex::Vertex;
 use super::preset::Rules;
+use crate::amplify::arith::{mix, mul_q16, ratio, smoothstep, square};
+use crate::amplify::fixed::{Q16, metres, million_years, q16};
+use crate::amplify::vertex::Vertex;
+
+/// Age from which on an orogeny is old, 1/64 My.
+const OLD_AGE: i32 = million_years(200);
+
+/// Wetness below which land is fully dry, and above which not at all (release).
+const DRY_WETNESS: [i32; 2] = [q16(0.15), q16(0.45)];
+
+/// How far dryness alone makes land look old (release).
+const AGE_OF_DRYNESS: i32 = q16(0.38);
+
+/// Crust elevation at which land has half the steepness's root, grains: a plain at 0.2 km is a
+/// tenth as steep as a belt at 1.5 km.
+const HALF_RELIEF_CRUST: i32 = metres(1_000);
 
 /// Character of the land at a vertex; shares and tangents in Q16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,23 +33,19 @@ pub struct Landform {
     pub steep: i32,
 }
 
-/// 200 My in the unit of ages.
-const OLD_AGE: i32 = 200 * 64;
-
 /// How dry land of a wetness is, Q16: fully below 0.15, not at all above 0.45.
 #[inline]
 pub const fn dryness(wetness: u16) -> i32 {
-    Q16 - smoothstep(9_830, 29_491, wetness as i32)
+    Q16 - smoothstep(DRY_WETNESS[0], DRY_WETNESS[1], wetness as i32)
 }
 
 impl Landform {
     /// Character of the land at a vertex.
     pub fn of(rules: &Rules, vertex: &Vertex) -> Self {
         let dry = dryness(vertex.wetness);
-        let aged = worn(vertex) + mul_q16(dry, 24_904);
-        let old = if aged < Q16 { aged } else { Q16 };
+        let old = worn(vertex) + mul_q16(dry, AGE_OF_DRYNESS);
         Self {
-            old,
+            old: old.min(Q16),
             dry,
             steep: steepness(rules, vertex),
         }
@@ -61,8 +69,8 @@ pub fn steepness(rules: &Rules, vertex: &Vertex) -> i32 {
         i32::from(vertex.collision),
     );
     let steep = mix(young, rules.steep_old, worn(vertex));
-    // Low land has little to cut: a plain at 0.2 km is a tenth as steep as a belt at 1.5 km.
+    // Low land has little to cut.
     let crust = vertex.crust.max(0);
-    let rise = square(ratio(crust, crust + 1_000 * GRAINS));
-    mul_q16(mul_q16(steep, rise), Q16 - i32::from(vertex.plateau) / 2)
+    let relief = square(ratio(crust, crust + HALF_RELIEF_CRUST));
+    mul_q16(mul_q16(steep, relief), Q16 - i32::from(vertex.plateau) / 2)
 }

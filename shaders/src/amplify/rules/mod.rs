@@ -3,7 +3,11 @@
 //!
 //! Pure functions of grains, shares in Q16 and seeds, in the 32-bit operations that WGSL has.
 //! [`halve`] picks the compute graph by the edge's configuration; each graph has its file. No rule
-//! reads anything finer than the edge, so no view changes a bit of what it yields.
+//! reads anything finer than the edge, so no view changes a bit of its result.
+//!
+//! Constants are in the units of [`fixed`](super::fixed); "release" names the source that the
+//! authors of paper 002 published, numbers without a source are chosen here by eye and by the
+//! statistics of real relief.
 
 pub mod nodes;
 pub mod noise;
@@ -33,7 +37,7 @@ pub use preset::Rules;
 /// slope stays even under sideways moves.
 const FACE_LEVEL: u32 = 6;
 
-/// What an edge is (the paper's edge types R and T; gullies have their own).
+/// Kind of an edge (the paper's edge types R and T; gullies have their own).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum EdgeKind {
@@ -48,8 +52,8 @@ pub enum EdgeKind {
 
 /// The ground that a rule gives to a new vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Ground {
-    /// What the vertex is.
+pub struct VertexGround {
+    /// Kind of the vertex.
     pub kind: VertexKind,
     /// Ground, grains.
     pub height: i32,
@@ -59,7 +63,7 @@ pub struct Ground {
     pub water: i32,
 }
 
-impl Ground {
+impl VertexGround {
     /// Dry ground of one kind.
     #[inline]
     pub const fn dry(kind: VertexKind, height: i32) -> Self {
@@ -74,7 +78,7 @@ impl Ground {
 
 /// The ground of the vertex that halves an edge: picks the rule by the configuration (kind, edge,
 /// kind).
-pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> Ground {
+pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
     use VertexKind::{Coast, Gully, Lake, River, Sea};
     let (a, b) = (context.a.kind, context.b.kind);
     match edge {

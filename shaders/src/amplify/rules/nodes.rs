@@ -5,10 +5,10 @@
 //! [`Form`]. ξ and χ are uniform in 0..1 (Q16), h in grains. A node never panics and never leaves
 //! 32 bits for heights within ±100 km.
 
-use super::super::arith::{mix, mul_q16, pow_1_5, ratio, saturate, smooth, square};
-use super::super::fixed::{GRAINS, Q16};
+use crate::amplify::arith::{mix, mul_q16, ordered, pow_1_5, ratio, saturate, smooth, square};
+use crate::amplify::fixed::{Q16, metres, q16};
 
-/// Whose constants a node uses where print and release differ.
+/// Source of a node's constants, where print and release differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Form {
     /// As printed: a young mountain's α spans half as much, and lies below the middle.
@@ -22,8 +22,8 @@ pub enum Form {
 #[inline]
 pub const fn scale_dependency(level: u32) -> i32 {
     let level = if level < 10 { level as i32 } else { 10 };
-    // 0.4 · 65,536 / 10 = 2,621.44 per level.
-    Q16 - (level * 262_144 + 50) / 100
+    // 0.4 · 65,536 / 10 per level, rounded to the nearest.
+    Q16 - (level * 4 * Q16 + 50) / 100
 }
 
 /// α of a young mountain, Q16: ½ + Δ/2 (ξ^1.5 - 1) as printed, ½ + Δ (ξ^1.5 - ½) as released.
@@ -67,7 +67,7 @@ pub const fn peak_old_wet(xi: i32, crust: i32) -> i32 {
 }
 
 /// Height of a step of terraced mountains, grains: 700 m.
-pub const TERRACE_STEP: i32 = 700 * GRAINS;
+pub const TERRACE_STEP: i32 = metres(700);
 
 /// Terraces: treads at multiples of `step`, Hermite risers between them. Keeps multiples where they
 /// are.
@@ -89,50 +89,45 @@ pub const fn floor_to(height: i32, step: i32) -> i32 {
 }
 
 /// Highest hill, grains: 800 m.
-pub const HILL_LIMIT: i32 = 800 * GRAINS;
+pub const HILL_LIMIT: i32 = metres(800);
+
+/// How far down hills reach, as a share of the edge's length (release).
+const HOLLOWS: i32 = q16(0.3);
+
+/// How far a full plateau holds the ground at its base level (paper 002 Appendix A).
+const PLATEAU_HOLD: i32 = q16(0.88);
 
 /// Offset of hills: min(800 m, (1 - ξ²)/2 · ε)·B, ε the edge's length, or with χ < ½ a third
 /// (printed) or 0.3 (released) of it downwards.
 #[inline]
 pub const fn hill(form: Form, xi: i32, chi: i32, length: i32, presence: i32) -> i32 {
-    let epsilon = if chi >= Q16 / 2 {
-        length
-    } else {
-        match form {
-            Form::Paper => -(length / 3),
-            Form::Release => -mul_q16(length, 19_661),
-        }
+    let epsilon = match form {
+        _ if chi >= Q16 / 2 => length,
+        Form::Paper => -(length / 3),
+        Form::Release => -mul_q16(length, HOLLOWS),
     };
     let offset = mul_q16(epsilon, Q16 - square(xi)) / 2;
-    mul_q16(
-        if offset < HILL_LIMIT {
-            offset
-        } else {
-            HILL_LIMIT
-        },
-        presence,
-    )
+    let bounded = ordered(offset, HILL_LIMIT).0;
+    mul_q16(bounded, presence)
 }
 
 /// A plateau holds a height at its base level: h' blended towards it by 0.88·P.
 #[inline]
 pub const fn plateau(height: i32, base: i32, presence: i32) -> i32 {
-    mix(height, base, mul_q16(saturate(presence), 57_672))
+    mix(height, base, mul_q16(saturate(presence), PLATEAU_HOLD))
 }
 
 /// A height between two others, h = (1 - α) h₋ + α h₊, whichever of them is the higher.
 #[inline]
 pub const fn between(a: i32, b: i32, alpha: i32) -> i32 {
-    if a < b {
-        mix(a, b, alpha)
-    } else {
-        mix(b, a, alpha)
-    }
+    let (low, high) = ordered(a, b);
+    mix(low, high, alpha)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::amplify::fixed::GRAINS;
 
     const UNIT: f64 = 65_536.0;
 

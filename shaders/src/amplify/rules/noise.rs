@@ -6,16 +6,22 @@
 //! the twelve edge directions of a cube, drawn by hash; the fade is the quintic 6t⁵ - 15t⁴ + 10t³
 //! (K. Perlin, Improving noise, 2002). Shares in Q16.
 
-use super::super::arith::mul_q16;
-use super::super::fixed::Q16;
+use crate::amplify::arith::{mix, mul_q16};
+use crate::amplify::fixed::Q16;
+
+/// One step of the linear congruential generator of Numerical Recipes.
+#[inline]
+const fn congruential(x: u32) -> u32 {
+    x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223)
+}
 
 /// A hash of a lattice cell, well mixed in all bits (three rounds in the manner of pcg3d, M.
 /// Jarzynski and M. Olano, Hash functions for GPU rendering, 2020).
 #[inline]
 pub const fn cell_hash(x: u32, y: u32, z: u32, seed: u32) -> u32 {
-    let mut a = x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223) ^ seed;
-    let mut b = y.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-    let mut c = z.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+    let mut a = congruential(x) ^ seed;
+    let mut b = congruential(y);
+    let mut c = congruential(z);
     a = a.wrapping_add(b.wrapping_mul(c));
     b = b.wrapping_add(c.wrapping_mul(a));
     c = c.wrapping_add(a.wrapping_mul(b));
@@ -51,17 +57,17 @@ const fn gradient_dot(hash: u32, x: i32, y: i32, z: i32) -> i32 {
     (if hash & 1 == 0 { u } else { -u }) + (if hash & 2 == 0 { v } else { -v })
 }
 
-/// What was drawn at the corners of a cell of one lattice. Most of a noise's work; points of a
-/// patch share it.
+/// The draws at the corners of a cell of one lattice. They are most of a noise's work; points of a
+/// patch share them.
 #[derive(Clone, Copy, Debug)]
-pub struct Corners {
+pub struct CornerCache {
     address: [u32; 3],
     /// Of corner (x, y, z) at x + 2y + 4z.
     hashes: [u32; 8],
 }
 
-impl Default for Corners {
-    /// Those of no cell: addresses have 31 bits at most.
+impl Default for CornerCache {
+    /// A cell that does not exist: addresses have 31 bits at most.
     fn default() -> Self {
         Self {
             address: [u32::MAX; 3],
@@ -70,35 +76,52 @@ impl Default for Corners {
     }
 }
 
-impl Corners {
+impl CornerCache {
     fn of(address: [u32; 3], cell: u32, seed: u32) -> Self {
         let top = u32::MAX >> cell;
-        let hash = |k: u32| {
-            let at = |axis: usize| (address[axis] + (k >> axis & 1)) & top;
-            cell_hash(at(0), at(1), at(2), seed) >> 7
-        };
-        Self {
-            address,
-            hashes: [0, 1, 2, 3, 4, 5, 6, 7].map(hash),
-        }
+        let hashes = core::array::from_fn(|corner| {
+            let at = [0, 1, 2].map(|axis| (address[axis] + (corner as u32 >> axis & 1)) & top);
+            cell_hash(at[0], at[1], at[2], seed) >> 7
+        });
+        Self { address, hashes }
+    }
+
+    /// The noise at a place in the cell, Q16 of its edge.
+    fn blend(&self, [x, y, z]: [i32; 3]) -> i32 {
+        let fade_x = fade(x);
+        // Along x for each of the four edges, then along y for both faces, then along z.
+        let [a, b, c, d] = [0, 1, 2, 3].map(|row: usize| {
+            let (y, z) = (y - (row as i32 & 1) * Q16, z - (row as i32 >> 1) * Q16);
+            let near = gradient_dot(self.hashes[2 * row], x, y, z);
+            let far = gradient_dot(self.hashes[2 * row + 1], x - Q16, y, z);
+            mix(near, far, fade_x)
+        });
+        let fade_y = fade(y);
+        mix(mix(a, b, fade_y), mix(c, d, fade_y), fade(z))
     }
 }
 
 /// Gradient noise of wavelength 2^`cell` direction units at a point, about -1..1 in Q16, mean 0;
-/// `cell` 1..=30. `kept` is what the last point of the same `cell` and `seed` left; it changes no
-/// bit.
+/// `cell` 1..=30. `cache` is of one `cell` and `seed` alone; it changes no bit.
 ///
 /// Continuous with its first two derivatives, exact at any frequency: the lattice is addressed by
 /// the bits themselves.
-pub fn gradient(kept: &mut Corners, point: [i32; 3], cell: u32, seed: u32) -> i32 {
-    // Every seed has its own origin, so that octaves do not share the zeros of their lattices.
+///
+/// ```
+/// use pangaea_shaders::amplify::fixed::ONE;
+/// use pangaea_shaders::amplify::rules::noise::{CornerCache, gradient};
+///
+/// let mut cache = CornerCache::default();
+/// let here = gradient(&mut cache, [ONE, 0, 0], 24, 5);
+/// let beside = gradient(&mut cache, [ONE, 1_000, 0], 24, 5);
+/// assert!((here - beside).abs() < 20, "a step of 3 m in waves of 52 km");
+/// ```
+pub fn gradient(cache: &mut CornerCache, point: [i32; 3], cell: u32, seed: u32) -> i32 {
     let mask = (1_u32 << cell) - 1;
     let mut address = [0_u32; 3];
     let mut place = [0_i32; 3];
-    let mut axis = 0;
-    while axis < 3 {
-        let offset = (seed ^ (axis as u32).wrapping_mul(0x9e37_79b9)).wrapping_mul(0x85eb_ca6b);
-        let moved = (point[axis] as u32).wrapping_add(offset);
+    for axis in 0..3 {
+        let moved = (point[axis] as u32).wrapping_add(origin(axis as u32, seed));
         address[axis] = moved >> cell;
         let inside = moved & mask;
         place[axis] = if cell > 16 {
@@ -106,39 +129,27 @@ pub fn gradient(kept: &mut Corners, point: [i32; 3], cell: u32, seed: u32) -> i3
         } else {
             (inside << (16 - cell)) as i32
         };
-        axis += 1;
     }
-    if kept.address != address {
-        *kept = Corners::of(address, cell, seed);
+    if cache.address != address {
+        *cache = CornerCache::of(address, cell, seed);
     }
-    let [x, y, z] = place;
-    let (u, v, w) = (fade(x), fade(y), fade(z));
-    let row = |j: usize, k: usize| {
-        let (dy, dz) = (y - j as i32 * Q16, z - k as i32 * Q16);
-        let [near, far] = [0, 1].map(|i| kept.hashes[i + 2 * j + 4 * k]);
-        blend(
-            gradient_dot(near, x, dy, dz),
-            gradient_dot(far, x - Q16, dy, dz),
-            u,
-        )
-    };
-    let layer = |k: usize| blend(row(0, k), row(1, k), v);
-    blend(layer(0), layer(1), w)
+    cache.blend(place)
 }
 
+/// Origin of a seed's lattice on an axis: octaves must not share the zeros of their lattices.
 #[inline]
-const fn blend(a: i32, b: i32, t: i32) -> i32 {
-    a + mul_q16(b - a, t)
+const fn origin(axis: u32, seed: u32) -> u32 {
+    (seed ^ axis.wrapping_mul(0x9e37_79b9)).wrapping_mul(0x85eb_ca6b)
 }
 
 /// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of
-/// the last. As many as there are `kept` cells, at most `cell`.
-pub fn fbm(kept: &mut [Corners], point: [i32; 3], cell: u32, gain: i32, seed: u32) -> i32 {
+/// the last. As many as the cache holds, at most `cell`.
+pub fn fbm(cache: &mut [CornerCache], point: [i32; 3], cell: u32, gain: i32, seed: u32) -> i32 {
     let mut sum = 0;
     let mut weight = Q16;
-    for (octave, kept) in (0..cell).zip(kept) {
+    for (octave, cache) in (0..cell).zip(cache) {
         let seed = seed.wrapping_add(octave.wrapping_mul(0x68bc_21eb));
-        sum += mul_q16(gradient(kept, point, cell - octave, seed), weight);
+        sum += mul_q16(gradient(cache, point, cell - octave, seed), weight);
         weight = mul_q16(weight, gain);
     }
     sum
@@ -146,13 +157,13 @@ pub fn fbm(kept: &mut [Corners], point: [i32; 3], cell: u32, gain: i32, seed: u3
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixed::ONE;
-    use super::super::super::seed::{pcg, share};
     use super::*;
+    use crate::amplify::fixed::ONE;
+    use crate::amplify::seed::{pcg, share};
 
-    /// The noise at a point that nothing was asked before.
+    /// The noise at a point, from an empty cache.
     fn gradient(point: [i32; 3], cell: u32, seed: u32) -> i32 {
-        super::gradient(&mut Corners::default(), point, cell, seed)
+        super::gradient(&mut CornerCache::default(), point, cell, seed)
     }
 
     fn points(count: u32) -> impl Iterator<Item = [i32; 3]> {
@@ -250,15 +261,15 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_changes_no_bit() {
+    fn a_cache_changes_no_bit() {
         for cell in [1, 9, 16, 17, 30] {
-            let mut kept = Corners::default();
+            let mut cache = CornerCache::default();
             for (k, p) in (0..).zip(points(300)) {
                 // Every point twice, the second time a little farther on.
                 for step in [0, 1 << cell >> (k % 8)] {
                     let at = p.map(|x| x.wrapping_add(step));
                     assert_eq!(
-                        super::gradient(&mut kept, at, cell, 5),
+                        super::gradient(&mut cache, at, cell, 5),
                         gradient(at, cell, 5)
                     );
                 }
@@ -273,7 +284,7 @@ mod tests {
             gradient([ONE, 0, 0], 24, 5),
             gradient([-3, 1 << 30, 77], 10, 6),
             fbm(
-                &mut [Corners::default(); 6],
+                &mut [CornerCache::default(); 6],
                 [ONE / 3, ONE / 3, ONE / 2],
                 20,
                 32_768,

@@ -1,10 +1,20 @@
 //! The numbers of the rules, and their presets: ours, the paper's print, its authors' release.
 
-use super::super::fixed::Q16;
 use super::nodes::Form;
+use crate::amplify::fixed::{q16, tan_deg};
 
 /// Constants of the subdivision rules. Shares and tangents are Q16, heights and lengths grains,
 /// levels are the paper's λ: 0 halves the control mesh's edges of about 52 km.
+///
+/// ```
+/// use pangaea_shaders::amplify::fixed::q16;
+/// use pangaea_shaders::amplify::rules::Rules;
+///
+/// // The default rules, with twice as many lakes.
+/// let rules = Rules { lake_chance: 2 * Rules::default().lake_chance, ..Rules::default() };
+/// assert!(rules.lake_chance < q16(1.0));
+/// assert_ne!(rules, Rules::PAPER);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rules {
     /// Form of the young mountains' α and of the hills.
@@ -35,7 +45,7 @@ pub struct Rules {
     pub lake_levels: u32,
     /// Chance of a lake where water abounds.
     pub lake_chance: i32,
-    /// Rise of a tributary along its first half, tangent: tan 3° = 0.0524.
+    /// Rise of a tributary along its first half, tangent: that of 3°.
     pub spring_slope: i32,
     /// Whether valleys are shaped by their archetype's curve; off, all have the released bank.
     pub archetypes: bool,
@@ -46,18 +56,18 @@ impl Default for Rules {
         Self {
             form: Form::Release,
             landforms: true,
-            crest_rise: 13_107,
-            steep_collision: 90_000,
-            steep_subduction: 56_000,
-            steep_old: 64_000,
+            crest_rise: q16(0.2),
+            steep_collision: q16(1.37329),
+            steep_subduction: q16(0.85449),
+            steep_old: q16(0.97656),
             fine_level: 10,
             tributary_levels: [0, 4],
             extension_levels: 5,
             gully_levels: 9,
-            gully_branching: 45_000,
+            gully_branching: q16(0.68665),
             lake_levels: 6,
-            lake_chance: 4_500,
-            spring_slope: 3_435,
+            lake_chance: q16(0.06866),
+            spring_slope: tan_deg(3.0),
             archetypes: true,
         }
     }
@@ -68,18 +78,18 @@ impl Rules {
     pub const PAPER: Self = Self {
         form: Form::Paper,
         landforms: false,
-        crest_rise: 13_107,
-        steep_collision: 26_214,
-        steep_subduction: 26_214,
-        steep_old: 26_214,
+        crest_rise: q16(0.2),
+        steep_collision: q16(0.4),
+        steep_subduction: q16(0.4),
+        steep_old: q16(0.4),
         fine_level: 10,
         tributary_levels: [1, 4],
         extension_levels: 4,
         gully_levels: 8,
-        gully_branching: Q16 / 4,
+        gully_branching: q16(0.25),
         lake_levels: 5,
-        lake_chance: 6_554,
-        spring_slope: 3_435,
+        lake_chance: q16(0.1),
+        spring_slope: tan_deg(3.0),
         archetypes: true,
     };
 

@@ -1,4 +1,4 @@
-//! How high the ground between two drains stands: what all graphs of ours share.
+//! How high the ground between two drains stands: the common part of all graphs of ours.
 //!
 //! Real slopes rise from their drains as steeply as their rock lets them, and meet in crests. Every
 //! vertex drains down one of its edges; between two that stand level there is a divide, and the
@@ -6,95 +6,153 @@
 //! but a hillside, hollow as the profiles of its gullies are. The bulge is no more than the slope
 //! over half the edge from the lower end, and no more than a part of what the crust leaves. It
 //! always stands above its lower end: every vertex can drain there, and no closed hollow is made.
+//!
+//! The numbers are chosen so that slopes and spectra are those of real relief.
 
-use super::super::arith::{mix, mul_q16, ratio};
-use super::super::fixed::Q16;
-use super::super::seed::share;
-use super::super::vertex::EdgeContext;
 use super::landform::{steepness, worn};
 use super::preset::Rules;
-use super::terrain::ordered;
 use super::{FACE_LEVEL, fine};
+use crate::amplify::arith::{mix, mul_q16, ordered, ratio};
+use crate::amplify::fixed::{Q16, metres, q16};
+use crate::amplify::seed::share;
+use crate::amplify::vertex::EdgeContext;
+
+/// Bulge of divides: between two drains, and on open ground.
+pub(super) const DIVIDE_BULGE: i32 = q16(1.37329);
+
+/// Bulge of the slope between a drain and the land above it.
+pub(super) const SLOPE_BULGE: i32 = q16(0.1831);
+
+/// Least bulge, as a share of the full one, and how much the draw adds to it.
+const DRAWN_BULGE: [i32; 2] = [q16(0.12207), q16(1.2207)];
+
+/// How much farther up than the hollow's share the draw may put the middle of a hillside.
+const DRAWN_HILLSIDE: i32 = q16(0.21362);
+
+/// The steepest ground over the lower end, as a share of the landform's slope, and how much the
+/// draw adds to it.
+const STEEPEST: [i32; 2] = [q16(0.94604), q16(0.45776)];
+
+/// Least share of the way up at which the middle of an edge stands.
+const LEAST_RISE: i32 = q16(0.15259);
+
+/// Share of the bulge that worn land loses.
+const WORN_LOSS: i32 = q16(0.39673);
+
+/// Most rise of a slope, grains: beyond any crust, and products of it fit 32 bits on any planet.
+const MOST_SLOPE: i32 = metres(400_000);
+
+/// First level whose bulges fade where the land is worn.
+const FIRST_WORN_LEVEL: u32 = 3;
 
 /// Height of the middle of an edge. `bulge` (Q16) is the share of the full slope by which it
 /// overtops the higher end.
 pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
-    let new = context.new;
     let (low, high) = ordered(context.a.height, context.b.height);
-    let small = context.level >= FACE_LEVEL;
+    let slope = slope(rules, context);
+    // 1 between level ends, 0 where one is a whole slope above the other.
+    let evenness = ratio((slope - (high - low)).max(0), slope.max(1));
+    let hillside = hillside(rules, context);
+    let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
+    let gain = gain(context, high, mul_q16(mul_q16(slope, evenness), bulge));
+    let crest = mix(hillside, high, towards_crest) + gain;
+
+    let chi = share(context.new.seed, 1);
+    let steepest = low + mul_q16(slope, STEEPEST[0] + mul_q16(chi, STEEPEST[1]));
+    crest.min(steepest).max(least(context, low, high))
+}
+
+/// Whether an edge is no longer than a hillside.
+const fn is_small(context: &EdgeContext) -> bool {
+    context.level >= FACE_LEVEL
+}
+
+/// Rise over half the edge at the landform's steepness, grains.
+fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
     // An edge along a thin face is long, but the rock beside it is no larger than that of others.
-    let length = if small {
+    let length = if is_small(context) {
         context.length.min(context.span)
     } else {
         context.length
     };
-    let slope = mul_q16(length / 2, steepness(rules, new));
+    mul_q16(length / 2, steepness(rules, context.new)).min(MOST_SLOPE)
+}
+
+/// How much a crest gains over the higher end: a draw of the bulge, bounded by the room that the
+/// crust leaves.
+fn gain(context: &EdgeContext, high: i32, bulge: i32) -> i32 {
+    let new = context.new;
     let (xi, chi) = (share(new.seed, 0), share(new.seed, 1));
-    // 1 between level ends, 0 where one is a whole slope above the other.
-    let keen = ratio((slope - (high - low)).max(0), slope.max(1));
     let room = (new.crust - high).max(0);
     let free = mul_q16(
-        mul_q16(
-            mul_q16(mul_q16(slope, keen), bulge),
-            fading(context.level, worn(new)),
-        ),
-        8_000 + mul_q16(xi, 80_000),
+        mul_q16(bulge, fading(context.level, worn(new))),
+        DRAWN_BULGE[0] + mul_q16(xi, DRAWN_BULGE[1]),
     );
     // Saturates, half-way there where the two are equal, so that summits stay apart.
-    let gain = mul_q16(
-        room,
-        mul_q16(ratio(free, free + room + 1), part(context.level, chi)),
-    );
-    let hillside = if small {
-        context.face + fine::rough(rules, context)
-    } else {
-        mix(low, high, hollow(context.level) + mul_q16(xi, 14_000))
-    };
-    let crest = mix(hillside, high, mul_q16(mul_q16(keen, keen), bulge.min(Q16))) + gain;
-    let steepest = low + mul_q16(slope, 62_000 + mul_q16(chi, 30_000));
-    let least = mix(low, high, 10_000) + (context.length >> 12).max(1);
-    // The face drains to its lowest corner, which need not be an end of the edge.
-    crest.min(steepest).max(if small {
+    let saturated = mul_q16(ratio(free, free + room + 1), part(context.level, chi));
+    mul_q16(room, saturated)
+}
+
+/// Height of the middle of an edge on an even hillside.
+fn hillside(rules: &Rules, context: &EdgeContext) -> i32 {
+    if is_small(context) {
+        return context.face + fine::rough(rules, context);
+    }
+    let (low, high) = ordered(context.a.height, context.b.height);
+    let xi = share(context.new.seed, 0);
+    mix(
+        low,
+        high,
+        hollow(context.level) + mul_q16(xi, DRAWN_HILLSIDE),
+    )
+}
+
+/// The lowest that the middle of an edge may stand, so that it drains to the lower end.
+fn least(context: &EdgeContext, low: i32, high: i32) -> i32 {
+    let least = mix(low, high, LEAST_RISE) + (context.length >> 12).max(1);
+    // A small face drains to its lowest corner, which need not be an end of the edge.
+    if is_small(context) {
         least.min(context.face)
     } else {
         least
-    })
+    }
 }
 
-/// Most that a crest takes of the room, least and greatest draw; Q16. Little while edges are longer
-/// than the spacing of valleys: where a coarse vertex stood near C already, the land around it
-/// would fill up to a table under C, and no crest could stand out.
+/// Most that a crest takes of the room, between the least and the greatest draw; Q16. Little while
+/// edges are longer than the spacing of valleys: where a coarse vertex stood near C already, the
+/// land around it would fill up to a table under C, and no crest could stand out.
 fn part(level: u32, chi: i32) -> i32 {
-    let [least, greatest] = match level {
-        0 => [4_000, 26_000],
-        1 => [8_000, 42_000],
-        2 => [16_000, 60_000],
-        3 => [24_000, 62_000],
-        _ => [28_000, 60_000],
-    };
+    const LEAST_AND_GREATEST: [[i32; 2]; 5] = [
+        [q16(0.06104), q16(0.39673)],
+        [q16(0.12207), q16(0.64087)],
+        [q16(0.24414), q16(0.91553)],
+        [q16(0.36621), q16(0.94604)],
+        [q16(0.42725), q16(0.91553)],
+    ];
+    let [least, greatest] = LEAST_AND_GREATEST[level.min(4) as usize];
     mix(least, greatest, chi)
 }
 
 /// Bulges fade below the spacing of the smallest valleys, a kilometre or two: hillslopes are cut by
 /// shallow gullies only, and by fewer where the land is worn. Q16.
 const fn fading(level: u32, worn: i32) -> i32 {
-    let keen = match level {
-        0..=3 => 90_000,
-        4 => 80_000,
-        5 => 64_000,
-        6 => 44_000,
-        7 => 30_000,
-        _ => 20_000,
+    let kept = match level {
+        0..=3 => q16(1.37329),
+        4 => q16(1.2207),
+        5 => q16(0.97656),
+        6 => q16(0.67139),
+        7 => q16(0.45776),
+        _ => q16(0.30518),
     };
-    if level < 3 {
-        keen
+    if level < FIRST_WORN_LEVEL {
+        kept
     } else {
-        keen - mul_q16(mul_q16(keen, worn), 26_000)
+        kept - mul_q16(mul_q16(kept, worn), WORN_LOSS)
     }
 }
 
 /// Least share of the rise that the middle of a hillside takes: little, so that valleys are wide
 /// and crests stand out. Q16.
 const fn hollow(level: u32) -> i32 {
-    12_000 + 1_500 * level as i32
+    q16(0.1831) + q16(0.02289) * level as i32
 }

@@ -5,12 +5,48 @@
 //! one side, then back towards the middle where `weight` is below 1. Within a third of its
 //! triangle, so that no face turns over.
 
-use super::super::arith::{linear_step, mul_q16, smooth};
-use super::super::control::VertexKind;
-use super::super::fixed::Q16;
-use super::super::seed::share;
-use super::landform::dryness;
 use super::{EdgeKind, Rules};
+use crate::amplify::arith::{linear_step, mul_q16, smooth};
+use crate::amplify::control::VertexKind;
+use crate::amplify::fixed::{Q16, q16};
+use crate::amplify::seed::share;
+use crate::amplify::vertex::Vertex;
+use core::ops::Range;
+
+/// Least share of the edge, and of the way to the barycentre, that a vertex moves to; the greatest
+/// is twice as much (paper 002 §5.2).
+pub(in crate::amplify) const LEAST: i32 = q16(0.33);
+
+/// Levels on which vertices of ours move less: what was moved often stretches its triangles. Rocks
+/// are broken again.
+const CALM_LEVELS: Range<u32> = 4..8;
+
+/// Share of the displacement that is left on those levels.
+const CALM: i32 = q16(0.7019);
+
+/// Share of the displacement that gullies keep in ours.
+const GULLY_WEIGHT: i32 = q16(0.61035);
+
+/// Last level on which rivers of print and release run straight.
+const LAST_STRAIGHT_RIVER: u32 = 2;
+
+/// Levels over which reaches straighten, to half the displacement.
+const STRAIGHTENING_LEVELS: [i32; 2] = [8, 16];
+
+/// Share of the displacement that lakes' shores keep.
+const LAKE_WEIGHT: i32 = q16(0.25);
+
+/// One beyond the last level whose coasts are moved.
+const COAST_LEVELS: u32 = 11;
+
+/// One beyond the last level whose ground is moved in print and release.
+const GROUND_LEVELS: u32 = 9;
+
+/// Share of the displacement that wet ground keeps.
+const GROUND_WEIGHT: i32 = q16(0.42725);
+
+/// How much more of it dry ground keeps.
+const DRY_WEIGHT: i32 = q16(0.30518);
 
 /// A sideways displacement; shares in Q16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,55 +61,48 @@ pub struct Shift {
     pub weight: i32,
 }
 
-/// The displacement of the vertex that halves an edge between two kinds of vertices.
+/// The displacement of the vertex that halves an edge between two kinds of vertices. Of the new
+/// vertex the seed and the wetness are read.
 pub fn shift(
     rules: &Rules,
     edge: EdgeKind,
     kinds: [VertexKind; 2],
     level: u32,
-    seed: u32,
-    wetness: u16,
+    new: &Vertex,
 ) -> Shift {
-    let third = |k| 21_627 + mul_q16(share(seed, k), 21_627);
-    let side = share(seed, 13);
+    let drawn = |k| LEAST + mul_q16(share(new.seed, k), LEAST);
     Shift {
-        along: third(12),
-        inward: third(14),
-        second: side >= Q16 / 2,
-        weight: weight(rules, edge, kinds, level, wetness),
+        along: drawn(12),
+        inward: drawn(14),
+        second: share(new.seed, 13) >= Q16 / 2,
+        weight: weight(rules, edge, kinds, level, new.wetness),
     }
 }
 
-/// How much of the displacement an edge takes.
+/// How much of the displacement an edge takes, Q16.
 fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, wetness: u16) -> i32 {
     use VertexKind::{Coast, Lake, Sea};
-    let has = |kind| kinds[0] == kind || kinds[1] == kind;
-    // Ours moves less in between: what was moved often stretches its triangles. Rocks are broken
-    // again.
-    let calm = if rules.landforms && (4..8).contains(&level) {
-        46_000
+    let calm = if rules.landforms && CALM_LEVELS.contains(&level) {
+        CALM
     } else {
         Q16
     };
     match edge {
-        EdgeKind::Gully if rules.landforms => mul_q16(calm, 40_000),
+        EdgeKind::Gully if rules.landforms => mul_q16(calm, GULLY_WEIGHT),
         EdgeKind::Gully => Q16,
-        // The finest reaches straighten.
-        EdgeKind::River if rules.landforms || level > 2 => {
-            Q16 - smooth(linear_step(8, 16, level as i32)) / 2
+        EdgeKind::River if rules.landforms || level > LAST_STRAIGHT_RIVER => {
+            let [first, last] = STRAIGHTENING_LEVELS;
+            Q16 - smooth(linear_step(first, last, level as i32)) / 2
         }
         EdgeKind::River => 0,
-        EdgeKind::Terrain if has(Lake) => Q16 / 4,
-        EdgeKind::Terrain if has(Coast) || has(Sea) => {
-            if level < 11 {
-                Q16
-            } else {
-                0
-            }
+        EdgeKind::Terrain if kinds.contains(&Lake) => LAKE_WEIGHT,
+        EdgeKind::Terrain if kinds.contains(&Coast) || kinds.contains(&Sea) => {
+            if level < COAST_LEVELS { Q16 } else { 0 }
         }
-        EdgeKind::Terrain if level < 9 || rules.landforms => {
-            mul_q16(calm, 28_000 + mul_q16(dryness(wetness), 20_000))
-        }
+        EdgeKind::Terrain if rules.landforms || level < GROUND_LEVELS => mul_q16(
+            calm,
+            GROUND_WEIGHT + mul_q16(super::landform::dryness(wetness), DRY_WEIGHT),
+        ),
         EdgeKind::Terrain => 0,
     }
 }

@@ -1,67 +1,84 @@
 //! (r, T, t) and (g, T, t): the ground between a river or a gully and the land above it (paper 002
 //! Fig. 12; rule R3).
 
-use super::super::arith::{mix, mul_q16, square};
-use super::super::control::VertexKind;
-use super::super::fixed::{GRAINS, Q16};
-use super::super::seed::share;
-use super::super::vertex::{EdgeContext, Vertex};
 use super::preset::Rules;
-use super::{Ground, fine, rise};
+use super::{VertexGround, fine, rise};
+use crate::amplify::arith::{mix, mul_q16, square};
+use crate::amplify::control::VertexKind;
+use crate::amplify::fixed::{Q16, metres, q16};
+use crate::amplify::seed::share;
+use crate::amplify::vertex::{EdgeContext, Vertex};
+
+/// Rise of land that lies below its river, per length of the edge (release).
+const RISE_FROM_RIVER: i32 = q16(0.2);
+
+/// Such land may rise to the crust, and this far where the crust is lower; grains (release).
+const LEAST_ROOM_OVER_RIVER: i32 = metres(100);
+
+/// Rise of land that lies below its gully, per length of the edge (release).
+const RISE_FROM_GULLY: i32 = q16(0.1);
+
+/// Such land may rise to the crust, and this far where the crust is lower; grains (release).
+const LEAST_ROOM_OVER_GULLY: i32 = metres(10);
+
+/// Least share of that rise that is taken, and how much the draw adds to it (release).
+const LOW_LAND_SHARE: [i32; 2] = [q16(0.05), q16(0.95)];
+
+/// Least share of the way up to the land at which the middle of a slope stands, and how much the
+/// draw adds to it (paper 002 R3).
+const SLOPE_SHARE: [i32; 2] = [q16(0.1), q16(0.9)];
 
 /// The slope beside a river.
-pub fn from_river(rules: &Rules, context: &EdgeContext) -> Ground {
-    let (wet, dry) = if context.a.is_wet() {
-        (context.a, context.b)
-    } else {
-        (context.b, context.a)
-    };
-    let least = context.new.crust - wet.height;
-    Ground::dry(
-        VertexKind::Terrain,
-        height(rules, context, wet, dry, least.max(100 * GRAINS), 13_107),
-    )
+pub fn from_river(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    let (river, land) = context.wet_end_first();
+    let most = (context.new.crust - river.height).max(LEAST_ROOM_OVER_RIVER);
+    let low_land_rise = most.min(mul_q16(context.length, RISE_FROM_RIVER));
+    let height = height(rules, context, [river, land], low_land_rise);
+    VertexGround::dry(VertexKind::Terrain, height)
 }
 
 /// The slope beside a gully.
-pub fn from_gully(rules: &Rules, context: &EdgeContext) -> Ground {
-    let gully_first = context.a.kind == VertexKind::Gully;
-    let (gully, land) = if gully_first {
+pub fn from_gully(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    let (gully, land) = if context.a.kind == VertexKind::Gully {
         (context.a, context.b)
     } else {
         (context.b, context.a)
     };
-    let least = context.new.crust - land.height;
-    Ground::dry(
-        VertexKind::Terrain,
-        height(rules, context, gully, land, least.max(10 * GRAINS), 6_554),
-    )
+    let most = (context.new.crust - land.height).max(LEAST_ROOM_OVER_GULLY);
+    let low_land_rise = most.min(mul_q16(context.length, RISE_FROM_GULLY));
+    let height = height(rules, context, [gully, land], low_land_rise);
+    VertexGround::dry(VertexKind::Terrain, height)
 }
 
 /// Height between a drain and the land above it: a share 0.1 + 0.9r of the rise, r = ξ, on plateaus
-/// 1 - ξ³, so that those break off steeply. Land below its drain rises again by `rise` (Q16) of the
-/// length, at most `least`.
+/// 1 - ξ³, so that those break off steeply. Land below its drain rises by a draw
+/// of `low_land_rise`.
 fn height(
     rules: &Rules,
     context: &EdgeContext,
-    drain: &Vertex,
-    land: &Vertex,
-    least: i32,
-    rise: i32,
+    [drain, land]: [&Vertex; 2],
+    low_land_rise: i32,
 ) -> i32 {
+    if rules.landforms {
+        if context.level >= rules.fine_level {
+            return fine::height(rules, context);
+        }
+        return rise::height(rules, context, rise::SLOPE_BULGE);
+    }
     let new = context.new;
     let xi = share(new.seed, 0);
     let cliff = Q16 - mul_q16(square(xi), xi);
     let r = mix(xi, cliff, i32::from(new.plateau));
-    if !rules.landforms {
-        if land.height <= drain.height {
-            let up = least.min(mul_q16(context.length, rise));
-            return drain.height + mul_q16(up, 3_277 + mul_q16(r, 62_259));
-        }
-        return mix(drain.height, land.height, 6_554 + mul_q16(r, 58_982));
+    if land.height <= drain.height {
+        return drain.height
+            + mul_q16(
+                low_land_rise,
+                LOW_LAND_SHARE[0] + mul_q16(r, LOW_LAND_SHARE[1]),
+            );
     }
-    if context.level >= rules.fine_level {
-        return fine::height(rules, context);
-    }
-    rise::height(rules, context, 12_000)
+    mix(
+        drain.height,
+        land.height,
+        SLOPE_SHARE[0] + mul_q16(r, SLOPE_SHARE[1]),
+    )
 }

@@ -1,44 +1,72 @@
 //! (t, T, t): the ground between two vertices of dry land (paper 002 Fig. 10, Appendix A; rule R5).
 //!
 //! Print and release: mountains young and old blended by age and wetness, terraces on dry rock,
-//! peaks at the coarse levels, hills, plateau. Ours: what the graphs of slopes share ([`rise`]) in
+//! peaks at the coarse levels, hills, plateau. Ours: the common rise of all slopes ([`rise`]) in
 //! place of mountains and peaks.
 
-use super::super::arith::{
-    linear_step, mix, mul_q16, saturate, smooth, smoothstep, sqrt_q16, square,
-};
-use super::super::control::VertexKind;
-use super::super::fixed::{GRAINS, Q16};
-use super::super::seed::share;
-use super::super::vertex::{EdgeContext, FAR, Vertex};
 use super::landform::Landform;
-use super::nodes;
 use super::preset::Rules;
-use super::{Ground, rise};
+use super::{VertexGround, nodes, rise};
+use crate::amplify::arith::{
+    linear_step, mix, mul_q16, ordered, saturate, smooth, smoothstep, sqrt_q16, square,
+};
+use crate::amplify::control::VertexKind;
+use crate::amplify::fixed::{Q16, metres, q16};
+use crate::amplify::seed::share;
+use crate::amplify::vertex::{EdgeContext, FAR, Vertex};
 
-/// 5 km, the crust elevation at which peaks are full.
-const FULL_CRUST: i32 = 5_000 * GRAINS;
+/// Crust elevation at which peaks are full, grains.
+const FULL_CRUST: i32 = metres(5_000);
+
+/// Least tangent that bounds hills in ours: that of 8.5°, in lands of hills alone.
+const LEAST_HILL_SLOPE: i32 = q16(0.15);
+
+/// Lowest terrace of old land that is barely dry, grains (release).
+const LOWEST_TERRACE: i32 = metres(3_700);
+
+/// How much lower terraces begin where land is dry and young, grains (release).
+const DESERT_TERRACES: i32 = metres(4_000);
+
+/// How much of that old land takes back, grains (release).
+const OLD_TERRACES: i32 = metres(2_800);
+
+/// Heights over which the lowest terrace sets in, grains (release).
+const TERRACE_ONSET: i32 = metres(256);
+
+/// Heights over which terraces' edges lose their raggedness, grains (release).
+const RAGGED_HEIGHTS: [i32; 2] = [metres(2_000), metres(2_800)];
+
+/// How far above their crust's share peaks stand, grains (release).
+const PEAK_BASE: i32 = metres(10);
+
+/// Least rise of peaks over their lower end, and how much full crust adds to it, grains.
+const PEAK_RISE: [i32; 2] = [metres(72), metres(614)];
+
+/// Dryness above which there are no hills (release).
+const DRIEST_HILLS: i32 = q16(0.9);
+
+/// Distance from a river at which hills are full, grains (release).
+const HILLS_AWAY: i32 = metres(25_000);
 
 /// The ground in the middle of a (t, T, t) edge.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Ground {
-    Ground::dry(VertexKind::Terrain, height(rules, context))
+pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    VertexGround::dry(VertexKind::Terrain, height(rules, context))
 }
 
-/// Its height, grains.
+/// Height in the middle of a (t, T, t) edge, grains.
 pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
-    let new = context.new;
     if rules.landforms {
         return shaped(rules, context);
     }
+    let new = context.new;
     let form = Landform::of(rules, new);
     let (low, high) = ordered(context.a.height, context.b.height);
-    let mountain = mountain(rules, context, form, low, high);
+    let mountain = mountain(rules, context, form);
     let terraced = terraced(new, form, context.level, mountain);
     let fading = peak_fading(new.crust, context.level);
     let raised = peaks(new, form, low, terraced, fading);
     let hilly = raised + hills(rules, context, form, fading);
-    let base = low + (high - low) / 2;
-    nodes::plateau(hilly, base, i32::from(new.plateau))
+    nodes::plateau(hilly, low + (high - low) / 2, i32::from(new.plateau))
 }
 
 /// Ours: the common rise, then terraces on dry rock, hills no steeper than a few degrees, and
@@ -47,32 +75,17 @@ fn shaped(rules: &Rules, context: &EdgeContext) -> i32 {
     let new = context.new;
     let form = Landform::of(rules, new);
     let (low, high) = ordered(context.a.height, context.b.height);
-    let terraced = terraced(
-        new,
-        form,
-        context.level,
-        rise::height(rules, context, 90_000),
-    );
-    // tan 8.5° = 0.15 in lands of hills alone.
-    let limit = mul_q16(context.length, form.steep.max(9_830)) / 4;
-    let hill =
-        hills(rules, context, form, peak_fading(new.crust, context.level)).clamp(-limit, limit);
-    let level = nodes::plateau(
-        terraced + hill,
-        low + (high - low) / 2,
-        i32::from(new.plateau),
-    );
+    let risen = rise::height(rules, context, rise::DIVIDE_BULGE);
+    let terraced = terraced(new, form, context.level, risen);
+    let limit = mul_q16(context.length, form.steep.max(LEAST_HILL_SLOPE)) / 4;
+    let fading = peak_fading(new.crust, context.level);
+    let hilly = terraced + hills(rules, context, form, fading).clamp(-limit, limit);
+    let level = nodes::plateau(hilly, low + (high - low) / 2, i32::from(new.plateau));
     level.min(high.max(new.crust)).max(low + 1)
 }
 
-/// Lower and higher of two.
-#[inline]
-pub(super) const fn ordered(a: i32, b: i32) -> (i32, i32) {
-    if a < b { (a, b) } else { (b, a) }
-}
-
 /// Classic mountains: young and old, wet and dry.
-fn mountain(rules: &Rules, context: &EdgeContext, form: Landform, low: i32, high: i32) -> i32 {
+fn mountain(rules: &Rules, context: &EdgeContext, form: Landform) -> i32 {
     let delta = nodes::scale_dependency(context.level);
     let xi = share(context.new.seed, 0);
     let young = nodes::young(rules.form, delta, xi);
@@ -81,9 +94,9 @@ fn mountain(rules: &Rules, context: &EdgeContext, form: Landform, low: i32, high
         nodes::old_dry(delta, xi),
         form.dry,
     );
-    let late = mul_q16(form.old, Q16 - level_share(context.level));
-    let alpha = saturate(mix(young, old, late));
-    mix(low, high, alpha)
+    let aged = mul_q16(form.old, Q16 - level_share(context.level));
+    let alpha = saturate(mix(young, old, aged));
+    nodes::between(context.a.height, context.b.height, alpha)
 }
 
 /// The release's nl: level / 10, at most 1; Q16.
@@ -96,22 +109,18 @@ fn terraced(new: &Vertex, form: Landform, level: u32, height: i32) -> i32 {
     if form.dry == 0 || form.old == 0 {
         return height;
     }
-    let share_of_level = level_share(level);
-    // Lowest terrace: 3.7 km, lower in deserts and in youth.
-    let least = 3_788_800 - mul_q16(form.dry, 4_096_000 - mul_q16(form.old, 2_867_200));
-    let room = linear_step(least, least + 256 * GRAINS, height);
+    let lower = mul_q16(form.dry, DESERT_TERRACES - mul_q16(form.old, OLD_TERRACES));
+    let lowest = LOWEST_TERRACE - lower;
+    let onset = linear_step(lowest, lowest + TERRACE_ONSET, height);
     let weight = mul_q16(
-        mul_q16(form.old, Q16 - square(share_of_level)),
-        mul_q16(sqrt_q16(form.dry), room),
+        mul_q16(form.old, Q16 - square(level_share(level))),
+        mul_q16(sqrt_q16(form.dry), onset),
     );
     let stepped = nodes::terrace(height, nodes::TERRACE_STEP);
-    let raw = nodes::floor_to(height, nodes::TERRACE_STEP);
-    let ragged = mul_q16(
-        share(new.seed, 1),
-        Q16 - smoothstep(2_000 * GRAINS, 2_800 * GRAINS, height),
-    ) / 10
-        * 9;
-    mix(height, mix(stepped, raw, ragged), weight)
+    let tread = nodes::floor_to(height, nodes::TERRACE_STEP);
+    let low = Q16 - smoothstep(RAGGED_HEIGHTS[0], RAGGED_HEIGHTS[1], height);
+    let ragged = mul_q16(share(new.seed, 1), low) / 10 * 9;
+    mix(height, mix(stepped, tread, ragged), weight)
 }
 
 /// How far peaks and hills have faded at a level, 0..1 Q16: later under low crust.
@@ -132,27 +141,26 @@ fn peaks(new: &Vertex, form: Landform, low: i32, height: i32, fading: i32) -> i3
         nodes::peak_old_dry(xi, new.crust),
         form.dry,
     );
-    let peak = mix(nodes::peak_young(xi, new.crust), old, form.old) + 10 * GRAINS;
-    let rise = 72 * GRAINS + mul_q16(linear_step(0, FULL_CRUST, new.crust), 614 * GRAINS);
-    // No more than a tenth of the crust above the lower end, so that plains stay plain.
+    let peak = mix(nodes::peak_young(xi, new.crust), old, form.old) + PEAK_BASE;
+    let rise = PEAK_RISE[0] + mul_q16(linear_step(0, FULL_CRUST, new.crust), PEAK_RISE[1]);
+    // No more than an eighth of the crust above the lower end, so that plains stay plain.
     let rise = rise.min(new.crust / 8);
     let floor = low + mul_q16(mul_q16(rise, xi), Q16 - fading);
     mix(peak, height, fading).max(floor)
 }
 
-/// Hills, away from rivers and deserts.
+/// Hills, away from rivers and deserts; an offset in grains.
 fn hills(rules: &Rules, context: &EdgeContext, form: Landform, fading: i32) -> i32 {
     let new = context.new;
-    if new.hills == 0 || form.dry > 58_982 {
+    if new.hills == 0 || form.dry > DRIEST_HILLS {
         return 0;
     }
     let away = if new.river_distance >= FAR {
         Q16
     } else {
-        smoothstep(0, 25_000 * GRAINS, new.river_distance)
+        smoothstep(0, HILLS_AWAY, new.river_distance)
     };
-    let xi = share(new.seed, 3);
-    let chi = share(new.seed, 4);
+    let (xi, chi) = (share(new.seed, 3), share(new.seed, 4));
     let offset = nodes::hill(rules.form, xi, chi, context.length, i32::from(new.hills));
     mul_q16(mul_q16(offset, Q16 - fading), away)
 }

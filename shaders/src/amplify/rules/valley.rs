@@ -7,19 +7,50 @@
 //! root of the discharge: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
 //!
 //! The side is measured where a vertex touches its river; between such vertices and beyond it is
-//! halved as the ground is ([`Section`]). Nearest pieces of river change from one vertex to the
+//! halved as the ground is ([`ValleySection`]). Nearest pieces of river change from one vertex to the
 //! next, and a side measured from each would break off along seams.
 //!
 //! Departures: D is bounded by a share of the control mesh's edge, so that small planets have
 //! valleys too; the curve never raises ground above the land beside it; a bank always overtops its
 //! water.
 
-use super::super::arith::{mix, mul_q16, ratio, saturate, smooth, smoothstep, sqrt_q16, square};
-use super::super::control::{ValleyShape, VertexKind};
-use super::super::fixed::{GRAINS, Q16};
-use super::super::vertex::{FAR, Section, Vertex};
 use super::ocean;
 use super::preset::Rules;
+use crate::amplify::arith::{mix, mul_q16, ratio, saturate, smooth, smoothstep, sqrt_q16, square};
+use crate::amplify::control::{ValleyShape, VertexKind};
+use crate::amplify::fixed::{Q16, metres, q16, tan_deg};
+use crate::amplify::vertex::{FAR, ValleySection, Vertex};
+
+/// Cotangent of a bed's sides, of a brook's (14°) and of the greatest river's (5°).
+const BED_SPREAD: [i32; 2] = [q16(4.01001), q16(11.42883)];
+
+/// Deepest bed whose width still grows with its depth, grains.
+const DEEPEST_BED: i32 = metres(200);
+
+/// Height of banks over the water, grains.
+const BANK: i32 = metres(1);
+
+/// Half-width of a brook's valley and of the greatest river's, as shares of the control mesh's edge:
+/// 200 m to 16 km on edges of 52 km. The slopes beyond are those of the graphs.
+const HALF_VALLEY: [i32; 2] = [q16(0.00381), q16(0.30518)];
+
+/// Tangent of a valley's sides beside a brook and beside the greatest river.
+const SIDE_SLOPE: [i32; 2] = [tan_deg(20.0), tan_deg(3.5)];
+
+/// Share of the valley's width at which the ground's own height sets in, and at which it is full.
+const OWN_HEIGHT: [i32; 2] = [q16(0.1), q16(0.9)];
+
+/// Where the side of a flat floor begins and ends to rise, as shares of the valley's width.
+const FLOOR_RISER: [i32; 2] = [q16(0.15), q16(0.8)];
+
+/// The same of a terraced side's lower riser.
+const LOWER_RISER: [i32; 2] = [q16(0.05), q16(0.35)];
+
+/// The same of a terraced side's upper riser.
+const UPPER_RISER: [i32; 2] = [q16(0.55), q16(0.95)];
+
+/// Most that land beyond a river's banks is raised towards their height, grains.
+const MOST_RAISE: i32 = metres(2);
 
 /// Ground and water after carving.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +73,7 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// What a vertex's segment says where the vertex is nearest to it.
+    /// The river where a vertex is nearest to its segment.
     pub fn of(vertex: &Vertex) -> Self {
         let (piece, t) = (&vertex.river, saturate(vertex.river_along));
         let flow = mix(piece.flow[0], piece.flow[1], t);
@@ -53,25 +84,23 @@ impl Reach {
         }
     }
 
-    /// Half-width of its bed in grains: the water's depth and a metre, over the tangent of 14° to
-    /// 5°.
+    /// Half-width of its bed in grains: the depth up to its banks, over the tangent of 14° to 5°.
     pub fn half_bed(&self) -> i32 {
-        let depth = (self.water - self.bed).max(0).saturating_add(GRAINS);
-        // 1 / tan 14° = 4.01, 1 / tan 5° = 11.43.
-        let spread = mix(262_800, 749_000, self.strength);
-        mul_q16(depth.min(200 * GRAINS), spread)
+        let depth = (self.water - self.bed).max(0).saturating_add(BANK);
+        let spread = mix(BED_SPREAD[0], BED_SPREAD[1], self.strength);
+        mul_q16(depth.min(DEEPEST_BED), spread)
     }
 
-    /// Height of its banks, grains: a metre over its water.
+    /// Height of the top of its banks above the sea, grains.
     fn shoulder(&self) -> i32 {
-        self.water.max(self.bed).saturating_add(GRAINS)
+        self.water.max(self.bed).saturating_add(BANK)
     }
 
     /// Half-width of its valley in grains, on a planet whose control mesh has edges of `edge`
     /// grains.
     pub fn half_valley(&self, edge: i32) -> i32 {
-        // 200 m to 16 km on edges of 52 km: the slopes beyond are those of the graphs.
-        mul_q16(edge, mix(250, 20_000, square(self.strength)))
+        let share = mix(HALF_VALLEY[0], HALF_VALLEY[1], square(self.strength));
+        mul_q16(edge, share)
     }
 }
 
@@ -81,17 +110,20 @@ pub const fn archetype(shape: ValleyShape, x: i32) -> i32 {
     let x = saturate(x);
     match shape {
         ValleyShape::V => x / 2 + square(x) / 2,
-        ValleyShape::FlatFloor => {
-            mul_q16(smoothstep(9_830, 52_429, x), Q16 - x / 4) + square(x) / 4
-        }
+        ValleyShape::FlatFloor => mul_q16(riser(FLOOR_RISER, x), Q16 - x / 4) + square(x) / 4,
         ValleyShape::IceTrough => mul_q16(square(x), x),
-        ValleyShape::Terraced => (smoothstep(3_277, 22_938, x) + smoothstep(36_045, 62_259, x)) / 2,
+        ValleyShape::Terraced => (riser(LOWER_RISER, x) + riser(UPPER_RISER, x)) / 2,
     }
 }
 
+/// A smooth rise from 0 to 1 between two places.
+const fn riser([foot, top]: [i32; 2], x: i32) -> i32 {
+    smoothstep(foot, top, x)
+}
+
 /// The ground of a vertex after its river has carved it. `edge` is the mean edge of the control
-/// mesh, grains; `kept` is what the vertex before left.
-pub fn carve(kept: &mut ocean::Kept, vertex: &Vertex, edge: i32) -> Carved {
+/// mesh, grains; `cache` is shared by the vertices of a patch.
+pub fn carve(cache: &mut ocean::OceanCache, vertex: &Vertex, edge: i32) -> Carved {
     match vertex.kind {
         VertexKind::Lake => Carved {
             ground: vertex.bed.min(vertex.water),
@@ -102,7 +134,7 @@ pub fn carve(kept: &mut ocean::Kept, vertex: &Vertex, edge: i32) -> Carved {
             water: vertex.water.max(vertex.bed),
         },
         VertexKind::Sea => {
-            let ground = vertex.height + ocean::relief(kept, vertex, edge);
+            let ground = vertex.height + ocean::relief(cache, vertex, edge);
             Carved {
                 ground,
                 water: ground.max(0),
@@ -121,17 +153,17 @@ const fn dry(ground: i32) -> Carved {
     }
 }
 
-/// What the valley of a vertex's river makes of its ground, `edge` as in [`carve`].
-pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> Section {
+/// The side that the valley of a vertex's river has at the vertex; `edge` as in [`carve`].
+pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
     if vertex.river_distance >= FAR || vertex.river.flow == [0, 0] {
         // A lake's shore: no stream shapes it.
-        return Section::outside(vertex.height);
+        return ValleySection::outside(vertex.height);
     }
     let reach = Reach::of(vertex);
     let across = (vertex.river_distance - reach.half_bed()).max(0);
     let width = width(vertex, &reach, edge);
     if across >= width {
-        return Section::outside(vertex.height);
+        return ValleySection::outside(vertex.height);
     }
     let x = ratio(across, width);
     let shape = if rules.archetypes {
@@ -139,14 +171,14 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> Section {
     } else {
         ValleyShape::V
     };
-    // Slopes of 20° beside brooks, 3.5° beside great rivers; the plain's own height bounds them.
-    let tangent = mix(23_853, 4_008, reach.strength);
+    // The plain's own height bounds them.
+    let tangent = mix(SIDE_SLOPE[0], SIDE_SLOPE[1], reach.strength);
     let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x));
     let shoulder = reach.shoulder();
     let height = shoulder.saturating_add(rise.min((vertex.crust - shoulder).max(0)));
-    Section {
+    ValleySection {
         height,
-        own: smoothstep(6_554, 58_982, x),
+        own: riser(OWN_HEIGHT, x),
     }
 }
 
@@ -174,141 +206,19 @@ fn beside(vertex: &Vertex, edge: i32) -> Carved {
             water: reach.water.max(ground),
         };
     }
-    let Section { height, own } = vertex.section;
+    // The valley's side never raises ground above the land beside it.
+    let ValleySection { height, own } = vertex.section;
     let carved = mix(height.min(raw.max(shoulder)), raw, own);
-    // No ground near a river lies below its water.
-    let near = distance - bed < width(vertex, &reach, edge).min(3 * bed);
-    dry(carved.max(if near {
+    // No ground near a river lies below its water; farther off it is raised a little at most.
+    let is_near = distance - bed < width(vertex, &reach, edge).min(3 * bed);
+    let least = if is_near {
         shoulder
     } else {
-        shoulder.min(carved.saturating_add(2 * GRAINS))
-    }))
+        shoulder.min(carved.saturating_add(MOST_RAISE))
+    };
+    dry(carved.max(least))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::super::vertex::Segment;
-    use super::*;
-
-    fn beside_river(distance_m: f64, height_m: i32, flow: i32, valley: ValleyShape) -> Carved {
-        let m = |x: i32| x * GRAINS;
-        let mut vertex = Vertex {
-            kind: VertexKind::Terrain,
-            height: m(height_m),
-            crust: m(3_000),
-            river: Segment {
-                bed: [m(100); 2],
-                water: [m(105); 2],
-                flow: [flow; 2],
-                reach: FAR,
-                ..Segment::default()
-            },
-            river_distance: (distance_m * 1024.0) as i32,
-            river_along: Q16 / 2,
-            valley: valley as u8,
-            ..Vertex::default()
-        };
-        vertex.section = section(&Rules::default(), &vertex, m(52_000));
-        carve(&mut ocean::Kept::default(), &vertex, m(52_000))
-    }
-
-    #[test]
-    fn cross_section_is_continuous_and_above_the_bed() {
-        for valley in ValleyShape::ALL {
-            for flow in [200, 3_000, 20_000, Q16] {
-                let reach = Reach {
-                    bed: 0,
-                    water: 0,
-                    strength: sqrt_q16(flow),
-                };
-                let height = (105 + reach.half_valley(52_000 * GRAINS) / (2 * GRAINS)).min(3_000);
-                let mut last: Option<Carved> = None;
-                for k in 0..60_000 {
-                    let distance = f64::from(k) * 0.5;
-                    let now = beside_river(distance, height, flow, valley);
-                    assert!(now.ground >= 100 * GRAINS && now.water >= now.ground);
-                    if let Some(last) = last {
-                        // The land stands half the width above the river at most: nowhere steeper
-                        // than three times that.
-                        assert!(
-                            (now.ground - last.ground).abs() < 768,
-                            "{valley:?} {flow} {distance} {last:?} {now:?} {height}"
-                        );
-                    }
-                    last = Some(now);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn water_fills_the_bed_and_ends_at_its_bank() {
-        let mut wet = true;
-        for k in 0..2_000 {
-            let now = beside_river(f64::from(k) * 0.25, 300, 2_000, ValleyShape::V);
-            let is_wet = now.water > now.ground;
-            assert!(wet || !is_wet, "one river, one shore");
-            assert!(!is_wet || now.water == 105 * GRAINS);
-            wet = is_wet;
-        }
-        assert!(!wet);
-        assert!(beside_river(0.0, 300, 2_000, ValleyShape::V).ground == 100 * GRAINS);
-    }
-
-    #[test]
-    fn archetypes_rise_from_floor_to_rim() {
-        for valley in ValleyShape::ALL {
-            let mut last = 0;
-            for x in 0..=Q16 {
-                let y = archetype(valley, x);
-                assert!(
-                    y + 3 >= last && (0..=Q16 + 3).contains(&y),
-                    "{valley:?} {x} {y} {last}"
-                );
-                last = last.max(y);
-            }
-            assert_eq!(archetype(valley, 0), 0);
-            assert!((archetype(valley, Q16) - Q16).abs() <= 2, "{valley:?}");
-        }
-    }
-
-    #[test]
-    fn archetypes_are_what_they_are_called() {
-        let at = |shape, percent: i32| archetype(shape, Q16 * percent / 100) * 100 / Q16;
-        // How high the side stands at an eighth, a half and three quarters of the way, in percent.
-        for (shape, low, half, high) in [
-            (ValleyShape::V, 6..9, 36..39, 64..67),
-            (ValleyShape::FlatFloor, 0..2, 50..60, 90..95),
-            (ValleyShape::IceTrough, 0..1, 11..14, 41..44),
-            (ValleyShape::Terraced, 5..8, 49..51, 70..80),
-        ] {
-            let [a, b, c] = [12, 50, 75].map(|percent| at(shape, percent));
-            assert!(
-                low.contains(&a) && half.contains(&b) && high.contains(&c),
-                "{shape:?} {a} {b} {c}"
-            );
-        }
-        // Between the risers of a terrace the ground is level.
-        assert_eq!(at(ValleyShape::Terraced, 36), at(ValleyShape::Terraced, 54));
-        for (number, shape) in (0..).zip(ValleyShape::ALL) {
-            assert_eq!(
-                (ValleyShape::from_number(number), shape as u8),
-                (shape, number)
-            );
-        }
-    }
-
-    #[test]
-    fn more_water_makes_wider_and_gentler_valleys() {
-        let reach = |strength| Reach {
-            bed: 0,
-            water: 10 * GRAINS,
-            strength,
-        };
-        let edge = 52_000 * GRAINS;
-        assert!(reach(60_000).half_valley(edge) > 3 * reach(10_000).half_valley(edge));
-        assert!(reach(60_000).half_bed() > reach(0).half_bed());
-        let ground = |flow| beside_river(2_000.0, 900, flow, ValleyShape::V).ground;
-        assert!(ground(Q16) < ground(100));
-    }
-}
+#[path = "valley_tests.rs"]
+mod tests;

@@ -8,101 +8,158 @@
 
 pub mod phasor;
 
-use super::super::arith::{mul_q16, ratio, saturate, smoothstep, square};
-use super::super::fixed::{GRAINS, ONE, Q16};
-use super::super::vertex::Vertex;
-use super::noise::{Corners, fbm};
-use phasor::{Packets, phasor};
+use super::noise::{CornerCache, fbm};
+use crate::amplify::arith::{mul_q16, ratio, saturate, smoothstep, square};
+use crate::amplify::fixed::{ONE, Q16, metres, million_years, q16};
+use crate::amplify::vertex::Vertex;
+use phasor::{PacketCache, StripeNoise};
 
-/// Age at which half of the young floor's relief is left, 1/64 My: 25 My.
-const HALF_AGE: i32 = 25 * 64;
+/// Mean edge of a control mesh whose planet carries the full relief, grains.
+const FULL_RELIEF_EDGE: i32 = metres(52_000);
 
-/// What the noises drew for the last vertex: vertices of a patch share most of it. It changes no
-/// bit of a relief.
+/// Depth from which on the sea floor carries the full relief, grains. A shelf 130 m deep keeps a
+/// fiftieth of it.
+const FULL_RELIEF_DEPTH: i32 = metres(2_500);
+
+/// Age at which half of the young floor's relief is left, 1/64 My.
+const HALF_AGE: i32 = million_years(25);
+
+/// Fine gradient noise.
+const FINE: Roughness = Roughness {
+    height: metres(120),
+    cell: 21,
+    gain: q16(0.48),
+    seed: 0x0cea_0001,
+};
+
+/// Coarse gradient noise.
+const COARSE: Roughness = Roughness {
+    height: metres(260),
+    cell: 25,
+    gain: q16(0.55),
+    seed: 0x0cea_0002,
+};
+
+/// Transform faults: packets of 200 km, three waves each, run on as far as they agree.
+const FAULTS: StripeNoise = StripeNoise {
+    cell: 26,
+    waves: q16(3.0),
+    seed: 0x0cea_0003,
+};
+
+/// Abyssal hills: packets of 13 km, two waves each.
+const HILLS: StripeNoise = StripeNoise {
+    cell: 22,
+    waves: q16(2.0),
+    seed: 0x0cea_0004,
+};
+
+/// Depth of a fault's trough under the level floor beside it, grains.
+const FAULT_DEPTH: i32 = metres(900);
+
+/// Agreement of the packets at which faults set in, and at which they are full.
+const FAULT_PRESENCE: [i32; 2] = [q16(0.15), q16(0.7)];
+
+/// Mean height of abyssal hills over the mean floor, grains.
+const HILL_HEIGHT: i32 = metres(180);
+
+/// Share of a fault, and of a hill, that sediment never buries.
+const UNBURIED: [i32; 2] = [Q16 / 5, Q16 / 4];
+
+/// Gradient noise of some octaves.
+struct Roughness {
+    /// Height where the noise is 1, grains.
+    height: i32,
+    /// Logarithm of the longest wavelength in direction units.
+    cell: u32,
+    /// Amplitude of an octave, as a share of the one before; Q16.
+    gain: i32,
+    seed: u32,
+}
+
+impl Roughness {
+    /// The noise at a vertex, about -1..1 in Q16.
+    fn at(&self, cache: &mut [CornerCache], vertex: &Vertex) -> i32 {
+        fbm(cache, vertex.direction, self.cell, self.gain, self.seed)
+    }
+}
+
+/// Noise drawn for the last vertex: vertices of a patch share most of it. It changes no bit of a
+/// relief.
 #[derive(Clone, Debug, Default)]
-pub struct Kept {
-    fine: [Corners; 13],
-    coarse: [Corners; 4],
-    faults: Packets,
-    hills: Packets,
+pub struct OceanCache {
+    fine: [CornerCache; 13],
+    coarse: [CornerCache; 4],
+    faults: PacketCache,
+    hills: PacketCache,
 }
 
 /// Offset of the sea floor at a vertex, grains. `edge` is the mean edge of the control mesh,
 /// grains: on small planets the relief shrinks with it.
-pub fn relief(kept: &mut Kept, vertex: &Vertex, edge: i32) -> i32 {
+pub fn relief(cache: &mut OceanCache, vertex: &Vertex, edge: i32) -> i32 {
     let depth = -vertex.height;
     if depth <= 0 {
         return 0;
     }
-    // 52 km carry the full relief.
-    let size = ratio(edge, 52_000 * GRAINS);
-    let fine = fbm(&mut kept.fine, vertex.direction, 21, 31_457, 0x0cea_0001);
-    let coarse = fbm(&mut kept.coarse, vertex.direction, 25, 36_045, 0x0cea_0002);
-    let rough = mul_q16(120 * GRAINS, fine) + mul_q16(260 * GRAINS, coarse);
+    let fine = FINE.at(&mut cache.fine, vertex);
+    let coarse = COARSE.at(&mut cache.coarse, vertex);
+    let rough = mul_q16(FINE.height, fine) + mul_q16(COARSE.height, coarse);
     // No spreading is even: hills of one patch are up to five times as high as another's.
     let uneven = Q16 / 4 + saturate(Q16 / 2 + coarse);
-    let offset = mul_q16(rough + ridge_relief(kept, vertex, uneven), size);
-    // A shelf 130 m deep keeps a fiftieth, the deep sea all.
-    let room = smoothstep(0, 2_500 * GRAINS, depth);
-    mul_q16(offset, room).min(depth / 2)
+    let size = ratio(edge, FULL_RELIEF_EDGE);
+    let offset = mul_q16(rough + ridge_relief(cache, vertex, uneven), size);
+    mul_q16(offset, smoothstep(0, FULL_RELIEF_DEPTH, depth)).min(depth / 2)
 }
 
-/// Transform faults and abyssal hills; `uneven` is the hills' height relative to the mean, Q16.
-fn ridge_relief(kept: &mut Kept, vertex: &Vertex, uneven: i32) -> i32 {
+/// Transform faults and abyssal hills, grains; `uneven` is the hills' height relative to the mean,
+/// Q16.
+fn ridge_relief(cache: &mut OceanCache, vertex: &Vertex, uneven: i32) -> i32 {
     if vertex.oceanic == 0 || vertex.ridge == [0; 3] {
         return 0;
     }
     let young = ratio(HALF_AGE, HALF_AGE + i32::from(vertex.ocean_age));
-    // Packets of 200 km, three waves each: faults run on as far as they agree.
-    let faults = phasor(
-        &mut kept.faults,
-        vertex.direction,
-        vertex.ridge,
-        26,
-        196_608,
-        0x0cea_0003,
-    );
-    // A trough where the cosine is -1: ((1 - cos) / 2)⁴, sharp.
-    let trough = square(square((Q16 - faults.cosine) / 2));
-    let deep = mul_q16(
-        mul_q16(900 * GRAINS, Q16 / 6 - trough),
-        smoothstep(9_830, 45_875, faults.presence),
-    );
-    let hills = phasor(
-        &mut kept.hills,
-        vertex.direction,
-        spreading(vertex),
-        22,
-        131_072,
-        0x0cea_0004,
-    );
-    let low = mul_q16(
-        mul_q16(mul_q16(180 * GRAINS, uneven), hills.cosine),
-        hills.presence,
-    );
-    let buried = mul_q16(deep, Q16 / 5 + mul_q16(young, 52_429))
-        + mul_q16(low, Q16 / 4 + mul_q16(young, 49_152));
-    mul_q16(buried, i32::from(vertex.oceanic))
+    let unburied = UNBURIED.map(|least| least + mul_q16(young, Q16 - least));
+    let faults = mul_q16(faults(&mut cache.faults, vertex), unburied[0]);
+    let hills = mul_q16(hills(&mut cache.hills, vertex, uneven), unburied[1]);
+    mul_q16(faults + hills, i32::from(vertex.oceanic))
+}
+
+/// Transform faults before sediment, grains: sharp troughs.
+fn faults(cache: &mut PacketCache, vertex: &Vertex) -> i32 {
+    let stripes = FAULTS.at(cache, vertex.direction, vertex.ridge);
+    // ((1 - cos) / 2)⁴ is a trough where the cosine is -1.
+    let trough = square(square((Q16 - stripes.cosine) / 2));
+    let [onset, full] = FAULT_PRESENCE;
+    let presence = smoothstep(onset, full, stripes.presence);
+    mul_q16(mul_q16(FAULT_DEPTH, Q16 / 6 - trough), presence)
+}
+
+/// Abyssal hills before sediment, grains: waves along the ridge.
+fn hills(cache: &mut PacketCache, vertex: &Vertex, uneven: i32) -> i32 {
+    let stripes = HILLS.at(cache, vertex.direction, spreading(vertex));
+    let wave = mul_q16(mul_q16(HILL_HEIGHT, uneven), stripes.cosine);
+    mul_q16(wave, stripes.presence)
 }
 
 /// Direction of spreading: perpendicular to the ridge, along the ground; components times 32767.
 fn spreading(vertex: &Vertex) -> [i16; 3] {
     let n = vertex.direction.map(|c| c >> 16);
     let r = vertex.ridge.map(i32::from);
-    let one = ONE >> 16;
-    let cross =
-        |a: usize, b: usize| ((n[a] * r[b] - n[b] * r[a]) / one).clamp(-32_767, 32_767) as i16;
-    [cross(1, 2), cross(2, 0), cross(0, 1)]
+    [(1, 2), (2, 0), (0, 1)].map(|(a, b)| {
+        let cross = (n[a] * r[b] - n[b] * r[a]) / (ONE >> 16);
+        cross.clamp(-32_767, 32_767) as i16
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::amplify::control::VertexKind;
+    use crate::amplify::fixed::GRAINS;
 
-    /// The relief at a vertex that nothing was asked before.
+    /// The relief at a vertex, from an empty cache.
     fn relief(vertex: &Vertex, edge: i32) -> i32 {
-        super::relief(&mut Kept::default(), vertex, edge)
+        super::relief(&mut OceanCache::default(), vertex, edge)
     }
 
     fn floor(y: i32, age_my: u16, depth_m: i32) -> Vertex {

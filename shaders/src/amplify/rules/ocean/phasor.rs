@@ -7,9 +7,26 @@
 //! place drawn by hash. Its phase is 0 or ½, so the noise is the same for a direction and its
 //! opposite: ridge directions have no sign.
 
-use super::super::super::arith::{cos_turn, isqrt, mul_q16, ratio};
-use super::super::super::fixed::Q16;
-use super::super::noise::cell_hash;
+use crate::amplify::arith::{cos_turn, isqrt, mul_q16, ratio};
+use crate::amplify::fixed::{Q16, q16};
+use crate::amplify::rules::noise::cell_hash;
+
+/// A packet's wavelength lies within this share of the noise's, so that stripes are no grating.
+const PITCH_SPREAD: i32 = q16(0.15);
+
+/// Bits of a packet's phase and presence: two squares of them fit 32.
+const PHASE_BITS: u32 = 15;
+
+/// Stripes of one direction and about one wavelength.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StripeNoise {
+    /// A lattice's cell of 2^`cell` direction units holds one wave packet; 18..=26.
+    pub cell: u32,
+    /// Wavelengths in a cell, Q16.
+    pub waves: i32,
+    /// Where the random numbers begin.
+    pub seed: u32,
+}
 
 /// Phase and presence of the stripes at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,7 +37,7 @@ pub struct Phasor {
     pub presence: i32,
 }
 
-/// A wave packet: where it lies, and the hash that drew it.
+/// A wave packet: its place, and the hash that drew it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Packet {
     place: [i32; 3],
@@ -29,13 +46,13 @@ struct Packet {
 
 /// The packets of a cell and of those around it; points of a patch share them.
 #[derive(Clone, Copy, Debug)]
-pub struct Packets {
+pub struct PacketCache {
     home: [i32; 3],
     packets: [Packet; 27],
 }
 
-impl Default for Packets {
-    /// Those of no cell: addresses have 14 bits at most.
+impl Default for PacketCache {
+    /// A cell that does not exist: addresses have 14 bits at most.
     fn default() -> Self {
         Self {
             home: [i32::MIN; 3],
@@ -44,90 +61,110 @@ impl Default for Packets {
     }
 }
 
-impl Packets {
-    fn around(home: [i32; 3], cell: u32, seed: u32) -> Self {
-        let packet = |k: usize| {
-            let k = k as i32;
-            let at = [
-                home[0] + k % 3 - 1,
-                home[1] + k / 3 % 3 - 1,
-                home[2] + k / 9 - 1,
-            ];
-            let hash = cell_hash(at[0] as u32, at[1] as u32, at[2] as u32, seed);
-            // Ten bits of place an axis, two bits more of phase and pitch.
-            let inside = |i: u32| ((hash >> (10 * i) & 1023) as i32) << (cell - 10);
-            Packet {
-                place: [0, 1, 2].map(|i| (at[i] << cell).wrapping_add(inside(i as u32))),
-                hash,
+impl StripeNoise {
+    /// The stripes at a point. `axis` is the direction across them, components times 32767. `cache`
+    /// is of this noise alone; it changes no bit.
+    pub fn at(&self, cache: &mut PacketCache, point: [i32; 3], axis: [i16; 3]) -> Phasor {
+        let home = point.map(|c| c >> self.cell);
+        if cache.home != home {
+            *cache = PacketCache {
+                home,
+                packets: core::array::from_fn(|k| self.packet(home, k as i32)),
+            };
+        }
+        let mut sum = PacketSum::default();
+        for packet in &cache.packets {
+            let away = [0, 1, 2].map(|i| point[i].wrapping_sub(packet.place[i]));
+            if let Some(weight) = self.weight(away) {
+                sum.add(self.turn(packet, away, axis), weight);
             }
-        };
-        Self {
-            home,
-            packets: core::array::from_fn(packet),
+        }
+        sum.phasor()
+    }
+
+    /// The `k`th of the 27 packets around a cell.
+    fn packet(&self, home: [i32; 3], k: i32) -> Packet {
+        let at = [
+            home[0] + k % 3 - 1,
+            home[1] + k / 3 % 3 - 1,
+            home[2] + k / 9 - 1,
+        ];
+        let hash = cell_hash(at[0] as u32, at[1] as u32, at[2] as u32, self.seed);
+        // Ten bits of place an axis, two bits more of phase and pitch.
+        let place = [0, 1, 2].map(|i| {
+            let inside = ((hash >> (10 * i) & 1023) as i32) << (self.cell - 10);
+            (at[i] << self.cell).wrapping_add(inside)
+        });
+        Packet { place, hash }
+    }
+
+    /// Weight of a packet at a distance from its middle: (1 - d²)⁴ times 16; `None` a cell away.
+    fn weight(&self, away: [i32; 3]) -> Option<i32> {
+        // Fifteen bits of a cell: with eight, weights have steps that show as a grid.
+        let near = away.map(|x| (x >> (self.cell - 15)).unsigned_abs());
+        if near.into_iter().any(|x| x > 0x7fff) {
+            return None;
+        }
+        let square = ((near[0] * near[0] + near[1] * near[1] + near[2] * near[2]) >> 14) as i32;
+        if square >= Q16 {
+            return None;
+        }
+        let fall = mul_q16(Q16 - square, Q16 - square);
+        // Four bits more than a share, for where all packets are far.
+        Some(mul_q16(fall << 4, fall))
+    }
+
+    /// Phase of a packet at a distance from its middle; a whole turn is 2¹⁶.
+    fn turn(&self, packet: &Packet, away: [i32; 3], axis: [i16; 3]) -> i32 {
+        let along = mul_q16(away[0], 2 * i32::from(axis[0]))
+            + mul_q16(away[1], 2 * i32::from(axis[1]))
+            + mul_q16(away[2], 2 * i32::from(axis[2]));
+        let drawn = (packet.hash >> 7 & 0xffff) as i32;
+        let pitch = Q16 - PITCH_SPREAD + mul_q16(drawn, 2 * PITCH_SPREAD);
+        let half_turn = ((packet.hash >> 31) << 15) as i32;
+        (mul_q16(along, mul_q16(self.waves, pitch)) >> (self.cell - 16)) + half_turn
+    }
+}
+
+/// Sum of the packets at a point, as complex numbers.
+#[derive(Clone, Copy, Debug, Default)]
+struct PacketSum {
+    real: i32,
+    imaginary: i32,
+    weight: i32,
+}
+
+impl PacketSum {
+    fn add(&mut self, turn: i32, weight: i32) {
+        self.real += mul_q16(cos_turn(turn), weight);
+        self.imaginary += mul_q16(cos_turn(turn - 0x4000), weight);
+        self.weight += weight;
+    }
+
+    fn phasor(self) -> Phasor {
+        let all = self.real.unsigned_abs() | self.imaginary.unsigned_abs() | self.weight as u32;
+        let bits = 32 - all.leading_zeros();
+        let [x, y, weight] =
+            [self.real, self.imaginary, self.weight].map(|v| to_phase_bits(v, bits));
+        let size = isqrt((x * x) as u32 + (y * y) as u32) as i32;
+        Phasor {
+            cosine: if size == 0 {
+                Q16
+            } else {
+                signed_ratio(x, size)
+            },
+            presence: ratio(size, weight.max(1)),
         }
     }
 }
 
-/// The stripes at a point. `axis` is the direction across them, components times 32767; `waves`
-/// their number in a cell, Q16; `cell` 18..=26. `kept` is what the last point of the same `cell`
-/// and `seed` left; it changes no bit.
-pub fn phasor(
-    kept: &mut Packets,
-    point: [i32; 3],
-    axis: [i16; 3],
-    cell: u32,
-    waves: i32,
-    seed: u32,
-) -> Phasor {
-    let (mut real, mut imaginary, mut total) = (0_i32, 0_i32, 0_i32);
-    let home = point.map(|c| c >> cell);
-    if kept.home != home {
-        *kept = Packets::around(home, cell, seed);
-    }
-    for &Packet { place, hash } in &kept.packets {
-        let away = [0, 1, 2].map(|i| point[i].wrapping_sub(place[i]));
-        // Fifteen bits of a cell: with eight, weights have steps that show as a grid.
-        let near = away.map(|x| (x >> (cell - 15)).unsigned_abs());
-        if near[0].max(near[1]).max(near[2]) > 0x7fff {
-            continue;
-        }
-        let square = ((near[0] * near[0] + near[1] * near[1] + near[2] * near[2]) >> 14) as i32;
-        if square >= Q16 {
-            continue;
-        }
-        let fall = mul_q16(Q16 - square, Q16 - square);
-        // Four bits more than a share, for where all packets are far.
-        let weight = mul_q16(fall << 4, fall);
-        let along = mul_q16(away[0], 2 * i32::from(axis[0]))
-            + mul_q16(away[1], 2 * i32::from(axis[1]))
-            + mul_q16(away[2], 2 * i32::from(axis[2]));
-        // Pitch 0.85..1.15, so that the stripes are not a grating.
-        let pitch = 55_706 + mul_q16((hash >> 7 & 0xffff) as i32, 19_660);
-        let turn =
-            (mul_q16(along, mul_q16(waves, pitch)) >> (cell - 16)) + ((hash >> 31) << 15) as i32;
-        real += mul_q16(cos_turn(turn), weight);
-        imaginary += mul_q16(cos_turn(turn - 0x4000), weight);
-        total += weight;
-    }
-    // Brought to fifteen bits, so that two squares fit and little is lost where packets are far.
-    let bits = 32 - (real.unsigned_abs() | imaginary.unsigned_abs() | total as u32).leading_zeros();
-    let fit = |v: i32| {
-        if bits > 15 {
-            v >> (bits - 15)
-        } else {
-            v << (15 - bits)
-        }
-    };
-    let (x, y) = (fit(real), fit(imaginary));
-    let size = isqrt((x * x) as u32 + (y * y) as u32) as i32;
-    let cosine = if size == 0 {
-        Q16
+/// A number of at most `bits` bits brought to [`PHASE_BITS`], so that little is lost where all
+/// packets are far.
+const fn to_phase_bits(v: i32, bits: u32) -> i32 {
+    if bits > PHASE_BITS {
+        v >> (bits - PHASE_BITS)
     } else {
-        signed_ratio(x, size)
-    };
-    Phasor {
-        cosine,
-        presence: ratio(size, fit(total).max(1)),
+        v << (PHASE_BITS - bits)
     }
 }
 
@@ -142,12 +179,12 @@ const fn signed_ratio(x: i32, size: i32) -> i32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::super::fixed::ONE;
     use super::*;
+    use crate::amplify::fixed::ONE;
 
-    /// The stripes at a point that nothing was asked before.
+    /// The stripes at a point, from an empty cache.
     fn phasor(point: [i32; 3], axis: [i16; 3], cell: u32, waves: i32, seed: u32) -> Phasor {
-        super::phasor(&mut Packets::default(), point, axis, cell, waves, seed)
+        StripeNoise { cell, waves, seed }.at(&mut PacketCache::default(), point, axis)
     }
 
     /// Energy of the noise's changes over a step of a sixteenth of a wave along a direction.
@@ -232,15 +269,17 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_changes_no_bit() {
-        let mut kept = Packets::default();
+    fn a_cache_changes_no_bit() {
+        let mut cache = PacketCache::default();
+        let noise = StripeNoise {
+            cell: 25,
+            waves: Q16,
+            seed: 3,
+        };
         for i in 0..500 {
             let p = [ONE / 2 + i * 777_777, i * 1_234_567, ONE / 3];
             let want = phasor(p, [9_000, 30_000, -8_000], 25, Q16, 3);
-            assert_eq!(
-                super::phasor(&mut kept, p, [9_000, 30_000, -8_000], 25, Q16, 3),
-                want
-            );
+            assert_eq!(noise.at(&mut cache, p, [9_000, 30_000, -8_000]), want);
         }
     }
 

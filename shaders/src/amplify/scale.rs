@@ -1,25 +1,37 @@
-//! What every pass knows of the planet: how lengths of directions become metres, and how long an
-//! edge of a level is.
+//! The size of a planet: how lengths of directions become metres, and how long an edge of a level
+//! is.
 
 use super::arith::length;
 use super::control::ControlMesh;
 use super::fixed::{ONE, difference, mul_shift};
 
-/// Constants of one planet; what a compute pass gets as a uniform.
+/// Constants of one planet, in the layout of a uniform.
+///
+/// ```
+/// use pangaea_shaders::amplify::fixed::{ONE, metres};
+/// use pangaea_shaders::amplify::scale::PlanetScale;
+/// use pangaea_shaders::amplify::synthetic::control_mesh;
+///
+/// let scale = PlanetScale::new(&control_mesh(6_371_000, 3, 1));
+/// // A millionth of the radius is 6.371 m.
+/// let length = scale.grains([ONE / 1_000_000, 0, 0]);
+/// assert!((length - metres(6_371) / 1_000).abs() < 8);
+/// assert_eq!(scale.edge_grains(1), scale.edge_grains(0) / 2);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
-pub struct Planet {
+pub struct PlanetScale {
     /// Radius at sea level, metres.
     pub radius_m: u32,
     /// Grains in a unit of direction, Q20.
     pub grains_per_unit: u32,
     /// Sixteenths of a metre in four units of direction, Q20.
     pub sixteenths_per_four: u32,
-    /// Mean edge of the control mesh, sixteenths of a metre: ℓ₀.
+    /// Mean edge of the control mesh ℓ₀, sixteenths of a metre.
     pub edge: u32,
 }
 
-impl Planet {
+impl PlanetScale {
     /// The planet of a control mesh.
     pub fn new(mesh: &ControlMesh) -> Self {
         let radius = f64::from(mesh.radius_m.clamp(1000, 20_000_000));

@@ -1,0 +1,106 @@
+//! The control mesh made ready: vertices of level 0 with their nearest river, edges with the
+//! discharge that arrives along them.
+//!
+//! Done once per planet; refining the ground only reads it.
+
+mod check;
+mod rivers;
+
+use super::control::ControlMesh;
+use super::locate::FaceIndex;
+use super::scale::PlanetScale;
+use super::topology::{Face, Level};
+use super::vertex::Vertex;
+pub use check::BadMesh;
+
+/// Level 0 of the ground.
+#[derive(Clone, Debug)]
+pub struct Base {
+    /// The planet's constants.
+    pub scale: PlanetScale,
+    /// Vertices of the control mesh.
+    pub vertices: Vec<Vertex>,
+    /// Its edges and faces.
+    pub level: Level,
+    /// Faces around vertex v: `around[starts[v]..starts[v + 1]]`.
+    pub starts: Vec<u32>,
+    /// Faces around all vertices, vertex after vertex; see `starts`.
+    pub around: Vec<u32>,
+    /// Where to look for the face of a direction.
+    pub index: FaceIndex,
+}
+
+impl Base {
+    /// Makes a control mesh ready. Every face must have its three edges, every edge its two faces.
+    ///
+    /// ```
+    /// use pangaea_shaders::amplify::base::{BadMesh, Base};
+    /// use pangaea_shaders::amplify::synthetic::control_mesh;
+    ///
+    /// let mut mesh = control_mesh(6_371_000, 2, 1);
+    /// assert!(Base::new(&mesh).is_ok());
+    /// mesh.radius_m = 10;
+    /// assert_eq!(Base::new(&mesh).unwrap_err(), BadMesh::Radius);
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// A [`BadMesh`] that names the first item that does not fit.
+    pub fn new(mesh: &ControlMesh) -> Result<Self, BadMesh> {
+        check::check(mesh)?;
+        let scale = PlanetScale::new(mesh);
+        let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();
+        rivers::settle_water(&mut vertices);
+        rivers::accumulate(mesh, &mut vertices);
+        let mut edges = rivers::edges(mesh, &vertices);
+        rivers::add_gullies(&mut vertices, &mut edges);
+        let faces: Vec<Face> = (0..)
+            .zip(&mesh.faces)
+            .map(|(i, f)| Face::new(f.vertices, f.edges, i))
+            .collect();
+        rivers::find_nearest(&scale, &mut vertices, &edges, &faces);
+        let (starts, around) = incidence(vertices.len(), &faces);
+        let index = FaceIndex::new(&vertices, &faces);
+        Ok(Self {
+            scale,
+            vertices,
+            level: Level { edges, faces },
+            starts,
+            around,
+            index,
+        })
+    }
+
+    /// Faces around a vertex.
+    pub fn faces_around(&self, vertex: u32) -> &[u32] {
+        let [start, end] = [vertex, vertex + 1].map(|v| self.starts[v as usize] as usize);
+        &self.around[start..end]
+    }
+
+    /// The face of the control mesh that a direction lies in; `hint` is a face likely to be near.
+    pub fn locate(&self, direction: [i32; 3], hint: Option<u32>) -> u32 {
+        self.index
+            .locate(&self.level, &self.vertices, direction, hint)
+    }
+}
+
+/// Faces around every vertex, in the order of the faces: where those of a vertex start, and all of
+/// them.
+fn incidence(vertices: usize, faces: &[Face]) -> (Vec<u32>, Vec<u32>) {
+    let mut starts = vec![0_u32; vertices + 1];
+    for vertex in faces.iter().flat_map(|f| f.vertices) {
+        starts[vertex as usize + 1] += 1;
+    }
+    for i in 0..vertices {
+        starts[i + 1] += starts[i];
+    }
+    let mut next = starts.clone();
+    let mut around = vec![0; faces.len() * 3];
+    for (i, face) in (0..).zip(faces) {
+        for vertex in face.vertices {
+            around[next[vertex as usize] as usize] = i;
+            next[vertex as usize] += 1;
+        }
+    }
+    (starts, around)
+}

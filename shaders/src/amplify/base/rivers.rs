@@ -1,0 +1,205 @@
+//! Rivers and gullies of level 0: discharges, river edges, dry drainage lines, nearest rivers.
+
+use crate::amplify::control::{ControlEdge, ControlMesh, VertexKind};
+use crate::amplify::geometry::nearest_on;
+use crate::amplify::rules::EdgeKind;
+use crate::amplify::scale::PlanetScale;
+use crate::amplify::topology::{Edge, Face, NONE};
+use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
+use crate::amplify::vertex_resolve::segment;
+
+/// Puts wet ground at its bed, water over it, and takes the discharge from dry ground.
+pub(super) fn settle_water(vertices: &mut [Vertex]) {
+    for vertex in vertices {
+        if vertex.is_wet() {
+            vertex.height = vertex.bed;
+            vertex.water = vertex.water.max(vertex.bed);
+        } else {
+            vertex.discharge = 0;
+        }
+    }
+}
+
+/// River edges of a control mesh as (upper end, lower end).
+fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
+    mesh.edges
+        .iter()
+        .filter(|e| e.river != 0)
+        .map(|e| e.vertices.map(|v| v as usize))
+}
+
+/// Raises discharges until every vertex carries at least what comes from upstream: squares of
+/// rounded flows need not.
+pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
+    let mut waiting = vec![0_u32; vertices.len()];
+    let mut below = vec![usize::MAX; vertices.len()];
+    for [up, down] in river_edges(mesh) {
+        waiting[down] += 1;
+        below[up] = down;
+    }
+    // From the springs down: a vertex is ready once all that flow into it are done.
+    let mut inflow = vec![0_u32; vertices.len()];
+    let mut ready: Vec<usize> = (0..vertices.len())
+        .filter(|&v| waiting[v] == 0 && below[v] != usize::MAX)
+        .collect();
+    while let Some(up) = ready.pop() {
+        vertices[up].discharge = vertices[up].discharge.max(inflow[up]);
+        let down = below[up];
+        if down != usize::MAX {
+            inflow[down] = inflow[down].saturating_add(vertices[up].discharge);
+            waiting[down] -= 1;
+            if waiting[down] == 0 {
+                ready.push(down);
+            }
+        }
+    }
+}
+
+/// Rivers that meet in a vertex.
+#[derive(Clone, Copy, Default)]
+struct Confluence {
+    /// Discharge at the upper ends of their edges.
+    discharge: u64,
+    /// Number of rivers.
+    rivers: u64,
+    /// Rivers whose arriving discharge is known already.
+    done: u64,
+}
+
+/// Edges, with the discharge that arrives at each river edge's lower end: what leaves the upper
+/// end, and an equal part of what the lower vertex gains by itself, so that all that arrives there
+/// makes its discharge.
+pub(super) fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
+    let mut confluences = vec![Confluence::default(); vertices.len()];
+    for [up, down] in river_edges(mesh) {
+        confluences[down].discharge += u64::from(vertices[up].discharge);
+        confluences[down].rivers += 1;
+    }
+    let mut edge = |edge: &ControlEdge| {
+        if edge.river == 0 {
+            return Edge::new(EdgeKind::Terrain, edge.vertices, edge.faces);
+        }
+        let [up, down] = edge.vertices.map(|v| v as usize);
+        let ends = [&vertices[up], &vertices[down]];
+        Edge {
+            arriving: arriving(ends, &mut confluences[down]),
+            ..Edge::new(EdgeKind::River, edge.vertices, edge.faces)
+        }
+    };
+    mesh.edges.iter().map(&mut edge).collect()
+}
+
+/// Discharge that the next river of a confluence brings.
+fn arriving([up, down]: [&Vertex; 2], into: &mut Confluence) -> u32 {
+    let gain = u64::from(down.discharge).saturating_sub(into.discharge);
+    // Differences of rounded sums, so that the parts make the whole.
+    let part = gain * (into.done + 1) / into.rivers - gain * into.done / into.rivers;
+    into.done += 1;
+    (u64::from(up.discharge) + part).min(u64::from(u32::MAX)) as u32
+}
+
+/// Every dry land vertex drains down its steepest edge, which becomes a gully, as does the vertex.
+pub(super) fn add_gullies(vertices: &mut [Vertex], edges: &mut [Edge]) {
+    for (v, drain) in (0..).zip(drains(vertices, edges)) {
+        let Some(edge) = drain.map(|i| &mut edges[i as usize]) else {
+            continue;
+        };
+        edge.kind = EdgeKind::Gully;
+        if edge.vertices[0] != v {
+            edge.vertices.swap(0, 1);
+            edge.faces.swap(0, 1);
+        }
+        let vertex = &mut vertices[v as usize];
+        vertex.kind = VertexKind::Gully;
+        vertex.gully_distance = 0;
+    }
+}
+
+/// The edge of each dry land vertex to its lowest neighbour, where that lies lower; the index
+/// decides between equal heights.
+fn drains(vertices: &[Vertex], edges: &[Edge]) -> Vec<Option<u32>> {
+    let key = |v: u32| (vertices[v as usize].height, v);
+    let mut lowest: Vec<Option<(u32, u32)>> = vec![None; vertices.len()];
+    for (i, edge) in (0..).zip(edges) {
+        if edge.kind != EdgeKind::Terrain {
+            continue;
+        }
+        let [a, b] = edge.vertices;
+        for (from, to) in [(a, b), (b, a)] {
+            let best = lowest[from as usize].map_or(from, |(_, neighbour)| neighbour);
+            if vertices[from as usize].kind == VertexKind::Terrain && key(to) < key(best) {
+                lowest[from as usize] = Some((i, to));
+            }
+        }
+    }
+    lowest
+        .into_iter()
+        .map(|found| found.map(|(edge, _)| edge))
+        .collect()
+}
+
+/// Gives each vertex the nearest river edge of the faces around it.
+pub(super) fn find_nearest(
+    scale: &PlanetScale,
+    vertices: &mut [Vertex],
+    edges: &[Edge],
+    faces: &[Face],
+) {
+    for vertex in vertices.iter_mut().filter(|v| v.is_wet()) {
+        vertex.river = segment(scale, 0, 0, [vertex, vertex], vertex.discharge);
+        vertex.river_distance = 0;
+        vertex.river_along = 0;
+    }
+    for (vertex, found) in (0..).zip(beside_faces(scale, vertices, edges, faces)) {
+        let vertex: &mut Vertex = &mut vertices[vertex as usize];
+        if found.distance < vertex.river_distance {
+            vertex.river = found.segment;
+            vertex.river_distance = found.distance;
+            vertex.river_along = found.along;
+        }
+    }
+}
+
+/// A river beside a vertex.
+#[derive(Clone, Copy)]
+struct RiverBeside {
+    distance: i32,
+    along: i32,
+    segment: RiverSegment,
+}
+
+/// The nearest river edge opposite to each vertex: a river edge is seen by the far corners of its
+/// two faces.
+fn beside_faces(
+    scale: &PlanetScale,
+    vertices: &[Vertex],
+    edges: &[Edge],
+    faces: &[Face],
+) -> Vec<RiverBeside> {
+    let none = RiverBeside {
+        distance: FAR,
+        along: 0,
+        segment: RiverSegment::default(),
+    };
+    let mut found = vec![none; vertices.len()];
+    for (i, edge) in (0..).zip(edges) {
+        if edge.kind != EdgeKind::River {
+            continue;
+        }
+        let ends = edge.vertices.map(|v| &vertices[v as usize]);
+        let segment = segment(scale, 0, 0, ends, edge.arriving);
+        for &face in edge.faces.iter().filter(|&&f| f != NONE) {
+            let corner = faces[face as usize].opposite(i) as usize;
+            let (along, off) = nearest_on(segment.ends, vertices[corner].direction);
+            let distance = scale.grains(off).min(FAR);
+            if distance < found[corner].distance {
+                found[corner] = RiverBeside {
+                    distance,
+                    along,
+                    segment,
+                };
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,166 @@
+//! Pass: an edge gets the vertex that halves it (paper 002 §5.1, rules R1 to R5, and §5.2).
+//!
+//! Reads the edge, its ends and the corners opposite to it on both sides; writes one vertex. The
+//! vertex's kind may still change to a gully ([`vertex_resolve`](super::vertex_resolve)), and its
+//! distances are estimates until then.
+
+mod place;
+
+use super::control::VertexKind;
+use super::fixed::difference;
+use super::rules::{self, EdgeKind, Rules};
+use super::scale::PlanetScale;
+use super::seed::between;
+use super::topology::Edge;
+use super::vertex::{EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
+use place::place;
+
+/// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
+/// its parents alone, but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
+pub const STRAIGHT_LEVEL: u32 = 11;
+
+/// The vertex that halves an edge of a level. `ends` are those of the edge, in its order.
+pub fn split(
+    scale: &PlanetScale,
+    rules: &Rules,
+    edge: &Edge,
+    level: u32,
+    ends: [&Vertex; 2],
+    opposite: [Option<&Vertex>; 2],
+) -> Vertex {
+    let [a, b] = ends;
+    let mut new = average(a, b, level);
+    let length = scale.grains(difference(b.direction, a.direction));
+    let placed = place(rules, edge.kind, level, &new, ends, opposite);
+    new.direction = placed.direction;
+    new.river_distance = expected_distance(edge.kind, ends, length);
+    new.discharge = if edge.kind == EdgeKind::River {
+        gathered(a, edge)
+    } else {
+        0
+    };
+    let context = EdgeContext {
+        a,
+        b,
+        new: &new,
+        face: placed.face,
+        length,
+        span: scale.edge_grains(level),
+        level,
+        radius_m: scale.radius_m,
+    };
+    let ground = rules::halve(rules, edge.kind, &context);
+    new.kind = ground.kind;
+    new.height = ground.height;
+    new.bed = ground.bed;
+    new.water = ground.water;
+    settle_water(edge.kind, &mut new, a, b);
+    new
+}
+
+/// Discharge in the middle of a river edge: half of what the edge gains has come by then.
+#[inline]
+fn gathered(up: &Vertex, edge: &Edge) -> u32 {
+    up.discharge + edge.arriving.saturating_sub(up.discharge) / 2
+}
+
+/// Keeps lakes level and water from rising downstream, whatever the graph says.
+fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
+    // 0 is no lake.
+    let lake = a.lake | b.lake;
+    if lake != 0 && is_one_lake(a, b) {
+        new.kind = VertexKind::Lake;
+        new.height = a.bed + (b.bed - a.bed) / 2;
+        new.bed = new.height;
+        new.water = a.water;
+        new.lake = lake;
+        new.discharge = new.discharge.max(a.discharge.min(b.discharge));
+    } else if new.kind == VertexKind::Lake {
+        // Its flow shapes its shores; it brings its river nothing.
+        new.lake = if lake == 0 { new.seed | 1 } else { lake };
+        new.discharge = a.discharge.max(b.discharge) / 16;
+    } else if kind == EdgeKind::River {
+        new.water = new.water.max(new.bed).max(b.water);
+    } else if new.kind == VertexKind::Terrain {
+        hold_back_lakes(new, [a, b]);
+    }
+    if !new.is_wet() {
+        new.discharge = 0;
+    }
+}
+
+/// Whether two vertices lie in the same lake, or in a lake and in a river that has its level.
+fn is_one_lake(a: &Vertex, b: &Vertex) -> bool {
+    let is_wet = a.is_wet() && b.is_wet();
+    is_wet && a.water == b.water && (a.lake == b.lake || a.lake == 0 || b.lake == 0)
+}
+
+/// Raises dry land above the lakes beside it: a lake does not spill over its shore.
+fn hold_back_lakes(new: &mut Vertex, ends: [&Vertex; 2]) {
+    for lake in ends.iter().filter(|v| v.kind == VertexKind::Lake) {
+        new.height = new.height.max(lake.water + 1);
+    }
+    new.bed = new.height;
+    new.water = new.height;
+}
+
+/// A vertex whose maps are the mean of its parents', without a place, a height or water.
+fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
+    let seed = between(a.seed, b.seed);
+    Vertex {
+        direction: a.direction,
+        height: 0,
+        seed,
+        bed: 0,
+        water: 0,
+        discharge: 0,
+        river: RiverSegment::default(),
+        river_distance: FAR,
+        river_along: 0,
+        section: ValleySection::between(a.section, b.section),
+        gully_bed: 0,
+        gully_distance: FAR,
+        lake: 0,
+        crust: a.crust + (b.crust - a.crust) / 2,
+        kind: VertexKind::Terrain,
+        level: level as u8 + 1,
+        valley: if seed & 1 == 0 { a.valley } else { b.valley },
+        branched: false,
+        age: mean(a.age, b.age),
+        collision: mean(a.collision, b.collision),
+        wetness: mean(a.wetness, b.wetness),
+        plateau: mean(a.plateau, b.plateau),
+        hills: mean(a.hills, b.hills),
+        oceanic: mean(a.oceanic, b.oceanic),
+        ocean_age: mean(a.ocean_age, b.ocean_age),
+        fold: undirected_mean(a.fold, b.fold),
+        ridge: undirected_mean(a.ridge, b.ridge),
+    }
+}
+
+/// Mean of two numbers, rounded down.
+const fn mean(x: u16, y: u16) -> u16 {
+    ((x as u32 + y as u32) >> 1) as u16
+}
+
+/// Mean of two undirected vectors: the second is turned to the first's side.
+fn undirected_mean(a: [i16; 3], b: [i16; 3]) -> [i16; 3] {
+    let (u, v) = (a.map(i32::from), b.map(i32::from));
+    // Components of 15 bits, halved so that three products fit.
+    let dot = (0..3).map(|i| (u[i] >> 1) * (v[i] >> 1)).sum::<i32>();
+    let sign = if dot < 0 { -1 } else { 1 };
+    [0, 1, 2].map(|i| ((u[i] + sign * v[i]) / 2) as i16)
+}
+
+/// The nearest river's distance as the parents know it.
+fn expected_distance(kind: EdgeKind, [a, b]: [&Vertex; 2], length: i32) -> i32 {
+    if kind == EdgeKind::River {
+        return 0;
+    }
+    match (a.river_distance, b.river_distance) {
+        (0, 0) => length / 2,
+        (FAR, FAR) => FAR,
+        (FAR, d) | (d, FAR) => d.min(FAR - length / 2) + length / 2,
+        (d, e) => d / 2 + e / 2,
+    }
+}

@@ -1,0 +1,197 @@
+//! The place of a new vertex: the middle of its edge, moved sideways (paper 002 §5.2, "Horizontal
+//! displacement").
+
+use super::STRAIGHT_LEVEL;
+use crate::amplify::arith::{linear_step, ratio};
+use crate::amplify::fixed::{Q16, difference, lift, mul_high, q16, square_q32, weigh};
+use crate::amplify::geometry::{Q12, Stance};
+use crate::amplify::rules::shift::{Shift, shift};
+use crate::amplify::rules::{EdgeKind, Rules};
+use crate::amplify::vertex::Vertex;
+
+/// Most share of a far corner that a displaced vertex may have or owe, Q16.
+const MOST_FAR_CORNER: i32 = q16(0.17);
+
+/// Most that a displaced vertex may lose of an end from its half, Q16: a sixth less the most that
+/// rounding takes.
+const MOST_END_LOSS: i32 = q16(0.15666);
+
+/// Heights of a triangle over its edge's length, Q12: flatter ones are not displaced, from the
+/// second on fully.
+const FLATNESS: [i32; 2] = [Q12 / 6, Q12 / 2];
+
+/// A place, and the height of the flat face there.
+pub(super) struct Placed {
+    /// Unit direction times `ONE`.
+    pub(super) direction: [i32; 3],
+    /// Height of the flat face, grains.
+    pub(super) face: i32,
+}
+
+/// Places the vertex that halves an edge: at the middle, moved sideways within its safe zone, on
+/// the sphere.
+pub(super) fn place(
+    rules: &Rules,
+    kind: EdgeKind,
+    level: u32,
+    new: &Vertex,
+    ends: [&Vertex; 2],
+    opposite: [Option<&Vertex>; 2],
+) -> Placed {
+    if level < STRAIGHT_LEVEL
+        && let [Some(x), Some(y)] = opposite
+    {
+        let shift = shift(rules, kind, ends.map(|v| v.kind), level, new);
+        let corners = if shift.second { [y, x] } else { [x, y] };
+        if shift.weight > 0 {
+            return displaced(&shift, ends, corners);
+        }
+    }
+    middle(new.seed, ends)
+}
+
+/// The middle of an edge. Halves round to either side by the seed, so that no direction is
+/// favoured.
+fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
+    let ab = difference(b.direction, a.direction);
+    let odd = (seed >> 7 & 1) as i32;
+    let middle = [0, 1, 2].map(|i| a.direction[i] + ((ab[i] + odd) >> 1));
+    Placed {
+        direction: lift(middle, square_q32(ab) / 4),
+        face: a.height + (b.height - a.height) / 2,
+    }
+}
+
+/// A place moved towards the first of the two corners opposite to the edge.
+fn displaced(shift: &Shift, [a, b]: [&Vertex; 2], [x, y]: [&Vertex; 2]) -> Placed {
+    let [ab, ax, ay] = [b, x, y].map(|v| difference(v.direction, a.direction));
+    let [wb, wx] = weights(shift, [ax, ay].map(|corner| Stance::of(ab, corner)));
+    Placed {
+        direction: blend(a.direction, ab, ax, wb, wx),
+        face: a.height + weigh(wb, b.height - a.height) + weigh(wx, x.height - a.height),
+    }
+}
+
+/// Shares of the edge's end and of the corner `x` that the new vertex is drawn to; that of the
+/// start is the rest.
+///
+/// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least
+/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges' vertices do
+/// within such bounds, all four children of a face keep at least 0.045 of its area (least
+/// determinant over the corners of the bounds): none turns over.
+fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
+    // Flat triangles would get flatter.
+    let low = x.height.min(y.height);
+    let weight = weigh(shift.weight, linear_step(FLATNESS[0], FLATNESS[1], low));
+    let third = shift.inward / 3;
+    let wx = weigh(weight, third);
+    let along = weigh(Q16 - shift.inward, shift.along) + third;
+    // A corner that leans over an end of the edge draws upwards only, not along.
+    let towards_b = weigh(weight, along - Q16 / 2) - q12(wx, x.overhang());
+    // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
+    let owed = wx * (x.height >> 3) / (y.height >> 3).max(1);
+    let in_beyond = towards_b + q12(wx, x.along) + q12(owed, y.along);
+    let loss = (-towards_b)
+        .max(towards_b + wx)
+        .max(-in_beyond)
+        .max(in_beyond - owed);
+    let kept = ratio(MOST_END_LOSS, loss)
+        .min(ratio(MOST_FAR_CORNER, wx))
+        .min(ratio(MOST_FAR_CORNER, owed));
+    [Q16 / 2 + weigh(kept, towards_b), weigh(kept, wx)]
+}
+
+/// A share times a number in Q12 of at most 7.
+#[inline]
+const fn q12(share: i32, number: i32) -> i32 {
+    (share * (number >> 4)) >> 8
+}
+
+/// The point a + w_b·ab + w_x·ax, lifted to the sphere by its exact deficit Σ wᵢwⱼ|pᵢ - pⱼ|².
+fn blend(a: [i32; 3], ab: [i32; 3], ax: [i32; 3], wb: i32, wx: i32) -> [i32; 3] {
+    let wa = Q16 - wb - wx;
+    let point = [0, 1, 2].map(|i| a[i] + weigh(wb, ab[i]) + weigh(wx, ax[i]));
+    // Shares below 1 in Q16, their products in Q32.
+    let part = |u: i32, v: i32, d| mul_high((u as u32) * (v as u32), square_q32(d));
+    let deficit = part(wa, wb, ab) + part(wa, wx, ax) + part(wb, wx, difference(ax, ab));
+    lift(point, deficit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::amplify::seed::pcg;
+
+    type Shares = [f64; 3];
+
+    /// Corners of the polygon of barycentric coordinates (start, end, far corner) that a vertex on
+    /// an edge may have.
+    fn bounds() -> [Shares; 4] {
+        let (third, depth) = (1.0 / 3.0, f64::from(MOST_FAR_CORNER) / 65_536.0 + 0.005);
+        let at = |far: f64| {
+            [
+                [third, 1.0 - far - third, far],
+                [1.0 - far - third, third, far],
+            ]
+        };
+        let [[a, b], [c, d]] = [at(depth), at(-depth)];
+        [a, b, c, d]
+    }
+
+    fn determinant(p: Shares, q: Shares, r: Shares) -> f64 {
+        p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0])
+            + p[2] * (q[0] * r[1] - q[1] * r[0])
+    }
+
+    #[test]
+    fn no_child_turns_over_within_the_bounds() {
+        // The areas are linear in each vertex, so their least values lie at corners of the bounds.
+        let mut least = f64::MAX;
+        for p in bounds() {
+            for q in bounds().map(|[b, c, a]| [a, b, c]) {
+                for r in bounds().map(|[c, a, b]| [a, b, c]) {
+                    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+                    least = least
+                        .min(determinant(corners[0], p, r))
+                        .min(determinant(corners[1], q, p))
+                        .min(determinant(corners[2], r, q))
+                        .min(determinant(p, q, r));
+                }
+            }
+        }
+        assert!(least > 0.045, "{least}");
+    }
+
+    #[test]
+    fn displaced_vertices_keep_the_bounds_in_both_faces() {
+        for k in 0..200_000_u32 {
+            let random =
+                |i: u32, low: i32, high: i32| low + (pcg(pcg(k) ^ i) % (high - low) as u32) as i32;
+            let [x, y] = [0, 2].map(|i| Stance {
+                along: random(i, -8192, 12_288),
+                height: random(i + 1, 300, 12_288),
+            });
+            let shift = Shift {
+                along: random(4, 21_627, 43_254),
+                inward: random(5, 21_627, 43_254),
+                second: false,
+                weight: random(6, 0, 65_537),
+            };
+            let [wb, wx] = weights(&shift, [x, y]).map(|w| f64::from(w) / 65_536.0);
+            let real = |v: i32| f64::from(v) / 4096.0;
+            // In the face beyond: x = s·a + t·b - ρ·y.
+            let ratio = real(x.height) / real(y.height);
+            let (far, end) = (
+                -wx * ratio,
+                wb + wx * (real(x.along) + ratio * real(y.along)),
+            );
+            for shares in [[1.0 - wb - wx, wb, wx], [1.0 - end - far, end, far]] {
+                let least = 1.0 / 3.0;
+                assert!(
+                    shares[0] > least && shares[1] > least && shares[2].abs() < 0.175,
+                    "{k} {shares:?} {x:?} {y:?}"
+                );
+            }
+        }
+    }
+}

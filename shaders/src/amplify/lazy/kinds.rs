@@ -1,0 +1,135 @@
+//! Kinds of edges, the discharge that arrives along them, and where no river or gully ever comes.
+
+use super::{EdgeOrigin, LazyGround};
+use crate::amplify::base::Base;
+use crate::amplify::edge_split::STRAIGHT_LEVEL;
+use crate::amplify::face_split::{arriving_at, half_kind};
+use crate::amplify::rules::EdgeKind;
+use crate::amplify::vertex_resolve::tributary;
+use core::ops::Deref;
+
+impl<B: Deref<Target = Base>> LazyGround<B> {
+    /// Settles what an edge is, and with it its direction.
+    pub(super) fn settle_kind(&mut self, level: usize, edge: u32) -> EdgeKind {
+        let known = *self.edge(level, edge);
+        if known.has_kind {
+            return known.edge.kind;
+        }
+        let (kind, reversed, birth) = match known.origin {
+            EdgeOrigin::Base(_) => (known.edge.kind, false, known.edge.birth),
+            EdgeOrigin::Half(parent, slot) => {
+                let (kind, reversed) = self.half_kind(level - 1, parent, slot);
+                (kind, reversed, self.edge(level - 1, parent).edge.birth)
+            }
+            EdgeOrigin::Inner(face, corner) => {
+                let inner = self.decide(level - 1, face)[usize::from(corner)];
+                let (kind, reversed) = inner.edge();
+                (kind, reversed, level as u8)
+            }
+        };
+        let known = self.edge_mut(level, edge);
+        known.has_kind = true;
+        known.reversed = reversed;
+        known.edge.kind = kind;
+        known.edge.birth = if kind == EdgeKind::River { birth } else { 0 };
+        if reversed {
+            known.edge.vertices.swap(0, 1);
+            known.edge.faces.swap(0, 1);
+        }
+        kind
+    }
+
+    /// The kind of a half of an edge, and whether it runs against the edge.
+    fn half_kind(&mut self, level: usize, edge: u32, slot: u8) -> (EdgeKind, bool) {
+        let parent = self.edge(level, edge).edge;
+        let [up, down] = parent.vertices;
+        let along = [up, parent.mid, down];
+        // Only here does the kind of a half depend on vertices.
+        if parent.kind == EdgeKind::River
+            || (parent.kind == EdgeKind::Terrain && (level as u32) < self.rules.gully_levels)
+        {
+            for v in along {
+                self.ensure(v);
+            }
+        }
+        half_kind(
+            &self.rules,
+            level as u32,
+            parent.kind,
+            usize::from(slot),
+            along.map(|v| self.vertex(v)),
+        )
+    }
+
+    /// Settles the discharge that arrives along a river edge.
+    pub(super) fn settle_arriving(&mut self, level: usize, edge: u32) {
+        let known = *self.edge(level, edge);
+        if known.has_arriving {
+            return;
+        }
+        let arriving = match known.origin {
+            EdgeOrigin::Base(_) => known.edge.arriving,
+            EdgeOrigin::Half(parent, 0) => {
+                let parent = self.edge(level - 1, parent).edge;
+                self.ensure(parent.mid);
+                arriving_at(self.vertex(parent.mid), self.vertex(parent.vertices[0]))
+            }
+            EdgeOrigin::Half(parent, _) => {
+                self.settle_arriving(level - 1, parent);
+                self.edge(level - 1, parent).edge.arriving
+            }
+            EdgeOrigin::Inner(..) => {
+                // A tributary: its second vertex is the junction, on an edge of the face.
+                let (at, river) = self.origins[known.edge.vertices[1] as usize];
+                self.split(usize::from(at), river);
+                let river = self.edge(usize::from(at), river).edge;
+                tributary(self.vertex(river.mid), self.vertex(river.vertices[0]))
+            }
+        };
+        let known = self.edge_mut(level, edge);
+        known.edge.arriving = arriving;
+        known.has_arriving = true;
+    }
+
+    /// Whether no river or gully runs beside an edge of a straight level, nor ever will.
+    pub(super) fn is_dry_edge(&mut self, level: usize, edge: u32) -> bool {
+        let known = *self.edge(level, edge);
+        if let Some(dry) = known.dry {
+            return dry;
+        }
+        let dry = match known.origin {
+            EdgeOrigin::Half(parent, _) if level as u32 > STRAIGHT_LEVEL => {
+                self.is_dry_edge(level - 1, parent)
+            }
+            EdgeOrigin::Inner(face, _) if level as u32 > STRAIGHT_LEVEL => {
+                self.is_dry_face(level - 1, face)
+            }
+            _ => {
+                let [f, g] = self.faces(level, edge);
+                self.is_dry_face(level, f) && self.is_dry_face(level, g)
+            }
+        };
+        self.edge_mut(level, edge).dry = Some(dry);
+        dry
+    }
+
+    /// Whether none of a face's edges is a river or gully; in the straight levels that holds for
+    /// its children too.
+    fn is_dry_face(&mut self, level: usize, face: u32) -> bool {
+        let known = self.levels[level].faces[face as usize];
+        if let Some(dry) = known.dry {
+            return dry;
+        }
+        let dry = if level as u32 == STRAIGHT_LEVEL {
+            known
+                .face
+                .edges
+                .into_iter()
+                .all(|e| self.settle_kind(level, e) == EdgeKind::Terrain)
+        } else {
+            self.is_dry_face(level - 1, known.face.parent)
+        };
+        self.levels[level].faces[face as usize].dry = Some(dry);
+        dry
+    }
+}

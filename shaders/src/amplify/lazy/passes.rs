@@ -1,0 +1,217 @@
+//! The passes of vertices and faces, each run once everything that it reads has come far enough.
+
+use super::{LazyGround, VertexProgress};
+use crate::amplify::base::Base;
+use crate::amplify::edge_split::{self, STRAIGHT_LEVEL};
+use crate::amplify::face_decide::{self, FaceContext};
+use crate::amplify::rules::EdgeKind;
+use crate::amplify::topology::{Inner, NONE};
+use crate::amplify::vertex::Vertex;
+use crate::amplify::vertex_resolve::{DrainBeside, Requests, Settled, VertexContext, resolve};
+use core::ops::Deref;
+
+/// The surroundings of an edge by their places, [`NONE`] for the absent; the vertices among them
+/// have come far enough to be read.
+#[derive(Clone, Copy)]
+struct AroundEdge {
+    opposite: [u32; 2],
+    requests: Requests,
+    /// Edges of both faces that run along a river or a gully.
+    drains: [u32; 4],
+}
+
+impl<B: Deref<Target = Base>> LazyGround<B> {
+    /// Ensures that a vertex is final.
+    pub fn ensure(&mut self, vertex: u32) {
+        let (level, edge) = self.origins[vertex as usize];
+        if level != u8::MAX {
+            self.resolve(usize::from(level), edge);
+        }
+    }
+
+    /// Ensures that a vertex has its place and ground.
+    pub fn ensure_place(&mut self, vertex: u32) {
+        let (level, edge) = self.origins[vertex as usize];
+        if level != u8::MAX {
+            self.split(usize::from(level), edge);
+        }
+    }
+
+    /// A vertex; `None` for [`NONE`].
+    fn vertex_at(&self, vertex: u32) -> Option<&Vertex> {
+        self.vertices.get(vertex as usize)
+    }
+
+    /// Pass `edge_split` for one edge.
+    pub(super) fn split(&mut self, level: usize, edge: u32) {
+        if self.edge(level, edge).progress != VertexProgress::Pending {
+            return;
+        }
+        self.halve(level, edge);
+        let ends = self.edge(level, edge).edge.vertices;
+        for v in ends {
+            self.ensure(v);
+        }
+        let opposite = if (level as u32) < STRAIGHT_LEVEL {
+            self.ensure_opposite(level, edge)
+        } else {
+            [NONE; 2]
+        };
+        if self.edge(level, edge).edge.kind == EdgeKind::River {
+            self.settle_arriving(level, edge);
+        }
+        let edge_now = self.edge(level, edge).edge;
+        let new = edge_split::split(
+            &self.base.scale,
+            &self.rules,
+            &edge_now,
+            level as u32,
+            ends.map(|v| self.vertex(v)),
+            opposite.map(|v| self.vertex_at(v)),
+        );
+        self.vertices[edge_now.mid as usize] = new;
+        let known = self.edge_mut(level, edge);
+        known.split_kind = new.kind;
+        known.progress = VertexProgress::Split;
+    }
+
+    /// The corners opposite to an edge, final.
+    fn ensure_opposite(&mut self, level: usize, edge: u32) -> [u32; 2] {
+        let faces = self.faces(level, edge);
+        let opposite = faces.map(|f| self.face(level, f).opposite(edge));
+        for v in opposite {
+            self.ensure(v);
+        }
+        opposite
+    }
+
+    /// Pass `face_decide` for one face.
+    pub(super) fn decide(&mut self, level: usize, face: u32) -> [Inner; 3] {
+        let known = self.levels[level].faces[face as usize];
+        if known.decided || level as u32 >= STRAIGHT_LEVEL {
+            return known.face.inner;
+        }
+        let kinds = known.face.edges.map(|e| self.settle_kind(level, e));
+        let inner = if kinds == [EdgeKind::Terrain; 3] {
+            [Inner::Terrain; 3]
+        } else {
+            self.decide_drained(level, face, kinds)
+        };
+        let known = &mut self.levels[level].faces[face as usize];
+        known.face.inner = inner;
+        known.decided = true;
+        inner
+    }
+
+    /// The inner edges of a face beside a river or a gully.
+    fn decide_drained(&mut self, level: usize, face: u32, kinds: [EdgeKind; 3]) -> [Inner; 3] {
+        let made = *self.face(level, face);
+        let mut beyond = [NONE; 3];
+        for k in 0..3 {
+            self.split(level, made.edges[k]);
+            self.ensure(made.vertices[k]);
+            if kinds[k] != EdgeKind::Terrain {
+                let [f, g] = self.faces(level, made.edges[k]);
+                let neighbour = if f == face { g } else { f };
+                beyond[k] = self.face(level, neighbour).opposite(made.edges[k]);
+                self.ensure(beyond[k]);
+            }
+        }
+        let edges = made.edges.map(|e| self.edge(level, e));
+        let context = FaceContext {
+            corners: made.vertices,
+            vertices: made.vertices.map(|v| self.vertex(v)),
+            edges: edges.map(|e| &e.edge),
+            mids: edges.map(|e| self.vertex(e.edge.mid)),
+            kinds: edges.map(|e| e.split_kind),
+            beyond: beyond.map(|v| self.vertex_at(v)),
+        };
+        face_decide::decide(&self.rules, level as u32, &context)
+    }
+
+    /// Pass `vertex_resolve` for one edge.
+    fn resolve(&mut self, level: usize, edge: u32) {
+        if self.edge(level, edge).progress == VertexProgress::Resolved {
+            return;
+        }
+        self.split(level, edge);
+        let around = self.ensure_around(level, edge);
+        let mid = self.edge(level, edge).edge.mid;
+        let settled = self.settled(level, edge, &around);
+        settled.write(&mut self.vertices[mid as usize]);
+        self.edge_mut(level, edge).progress = VertexProgress::Resolved;
+    }
+
+    /// Brings everything around an edge as far as `vertex_resolve` reads it.
+    fn ensure_around(&mut self, level: usize, edge: u32) -> AroundEdge {
+        let mut around = AroundEdge {
+            opposite: [NONE; 2],
+            requests: Requests::default(),
+            drains: [NONE; 4],
+        };
+        let is_straight = level as u32 >= STRAIGHT_LEVEL;
+        if is_straight && self.is_dry_edge(level, edge) {
+            return around;
+        }
+        for (side, f) in self.faces(level, edge).into_iter().enumerate() {
+            let inner = self.decide(level, f);
+            let face = *self.face(level, f);
+            let k = face.edges.iter().position(|&e| e == edge).unwrap_or(0);
+            around.requests = around.requests.and(Requests::of(&inner, k));
+            for j in 0..2 {
+                let other = face.edges[(k + 1 + j) % 3];
+                if self.ensure_drain(level, other) {
+                    around.drains[side * 2 + j] = other;
+                }
+            }
+            if !is_straight {
+                around.opposite[side] = face.opposite(edge);
+                self.ensure(around.opposite[side]);
+            }
+        }
+        around
+    }
+
+    /// Brings an edge as far as `vertex_resolve` reads it, if it runs along a river or a gully;
+    /// returns whether it does.
+    fn ensure_drain(&mut self, level: usize, edge: u32) -> bool {
+        let kind = self.settle_kind(level, edge);
+        if kind == EdgeKind::Terrain {
+            return false;
+        }
+        if kind == EdgeKind::River {
+            self.settle_arriving(level, edge);
+        }
+        for v in self.edge(level, edge).edge.vertices {
+            self.ensure(v);
+        }
+        if (level as u32) < STRAIGHT_LEVEL {
+            self.split(level, edge);
+        }
+        true
+    }
+
+    /// Runs `vertex_resolve` on surroundings that have come far enough.
+    fn settled(&self, level: usize, edge: u32, around: &AroundEdge) -> Settled {
+        let edge = &self.edge(level, edge).edge;
+        let context = VertexContext {
+            edge,
+            ends: edge.vertices.map(|v| self.vertex(v)),
+            opposite: around.opposite.map(|v| self.vertex_at(v)),
+            requests: around.requests,
+            beside: around.drains.map(|e| self.drain_beside(level, e)),
+        };
+        let new = self.vertex(edge.mid);
+        resolve(&self.base.scale, &self.rules, level as u32, new, &context)
+    }
+
+    fn drain_beside(&self, level: usize, edge: u32) -> Option<DrainBeside<'_>> {
+        let edge = &self.levels[level].edges.get(edge as usize)?.edge;
+        let is_straight = level as u32 >= STRAIGHT_LEVEL;
+        Some(DrainBeside {
+            edge,
+            ends: edge.vertices.map(|v| self.vertex(v)),
+            mid: self.vertex_at(edge.mid).filter(|_| !is_straight),
+        })
+    }
+}

@@ -1,0 +1,164 @@
+//! Edges and faces, made as far as they are asked for: faces of the control mesh, halves of edges,
+//! quarters of faces.
+
+use super::{EdgeOrigin, LazyEdge, LazyFace, LazyGround};
+use crate::amplify::base::Base;
+use crate::amplify::rules::EdgeKind;
+use crate::amplify::topology::{Edge, Face, NONE};
+use crate::amplify::vertex::Vertex;
+use core::ops::Deref;
+
+impl<B: Deref<Target = Base>> LazyGround<B> {
+    /// A face of the control mesh as a face of level 0.
+    pub fn base_face(&mut self, face: u32) -> u32 {
+        if let Some(&place) = self.placed.faces.get(&face) {
+            return place;
+        }
+        let Face {
+            vertices, edges, ..
+        } = self.base.level.faces[face as usize];
+        let vertices = vertices.map(|v| self.base_vertex(v));
+        let edges = edges.map(|e| self.base_edge(e));
+        let faces = &mut self.levels[0].faces;
+        let place = faces.len() as u32;
+        faces.push(LazyFace::new(Face::new(vertices, edges, face)));
+        self.placed.faces.insert(face, place);
+        place
+    }
+
+    fn base_vertex(&mut self, vertex: u32) -> u32 {
+        *self.placed.vertices.entry(vertex).or_insert_with(|| {
+            self.vertices.push(self.base.vertices[vertex as usize]);
+            self.origins.push((u8::MAX, NONE));
+            self.vertices.len() as u32 - 1
+        })
+    }
+
+    fn base_edge(&mut self, edge: u32) -> u32 {
+        if let Some(&place) = self.placed.edges.get(&edge) {
+            return place;
+        }
+        let from = self.base.level.edges[edge as usize];
+        let made = Edge {
+            vertices: from.vertices.map(|v| self.base_vertex(v)),
+            faces: [NONE; 2],
+            ..from
+        };
+        let edges = &mut self.levels[0].edges;
+        let place = edges.len() as u32;
+        edges.push(LazyEdge {
+            has_kind: true,
+            has_arriving: true,
+            ..LazyEdge::new(made, EdgeOrigin::Base(edge))
+        });
+        self.placed.edges.insert(edge, place);
+        place
+    }
+
+    /// Both faces of an edge.
+    pub fn faces(&mut self, level: usize, edge: u32) -> [u32; 2] {
+        for side in 0..2 {
+            let known = *self.edge(level, edge);
+            if known.edge.faces[side] != NONE {
+                continue;
+            }
+            match known.origin {
+                EdgeOrigin::Base(base) => {
+                    let face = self.base.level.edges[base as usize].faces[side];
+                    let face = self.base_face(face);
+                    self.edge_mut(0, edge).edge.faces[side] = face;
+                }
+                EdgeOrigin::Half(parent, _) => {
+                    let parents = self.faces(level - 1, parent);
+                    self.quarter(level - 1, parents[side ^ usize::from(known.reversed)]);
+                }
+                // It was made with both of its faces.
+                EdgeOrigin::Inner(..) => {}
+            }
+        }
+        self.edge(level, edge).edge.faces
+    }
+
+    /// Makes the halves of an edge, and returns the first; their middle may stay pending.
+    pub(super) fn halve(&mut self, level: usize, edge: u32) -> u32 {
+        let made = self.edge(level, edge).edge.child;
+        if made != NONE {
+            return made;
+        }
+        self.settle_kind(level, edge);
+        let mid = self.vertices.len() as u32;
+        self.vertices.push(Vertex::default());
+        self.origins.push((level as u8, edge));
+        let [a, b] = self.edge(level, edge).edge.vertices;
+        let halves = &mut self.levels[level + 1].edges;
+        let child = halves.len() as u32;
+        for (slot, ends) in [(0, [a, mid]), (1, [mid, b])] {
+            let half = Edge::new(EdgeKind::Terrain, ends, [NONE; 2]);
+            halves.push(LazyEdge::new(half, EdgeOrigin::Half(edge, slot)));
+        }
+        let known = self.edge_mut(level, edge);
+        known.edge.mid = mid;
+        known.edge.child = child;
+        child
+    }
+
+    /// Makes the children of a face; their vertices may stay pending. Returns the first.
+    pub fn quarter(&mut self, level: usize, face: u32) -> u32 {
+        let made = *self.face(level, face);
+        if made.child != NONE {
+            return made.child;
+        }
+        let child = self.levels[level + 1].faces.len() as u32;
+        let sides = [0, 1, 2].map(|k| self.halve_side(level, &made, k, child));
+        let mids = sides.map(|side| side.mid);
+        let finer = &mut self.levels[level + 1];
+        let inner = finer.edges.len() as u32;
+        for k in 0..3 {
+            let other = (k + 2) % 3;
+            let edge = Edge::new(
+                EdgeKind::Terrain,
+                [mids[k], mids[other]],
+                [child + k as u32, child + 3],
+            );
+            let origin = EdgeOrigin::Inner(face, k as u8);
+            finer.edges.push(LazyEdge::new(edge, origin));
+            let edges = [sides[k].from_start, inner + k as u32, sides[other].from_end];
+            let corner = Face::new([made.vertices[k], mids[k], mids[other]], edges, face);
+            finer.faces.push(LazyFace::new(corner));
+        }
+        let middle = Face::new(mids, [inner + 1, inner + 2, inner], face);
+        finer.faces.push(LazyFace::new(middle));
+        self.levels[level].faces[face as usize].face.child = child;
+        child
+    }
+
+    /// Halves the `k`th edge of a face and gives its halves the face's children, the first of which
+    /// is `child`.
+    fn halve_side(&mut self, level: usize, face: &Face, k: usize, child: u32) -> HalvedSide {
+        let first = self.halve(level, face.edges[k]);
+        let edge = self.edge(level, face.edges[k]).edge;
+        // 1 where the edge runs against the face's winding.
+        let against = u32::from(edge.vertices[0] != face.vertices[k]);
+        let side = HalvedSide {
+            mid: edge.mid,
+            from_start: first + against,
+            from_end: first + 1 - against,
+        };
+        for (half, corner) in [(side.from_start, k), (side.from_end, (k + 1) % 3)] {
+            let half = self.edge_mut(level + 1, half);
+            let slot = against as usize ^ usize::from(half.reversed);
+            half.edge.faces[slot] = child + corner as u32;
+        }
+        side
+    }
+}
+
+/// An edge of a face, cut in two.
+#[derive(Clone, Copy)]
+struct HalvedSide {
+    mid: u32,
+    /// The half at the corner where the face's winding enters the edge.
+    from_start: u32,
+    /// The half at the next corner.
+    from_end: u32,
+}

@@ -1,0 +1,136 @@
+//! Rivers and lakes of the made-up planet, by a priority flood from the sea (R. Barnes et al.,
+//! Priority-flood, 2014).
+
+use crate::amplify::control::{ControlMesh, ControlVertex, VertexKind};
+use crate::amplify::fixed::{GRAINS, Q16, metres};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Runoff of a vertex of a desert, 2⁻³² of 200,000 m³/s.
+const RUNOFF: u64 = 300_000;
+
+/// Runoff that every 2⁻¹⁶ of wetness adds to it.
+const RUNOFF_PER_WETNESS: u64 = 20;
+
+/// Discharge from which on water is a river.
+const RIVER_DISCHARGE: u64 = 8_000_000;
+
+/// Depth of the least river, grains.
+const LEAST_DEPTH: i32 = metres(2);
+
+/// Bed of the sea at a river's mouth, grains.
+const MOUTH_BED: i32 = -2_000;
+
+/// Least fall of a river's bed from vertex to vertex, grains.
+const LEAST_FALL: i32 = metres(2);
+
+/// Least fall of a river's water from vertex to vertex, grains.
+const LEAST_WATER_FALL: i32 = GRAINS / 64;
+
+/// Lays rivers with falling beds along the ways down to the sea, and lakes into the depressions.
+pub(super) fn drain(mesh: &mut ControlMesh) {
+    for vertex in &mut mesh.vertices {
+        if is_sea(vertex) {
+            vertex.water = 0;
+        }
+    }
+    let flooded = flood(mesh);
+    let discharge = accumulate(mesh, &flooded);
+    for &v in &flooded.order {
+        if !is_sea(&mesh.vertices[v]) && discharge[v] > RIVER_DISCHARGE {
+            lay_river(mesh, &flooded, v, discharge[v]);
+        }
+    }
+}
+
+const fn is_sea(vertex: &ControlVertex) -> bool {
+    vertex.kind == VertexKind::Sea as u8
+}
+
+/// Ways down to the sea.
+struct Flooded {
+    /// Vertices, each after the one it drains to.
+    order: Vec<usize>,
+    /// The vertex that each drains to, and the edge there.
+    receiver: Vec<(usize, usize)>,
+    /// Least height from which water reaches the sea, grains.
+    level: Vec<i32>,
+}
+
+/// Neighbours of every vertex, and the edges there.
+fn neighbours(mesh: &ControlMesh) -> Vec<Vec<(usize, usize)>> {
+    let mut around = vec![Vec::new(); mesh.vertices.len()];
+    for (i, edge) in mesh.edges.iter().enumerate() {
+        let [a, b] = edge.vertices.map(|v| v as usize);
+        around[a].push((b, i));
+        around[b].push((a, i));
+    }
+    around
+}
+
+fn flood(mesh: &ControlMesh) -> Flooded {
+    let around = neighbours(mesh);
+    let mut flooded = Flooded {
+        order: Vec::new(),
+        receiver: vec![(usize::MAX, 0); around.len()],
+        level: vec![i32::MAX; around.len()],
+    };
+    let mut heap = BinaryHeap::new();
+    for (v, vertex) in mesh.vertices.iter().enumerate() {
+        if is_sea(vertex) {
+            flooded.level[v] = 0;
+            heap.push(Reverse((vertex.height, v)));
+        }
+    }
+    while let Some(Reverse((height, v))) = heap.pop() {
+        flooded.order.push(v);
+        for &(w, edge) in &around[v] {
+            if flooded.level[w] == i32::MAX {
+                flooded.level[w] = mesh.vertices[w].height.max(height.max(0));
+                flooded.receiver[w] = (v, edge);
+                heap.push(Reverse((flooded.level[w], w)));
+            }
+        }
+    }
+    flooded
+}
+
+/// Discharge of every vertex: its own runoff and all that drains to it.
+fn accumulate(mesh: &ControlMesh, flooded: &Flooded) -> Vec<u64> {
+    let mut discharge = vec![0; mesh.vertices.len()];
+    for &v in flooded.order.iter().rev() {
+        let vertex = &mesh.vertices[v];
+        if !is_sea(vertex) {
+            discharge[v] += RUNOFF + u64::from(vertex.wetness) * RUNOFF_PER_WETNESS;
+            discharge[flooded.receiver[v].0] += discharge[v];
+        }
+    }
+    discharge
+}
+
+/// Makes a vertex a river or a lake, and its way down a river's edge. The vertex below is done.
+fn lay_river(mesh: &mut ControlMesh, flooded: &Flooded, v: usize, discharge: u64) {
+    let (down, edge) = flooded.receiver[v];
+    let lower = mesh.vertices[down];
+    let edge = &mut mesh.edges[edge];
+    if edge.vertices[0] != v as u32 {
+        edge.vertices.swap(0, 1);
+        edge.faces.swap(0, 1);
+    }
+    edge.river = 1;
+    let vertex = &mut mesh.vertices[v];
+    let flow = (discharge.min(u64::from(u32::MAX)) as f64).sqrt() as u32;
+    vertex.flow = flow.min(Q16 as u32 - 1);
+    if flooded.level[v] > vertex.height {
+        vertex.kind = VertexKind::Lake as u8;
+        vertex.bed = vertex.height;
+        vertex.water = flooded.level[v];
+        return;
+    }
+    let depth = LEAST_DEPTH + (vertex.flow as i32) * 40 / 64;
+    let floor = if is_sea(&lower) { MOUTH_BED } else { lower.bed };
+    vertex.kind = VertexKind::River as u8;
+    vertex.bed = (vertex.height - depth).max(floor + LEAST_FALL);
+    vertex.water = (vertex.bed + depth).max(lower.water.max(0) + LEAST_WATER_FALL);
+    vertex.height = vertex.height.max(vertex.water);
+}

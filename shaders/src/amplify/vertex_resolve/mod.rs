@@ -1,0 +1,193 @@
+//! Pass: a new vertex settles its kind and its distances, once the faces on both sides have
+//! decided.
+//!
+//! Reads the two faces' decisions and the rivers and gullies along their edges; writes the one
+//! vertex. A river outranks a gully, a gully outranks ground, whatever the order in which the faces
+//! asked.
+
+mod river;
+
+use super::arith::mix;
+use super::control::VertexKind;
+use super::fixed::difference;
+use super::geometry::nearest_on;
+use super::rules::{EdgeKind, Rules, valley};
+use super::scale::PlanetScale;
+use super::topology::{Edge, Inner};
+use super::vertex::{FAR, ValleySection, Vertex};
+use river::NearestRiver;
+pub use river::{segment, tributary};
+
+/// An edge beside a vertex that runs along a river or a gully.
+#[derive(Clone, Copy, Debug)]
+pub struct DrainBeside<'a> {
+    /// The edge.
+    pub edge: &'a Edge,
+    /// Its ends.
+    pub ends: [&'a Vertex; 2],
+    /// Its middle, where it has one.
+    pub mid: Option<&'a Vertex>,
+}
+
+/// The neighbourhood that the settling of a new vertex depends on.
+pub struct VertexContext<'a> {
+    /// The edge that the vertex halves.
+    pub edge: &'a Edge,
+    /// Its ends.
+    pub ends: [&'a Vertex; 2],
+    /// The corners opposite to it.
+    pub opposite: [Option<&'a Vertex>; 2],
+    /// Requests of the two faces.
+    pub requests: Requests,
+    /// The other edges of the two faces that run along a river or a gully.
+    pub beside: [Option<DrainBeside<'a>>; 4],
+}
+
+/// Requests of faces to a new vertex.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Requests {
+    /// Whether a gully starts here.
+    pub gully_tip: bool,
+    /// Whether a tributary starts here.
+    pub river_tip: bool,
+    /// Whether a tributary ends here.
+    pub junction: bool,
+}
+
+impl Requests {
+    /// The requests of a face to the vertex on its `k`th edge.
+    pub fn of(inner: &[Inner; 3], k: usize) -> Self {
+        // m_k is first on the inner edge of corner k, second on that of corner k + 1.
+        let (first, second) = (inner[k], inner[(k + 1) % 3]);
+        Self {
+            gully_tip: first == Inner::GullyToSecond || second == Inner::GullyToFirst,
+            river_tip: first == Inner::RiverToSecond || second == Inner::RiverToFirst,
+            junction: first == Inner::RiverToFirst || second == Inner::RiverToSecond,
+        }
+    }
+
+    /// The requests of both faces.
+    #[must_use]
+    pub const fn and(self, other: Self) -> Self {
+        Self {
+            gully_tip: self.gully_tip | other.gully_tip,
+            river_tip: self.river_tip | other.river_tip,
+            junction: self.junction | other.junction,
+        }
+    }
+}
+
+/// Everything that the faces around a new vertex settle of it; the rest stays as its edge made it.
+#[derive(Clone, Copy, Debug)]
+pub struct Settled {
+    kind: VertexKind,
+    branched: bool,
+    river: NearestRiver,
+    section: ValleySection,
+    gully: NearestGully,
+}
+
+impl Settled {
+    /// Writes what was settled into the vertex.
+    #[inline]
+    pub fn write(&self, vertex: &mut Vertex) {
+        vertex.kind = self.kind;
+        vertex.branched = self.branched;
+        self.river.write(vertex);
+        vertex.section = self.section;
+        vertex.gully_bed = self.gully.bed;
+        vertex.gully_distance = self.gully.distance;
+    }
+}
+
+/// Settles a new vertex from the faces around it.
+pub fn resolve(
+    scale: &PlanetScale,
+    rules: &Rules,
+    level: u32,
+    new: &Vertex,
+    around: &VertexContext,
+) -> Settled {
+    let Requests {
+        gully_tip,
+        river_tip,
+        junction,
+    } = around.requests;
+    let becomes_gully = gully_tip && !river_tip && new.kind == VertexKind::Terrain;
+    let kind = if becomes_gully {
+        VertexKind::Gully
+    } else {
+        new.kind
+    };
+    let river = river::nearest(scale, level, new, around);
+    let section = if river.is_beside {
+        let mut at = *new;
+        river.write(&mut at);
+        valley::section(rules, &at, scale.edge_grains(0))
+    } else {
+        new.section
+    };
+    let gully = if kind == VertexKind::Gully {
+        NearestGully {
+            bed: new.height,
+            distance: 0,
+        }
+    } else {
+        near_gully(scale, new, around)
+    };
+    Settled {
+        kind,
+        branched: junction,
+        river,
+        section,
+        gully,
+    }
+}
+
+/// The nearest gully of a vertex, grains.
+#[derive(Clone, Copy, Debug)]
+struct NearestGully {
+    bed: i32,
+    distance: i32,
+}
+
+/// The gully of an edge beside the vertex, where one is nearer than the parents' gullies.
+fn near_gully(scale: &PlanetScale, new: &Vertex, around: &VertexContext) -> NearestGully {
+    let mut nearest = parents_gully(scale, new, around.ends);
+    for drain in around.beside.iter().flatten() {
+        if drain.edge.kind != EdgeKind::Gully {
+            continue;
+        }
+        let [up, down] = drain.ends;
+        let (along, off) = nearest_on([up.direction, down.direction], new.direction);
+        let distance = scale.grains(off);
+        if distance < nearest.distance {
+            nearest = NearestGully {
+                bed: mix(up.height, down.height, along),
+                distance,
+            };
+        }
+    }
+    nearest
+}
+
+/// The mean of the parents' gullies, or the gully of the one that has one.
+fn parents_gully(scale: &PlanetScale, new: &Vertex, [a, b]: [&Vertex; 2]) -> NearestGully {
+    let (bed, distance) = match (a.gully_distance, b.gully_distance) {
+        (FAR, FAR) => (new.height, FAR),
+        (FAR, d) => (b.gully_bed, by_parent(scale, new, b, d)),
+        (d, FAR) => (a.gully_bed, by_parent(scale, new, a, d)),
+        (0, 0) => (
+            a.gully_bed / 2 + b.gully_bed / 2,
+            by_parent(scale, new, a, 0),
+        ),
+        (d, e) => (a.gully_bed / 2 + b.gully_bed / 2, d / 2 + e / 2),
+    };
+    NearestGully { bed, distance }
+}
+
+/// Length of the way to a parent and on to its gully, grains; at most [`FAR`].
+fn by_parent(scale: &PlanetScale, new: &Vertex, parent: &Vertex, distance: i32) -> i32 {
+    let step = scale.grains(difference(new.direction, parent.direction));
+    distance.min(FAR - step.min(FAR)) + step.min(FAR)
+}
