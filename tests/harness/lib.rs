@@ -6,10 +6,12 @@
 //! shape      planets whose plates and coasts are known to the kilometre
 //! measure    areas, volumes, hypsometry, coverage, by brute force
 //! probe      what every stage of a step does to the state
+//! source     the code of the workspace: figures, imports, names
 //! ```
 
 pub mod earth;
 pub mod measure;
 pub mod probe;
 pub mod shape;
+pub mod source;
 pub mod world;
