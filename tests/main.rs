@@ -13,6 +13,7 @@ mod input;
 mod laws;
 mod planets;
 mod spectra;
+mod structure;
 
 #[cfg(feature = "render")]
 mod shaders;
