@@ -2,6 +2,7 @@
 //! in any slices, across a save, in a replay, and as committed.
 
 mod golden;
+mod order;
 mod replay;
 mod save;
 

@@ -6,12 +6,16 @@
 //! shape      planets whose plates and coasts are known to the kilometre
 //! measure    areas, volumes, hypsometry, coverage, by brute force
 //! probe      what every stage of a step does to the state
+//! fuzz       damaged inputs for readers
+//! soak       long runs, and the memory that they take
 //! source     the code of the workspace: figures, imports, names
 //! ```
 
 pub mod earth;
+pub mod fuzz;
 pub mod measure;
 pub mod probe;
 pub mod shape;
+pub mod soak;
 pub mod source;
 pub mod world;
