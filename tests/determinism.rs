@@ -21,22 +21,21 @@ fn lively(seed: u64, samples: u32) -> PlanetRecipe {
     recipe
 }
 
+/// Digest of a planet that has grown on a number of threads.
+fn digest_on_threads(threads: usize) -> String {
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    builder.build().unwrap().install(|| {
+        let (mut app, planet) = planet_app(&lively(9, 12_000));
+        steps(&mut app, planet, 30);
+        digest(&app, planet)
+    })
+}
+
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
-            let (mut app, planet) = planet_app(&lively(9, 12_000));
-            steps(&mut app, planet, 30);
-            digest(&app, planet)
-        })
-    };
-    let one = run(1);
-    assert_eq!(one, run(2));
-    assert_eq!(one, run(5));
+    let one = digest_on_threads(1);
+    assert_eq!(one, digest_on_threads(2));
+    assert_eq!(one, digest_on_threads(5));
 }
 
 #[test]
@@ -89,7 +88,9 @@ fn a_clock_stops_at_the_time_that_it_was_told() {
     app.insert_resource(second);
     {
         let mut clock = app.world_mut().get_mut::<GeologicClock>(planet).unwrap();
-        (clock.speed, clock.until, clock.frame_budget) = (2.0, Some(9.0), Duration::from_secs(9));
+        clock.speed = 2.0;
+        clock.until = Some(9.0);
+        clock.frame_budget = Duration::from_secs(9);
     }
     for _ in 0..12 {
         app.update();
@@ -132,10 +133,10 @@ fn planets_of_one_world_do_not_disturb_each_other() {
 
 #[test]
 fn another_seed_is_another_planet() {
-    let of = |seed| {
+    let [first, again, other] = [1, 1, 2].map(|seed| {
         let (app, planet) = planet_app(&small(seed, 1000));
         digest(&app, planet)
-    };
-    assert_eq!(of(1), of(1));
-    assert_ne!(of(1), of(2));
+    });
+    assert_eq!(first, again);
+    assert_ne!(first, other);
 }

@@ -5,7 +5,7 @@
 
 use super::lively;
 use bevy::prelude::*;
-use bevy_pangaea::control::{BakeSettings, PlanetBake, bake_now};
+use bevy_pangaea::control::{Bake, BakeSettings, PlanetBake, bake_now};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::query::{Ground, LEVELS, PlanetGround, Rules};
 use bevy_pangaea::random::{Purpose, Stream};
@@ -130,39 +130,40 @@ fn ground(app: &mut App, planet: Entity) -> Vec<String> {
     bake_now(app.world_mut(), planet).unwrap();
     assert_eq!(digest(app, planet), digest_before, "a bake changes nothing");
     let bake = get::<PlanetBake>(app, planet);
+    let points = bake.mesh().points().iter();
+    let discharge = bake.drainage.discharge.iter();
+    vec![
+        line(
+            "base mesh",
+            points.flat_map(|p| p.to_array()).map(f64::to_le_bytes),
+        ),
+        line("rain", bake.climate.rain.iter().map(|x| x.to_le_bytes())),
+        line("discharge", discharge.map(|x| x.to_le_bytes())),
+        line("control mesh", [format!("{:?}", bake.control)]),
+        line(
+            "ground at level 17",
+            heights(bake).iter().map(|x| x.to_le_bytes()),
+        ),
+    ]
+}
+
+/// Heights of the finest level at directions of chance.
+fn heights(bake: &Bake) -> Vec<f32> {
     let ground = PlanetGround::of_bake(bake, Rules::default()).unwrap();
     let stream = Stream::new(1, Purpose::ReliefSites, 1);
     let directions: Vec<_> = (0..400).map(|i| stream.direction(2 * i)).collect();
     let mut heights = vec![0.0; directions.len()];
     ground.heights(&directions, LEVELS, &mut heights).unwrap();
-    let line = |name: &str, feed: &dyn Fn(&mut blake3::Hasher)| {
-        let mut hasher = blake3::Hasher::new();
-        feed(&mut hasher);
-        format!("{name}: {}", short(&hasher))
-    };
-    let singles = |hasher: &mut blake3::Hasher, numbers: &[f32]| {
-        for x in numbers {
-            hasher.update(&x.to_bits().to_le_bytes());
-        }
-    };
-    vec![
-        line("base mesh", &|hasher| {
-            bake.mesh()
-                .points()
-                .iter()
-                .for_each(|p| floats(hasher, &p.to_array()))
-        }),
-        line("rain", &|hasher| singles(hasher, &bake.climate.rain)),
-        line("discharge", &|hasher| {
-            for x in &bake.drainage.discharge {
-                hasher.update(&x.to_le_bytes());
-            }
-        }),
-        line("control mesh", &|hasher| {
-            hasher.update(format!("{:?}", bake.control).as_bytes());
-        }),
-        line("ground at level 17", &|hasher| singles(hasher, &heights)),
-    ]
+    heights
+}
+
+/// A name with the hash of bytes.
+fn line<B: AsRef<[u8]>>(name: &str, parts: impl IntoIterator<Item = B>) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for part in parts {
+        hasher.update(part.as_ref());
+    }
+    format!("{name}: {}", short(&hasher))
 }
 
 #[test]

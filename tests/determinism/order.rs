@@ -108,6 +108,12 @@ fn set_going(world: &mut World, planet: Entity) {
     clock.frame_budget = Duration::from_millis(2);
 }
 
+/// Whether a planet has taken all its steps.
+fn is_done(app: &App, planet: Entity) -> bool {
+    let clock = app.world().get::<GeologicClock>(planet);
+    clock.is_some_and(|clock| clock.single_steps == 0)
+}
+
 /// Digests of planets that lived in one game, in the order of `recipes`, spawned in the order of
 /// chance.
 fn digests_of_a_game(recipes: &[PlanetRecipe], rng: &mut Rng) -> Vec<String> {
@@ -121,10 +127,6 @@ fn digests_of_a_game(recipes: &[PlanetRecipe], rng: &mut Rng) -> Vec<String> {
             .spawn(app.world_mut());
         set_going(app.world_mut(), planets[k]);
     }
-    let is_done = |app: &App, planet| {
-        let clock = app.world().get::<GeologicClock>(planet);
-        clock.is_some_and(|clock| clock.single_steps == 0)
-    };
     while !planets.iter().all(|&planet| is_done(&app, planet)) {
         app.update();
     }

@@ -4,6 +4,7 @@ use super::lively;
 use bevy_pangaea::io;
 use bevy_pangaea::io::save::{load, read_from, save, write_to};
 use bevy_pangaea::prelude::*;
+use pangaea_tests::order::{rift, set_param};
 use pangaea_tests::world::{command, digest, heard, listen, planet_app, spawn, state, steps};
 
 const STEPS: u64 = 34;
@@ -62,14 +63,7 @@ fn a_file_holds_all_state_and_replaces_an_older_one() {
     let (mut app, planet) = planet_app(&lively(5, 2000));
     save(&state(&app, planet), &path).unwrap();
     let old = std::fs::read(&path).unwrap();
-    command(
-        &mut app,
-        planet,
-        TectonicCommand::SetParam {
-            name: "erosion".into(),
-            value: 0.1,
-        },
-    );
+    command(&mut app, planet, set_param("erosion", 0.1));
     steps(&mut app, planet, 7);
     save(&state(&app, planet), &path).unwrap();
     assert!(old != std::fs::read(&path).unwrap());
@@ -115,41 +109,28 @@ fn equal_planets_give_equal_bytes_and_digests_see_every_column() {
     assert_eq!(digest, io::digest(&paused), "the wall clock is no state");
 }
 
+/// A rift at random that is to come.
+fn to_come(step: u64, plate: u32) -> TimedCommand {
+    TimedCommand {
+        step,
+        command: rift(PlateId(plate), &[], 2),
+    }
+}
+
 #[test]
 fn commands_that_are_still_to_come_are_saved() {
-    let tear = |step, plate| TimedCommand {
-        step,
-        command: TectonicCommand::RiftPlate {
-            plate: PlateId(plate),
-            line: Vec::new(),
-            fragments: 2,
-        },
-    };
-    let start = || {
-        let (mut app, planet) = planet_app(&lively(8, 3000));
-        let scenario = Scenario(vec![tear(9, 3), tear(2, 1), tear(6, 5)]);
-        app.world_mut().entity_mut(planet).insert(scenario);
-        steps(&mut app, planet, 5);
-        command(
-            &mut app,
-            planet,
-            TectonicCommand::SetParam {
-                name: "erosion".into(),
-                value: 0.2,
-            },
-        );
-        (app, planet)
-    };
-    let (mut app, planet) = start();
+    let (mut app, planet) = planet_app(&lively(8, 3000));
+    let scenario = Scenario(vec![to_come(9, 3), to_come(2, 1), to_come(6, 5)]);
+    app.world_mut().entity_mut(planet).insert(scenario);
+    steps(&mut app, planet, 5);
+    command(&mut app, planet, set_param("erosion", 0.2));
     let mut bytes = Vec::new();
     write_to(&state(&app, planet), &mut bytes).unwrap();
     steps(&mut app, planet, 10);
     let (mut again, loaded) = spawn(read_from(&bytes).unwrap());
     steps(&mut again, loaded, 10);
     assert_eq!(digest(&again, loaded), digest(&app, planet));
-    assert_eq!(
-        state(&again, loaded).recording.0.len(),
-        state(&app, planet).recording.0.len()
-    );
-    assert!(state(&again, loaded).pending.0.is_empty());
+    let [old, new] = [state(&app, planet), state(&again, loaded)];
+    assert_eq!(new.recording.0.len(), old.recording.0.len());
+    assert!(new.pending.0.is_empty());
 }

@@ -162,7 +162,7 @@ fn noise_is_coherent_and_leaves_the_ocean_alone() {
     let after = get::<Crust>(&app, planet);
     let mesh = get::<Lattice>(&app, planet);
     let change = |i: usize| after.elevation[i] - before.elevation[i];
-    let (mut own, mut step, mut n) = (0.0, 0.0, 0.0);
+    let [mut own, mut step, mut n] = [0.0; 3];
     for i in 0..before.len() {
         if !before.is_continental(i) {
             assert_eq!(change(i), 0.0);

@@ -60,17 +60,19 @@ fn a_second_resample_changes_no_bit() {
 #[derive(Resource, Default)]
 struct Before(Option<PlanetSurface>);
 
+/// Keeps the surface as it is now.
+fn look(world: &mut World) {
+    let planet = world.resource::<CurrentPlanet>().0;
+    project_now(world, planet);
+    let surface = world.get::<PlanetSurface>(planet).cloned();
+    world.resource_mut::<Before>().0 = surface;
+}
+
 #[test]
 fn pictures_just_before_and_after_a_resample_agree() {
     let (mut app, planet) = planet_app(&small(3, 20_000));
     app.init_resource::<Before>();
     listen::<CrustResampled>(&mut app);
-    let look = |world: &mut World| {
-        let planet = world.resource::<CurrentPlanet>().0;
-        project_now(world, planet);
-        let surface = world.get::<PlanetSurface>(planet).cloned();
-        world.resource_mut::<Before>().0 = surface;
-    };
     app.add_systems(
         TectonicStep,
         look.in_set(TectonicSystems::After(Stage::Relief)),

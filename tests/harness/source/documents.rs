@@ -47,11 +47,12 @@ impl Named {
     pub fn covers(&self, path: &str) -> bool {
         let folders = path.match_indices('/').map(|(i, _)| &path[..i]);
         let mut within = folders.filter(|folder| folder.contains("/src/"));
-        let names = |folder: &str| {
-            self.found.contains(&format!("{folder}/"))
-                || self.found.contains(&format!("{folder}.rs"))
-        };
-        self.found.contains(path) || within.any(names)
+        self.found.contains(path) || within.any(|folder| self.names_module(folder))
+    }
+
+    fn names_module(&self, folder: &str) -> bool {
+        let names = [format!("{folder}/"), format!("{folder}.rs")];
+        names.iter().any(|name| self.found.contains(name))
     }
 }
 

@@ -92,7 +92,7 @@ fn weights(sources: &[Source]) -> Figures {
 
 /// Documentation and comments.
 fn words(sources: &[Source]) -> Figures {
-    let (mut lines, mut docs, mut comments) = (0, 0, 0);
+    let [mut lines, mut docs, mut comments] = [0; 3];
     for source in sources {
         let code = code_lines(&tokens(&source.syntax));
         for (i, line) in source.text.lines().enumerate() {

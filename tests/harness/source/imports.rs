@@ -4,7 +4,9 @@
 //! through re-exports and private imports of modules on the way. Imports of tests do not count.
 
 use super::Source;
-use super::tokens::{Token, tokens};
+use super::circles::circles;
+use super::paths::{UsedPath, used_paths};
+use super::tokens::tokens;
 use std::collections::{BTreeMap, BTreeSet};
 use syn::{Item, UseTree};
 
@@ -53,8 +55,8 @@ struct Module {
     globs: Vec<ModulePath>,
     /// Names of the items that it defines.
     defined: BTreeSet<String>,
-    /// Paths into the crate: line, as written, from the root.
-    paths: Vec<(usize, String, ModulePath)>,
+    /// Paths into the crate as they are written, and from the root.
+    paths: Vec<(UsedPath, ModulePath)>,
 }
 
 /// Re-exports that are followed at most.
@@ -82,15 +84,15 @@ impl Modules {
     pub fn imports(&self) -> Vec<Import> {
         let mut found = BTreeSet::new();
         for module in self.modules.values().filter(|module| !self.is_root(module)) {
-            for (line, text, path) in &module.paths {
+            for (used, path) in &module.paths {
                 let Some(target) = self.find(path, LONGEST_CHAIN) else {
                     continue;
                 };
                 if target.file != module.file && !self.is_root(target) {
                     found.insert(Import {
                         from: module.file.clone(),
-                        line: *line,
-                        text: text.clone(),
+                        line: used.line,
+                        text: used.names.join("::"),
                         to: target.file.clone(),
                     });
                 }
@@ -102,18 +104,21 @@ impl Modules {
     /// Imports by a child of the module `parent` from a child that is declared later in it.
     pub fn from_later(&self, parent: &[&str]) -> Vec<Import> {
         let parent: ModulePath = parent.iter().map(ToString::to_string).collect();
-        let order = &self.modules[&parent].children;
-        let place = |file: &str| {
-            let path = module_path(&self.root, file);
-            let child = path.strip_prefix(parent.as_slice())?.first()?;
-            order.iter().position(|name| name == child)
-        };
+        let place = |file: &str| self.place(&parent, file);
         let mut imports = self.imports();
         imports.retain(|import| match (place(&import.from), place(&import.to)) {
             (Some(from), Some(to)) => to > from,
             _ => false,
         });
         imports
+    }
+
+    /// The place of the child that a file belongs to in the declarations of `parent`.
+    fn place(&self, parent: &[String], file: &str) -> Option<usize> {
+        let path = module_path(&self.root, file);
+        let child = path.strip_prefix(parent)?.first()?;
+        let mut order = self.modules.get(parent)?.children.iter();
+        order.position(|name| name == child)
     }
 
     /// Circles of files, each as the imports within it. A module and what lies in its folder are
@@ -186,9 +191,9 @@ impl Module {
             }
             module.defined.extend(name(item));
         }
-        for (line, text, names) in paths(&tokens(&source.production)) {
-            if let Some(absolute) = absolute(path, &names) {
-                module.paths.push((line, text, absolute));
+        for used in used_paths(&tokens(&source.production)) {
+            if let Some(absolute) = absolute(path, &used.names) {
+                module.paths.push((used, absolute));
             }
         }
         module
@@ -275,67 +280,6 @@ fn absolute(here: &[String], path: &[String]) -> Option<ModulePath> {
     Some(base)
 }
 
-/// All paths that begin with `crate`, `self` or `super`: line, text, names. Those of a group have
-/// each an entry.
-fn paths(tokens: &[Token]) -> Vec<(usize, String, Vec<String>)> {
-    let mut found = Vec::new();
-    let mut i = 0;
-    while i + 1 < tokens.len() {
-        let begins = matches!(tokens[i].text.as_str(), "crate" | "self" | "super");
-        if begins && tokens[i + 1].text == "::" {
-            let mut names = Vec::new();
-            i = tree(tokens, i, &mut names, &mut found);
-        } else {
-            i += 1;
-        }
-    }
-    found
-}
-
-/// Reads one path or tree of paths from token `i` on, and returns the token after it.
-fn tree(
-    tokens: &[Token],
-    mut i: usize,
-    names: &mut Vec<String>,
-    found: &mut Vec<(usize, String, Vec<String>)>,
-) -> usize {
-    let depth = names.len();
-    let text = |i: usize| tokens.get(i).map_or("", |token| token.text.as_str());
-    let line = tokens.get(i).map_or(0, |token| token.line);
-    while is_name(text(i)) {
-        names.push(text(i).into());
-        i += 1;
-        if text(i) != "::" || !(is_name(text(i + 1)) || text(i + 1) == "{") {
-            break;
-        }
-        i += 1;
-    }
-    if text(i) == "{" && i > 0 && text(i - 1) == "::" {
-        i += 1;
-        while i < tokens.len() && text(i) != "}" {
-            i = match text(i) {
-                "," | "*" => i + 1,
-                "as" => i + 2,
-                _ => tree(tokens, i, names, found),
-            };
-        }
-        i += 1;
-    } else if names.len() > depth {
-        // `a::{self}` is `a` itself.
-        let itself = names.len() > 1 && names.last().is_some_and(|last| last == "self");
-        let path = &names[..names.len() - usize::from(itself)];
-        found.push((line, path.join("::"), path.to_vec()));
-    } else {
-        i += 1;
-    }
-    names.truncate(depth);
-    i
-}
-
-fn is_name(text: &str) -> bool {
-    text.starts_with(|c: char| c.is_alphabetic() || c == '_')
-}
-
 /// The name of an item that can be imported.
 fn name(item: &Item) -> Option<String> {
     let ident = match item {
@@ -349,60 +293,6 @@ fn name(item: &Item) -> Option<String> {
         _ => return None,
     };
     Some(ident.to_string())
-}
-
-/// The groups of files, named by `room`, that reach each other, as the imports among them: the first
-/// of one file by another.
-fn circles(imports: &[Import], room: impl Fn(&str) -> String) -> Vec<Vec<Import>> {
-    let mut next: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-    for import in imports {
-        let (from, to) = (room(&import.from), room(&import.to));
-        if from != to {
-            next.entry(from).or_default().insert(to);
-        }
-    }
-    let reach: BTreeMap<&String, BTreeSet<&String>> = next
-        .keys()
-        .map(|start| (start, reachable(&next, start)))
-        .collect();
-    let meet = |a: &String, b: &String| {
-        let goes = |a, b| reach.get(a).is_some_and(|far| far.contains(b));
-        goes(a, b) && goes(b, a)
-    };
-    let mut pairs = BTreeSet::new();
-    let mut out: Vec<Vec<Import>> = Vec::new();
-    for import in imports {
-        let (from, to) = (room(&import.from), room(&import.to));
-        if from == to || !meet(&from, &to) {
-            continue;
-        }
-        if !pairs.insert((&import.from, &import.to)) {
-            continue;
-        }
-        let circle = out
-            .iter_mut()
-            .find(|circle| meet(&room(&circle[0].from), &from));
-        match circle {
-            Some(circle) => circle.push(import.clone()),
-            None => out.push(vec![import.clone()]),
-        }
-    }
-    out
-}
-
-/// All that can be reached from `start` in one step or more.
-fn reachable<'a>(
-    next: &'a BTreeMap<String, BTreeSet<String>>,
-    start: &str,
-) -> BTreeSet<&'a String> {
-    let mut seen = BTreeSet::new();
-    let mut open: Vec<&String> = next.get(start).into_iter().flatten().collect();
-    while let Some(place) = open.pop() {
-        if seen.insert(place) {
-            open.extend(next.get(place).into_iter().flatten());
-        }
-    }
-    seen
 }
 
 #[cfg(test)]
@@ -422,26 +312,6 @@ mod tests {
             .iter()
             .map(|import| (&import.from[4..], &import.to[4..]))
             .collect()
-    }
-
-    #[test]
-    fn paths_are_read_with_their_groups_and_lines() {
-        let file = syn::parse_file(
-            "use crate::a::{B, c::{self, D as E}, f::*};\nfn g() { super::super::h::<u8>(); }",
-        )
-        .unwrap();
-        let found: Vec<(usize, String)> = paths(&tokens(&file))
-            .into_iter()
-            .map(|(line, text, _)| (line, text))
-            .collect();
-        let expected = [
-            (1, "crate::a::B"),
-            (1, "crate::a::c"),
-            (1, "crate::a::c::D"),
-            (1, "crate::a::f"),
-            (2, "super::super::h"),
-        ];
-        assert_eq!(found, expected.map(|(line, text)| (line, text.to_string())));
     }
 
     #[test]

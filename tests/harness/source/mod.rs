@@ -4,16 +4,20 @@
 //! tokens     a file as the lexer of Rust sees it, without comments
 //! functions  length and weight of every function
 //! figures    the table that `tests/house` prints
+//! paths      paths within a crate, as they are written
 //! imports    which file uses which, re-exports followed
+//! circles    circles of imports
 //! names      types that are named twice, riddles
 //! documents  files that a document names
 //! ```
 
+pub mod circles;
 pub mod documents;
 pub mod figures;
 pub mod functions;
 pub mod imports;
 pub mod names;
+pub mod paths;
 pub mod tokens;
 
 use std::fs;
@@ -129,13 +133,15 @@ fn keep_production(items: &mut Vec<Item>) {
 /// `#[test]`, or `#[cfg(..)]` with `test` or `doctest` in it.
 fn is_test_only(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
-        let asks_for_tests = || {
-            let condition = tokens::tokens(&attribute.meta);
-            let mut words = condition.iter().map(|token| token.text.as_str());
-            words.any(|word| word == "test" || word == "doctest")
-        };
-        attribute.path().is_ident("test") || attribute.path().is_ident("cfg") && asks_for_tests()
+        let path = attribute.path();
+        path.is_ident("test") || path.is_ident("cfg") && asks_for_tests(attribute)
     })
+}
+
+fn asks_for_tests(condition: &Attribute) -> bool {
+    let words = tokens::tokens(&condition.meta);
+    let is_test = |word: &str| word == "test" || word == "doctest";
+    words.iter().any(|token| is_test(&token.text))
 }
 
 fn attributes(item: &Item) -> &[Attribute] {
