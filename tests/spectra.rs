@@ -98,6 +98,9 @@ fn power(profile: &[f64], k: usize) -> f64 {
     sums[0] * sums[0] + sums[1] * sums[1]
 }
 
+/// A thousandth of a millimetre, squared: flat facets have no logarithm.
+const FAINT: f64 = 1e-6;
+
 /// Mean and standard error, over edges, of ln(power across / power along) in each band.
 fn log_ratios(ground: &impl Ground, level: u8, edges: &[Cross]) -> [[f64; 2]; BANDS.len()] {
     let directions: Vec<DVec3> = edges
@@ -106,25 +109,22 @@ fn log_ratios(ground: &impl Ground, level: u8, edges: &[Cross]) -> [[f64; 2]; BA
         .collect();
     let mut heights = vec![0.0; directions.len()];
     ground.heights(&directions, level, &mut heights).unwrap();
-    let pairs: Vec<_> = heights
+    let ratios: Vec<[f64; BANDS.len()]> = heights
         .chunks_exact(2 * POINTS)
         .map(|pair| {
             let (along, across) = (powers(&pair[..POINTS]), powers(&pair[POINTS..]));
-            // A thousandth of a millimetre: flat facets have no logarithm.
-            core::array::from_fn::<f64, { BANDS.len() }, _>(|k| {
-                ((across[k] + 1e-6) / (along[k] + 1e-6)).ln()
-            })
+            core::array::from_fn(|k| ((across[k] + FAINT) / (along[k] + FAINT)).ln())
         })
         .collect();
-    let n = pairs.len() as f64;
-    core::array::from_fn(|k| {
-        let mean = pairs.iter().map(|pair| pair[k]).sum::<f64>() / n;
-        let square = pairs
-            .iter()
-            .map(|pair| (pair[k] - mean) * (pair[k] - mean))
-            .sum::<f64>();
-        [mean, (square / (n * (n - 1.0))).sqrt()]
-    })
+    core::array::from_fn(|k| mean_and_error(ratios.iter().map(|ratio| ratio[k])))
+}
+
+/// Mean of some values and its standard error.
+fn mean_and_error(values: impl ExactSizeIterator<Item = f64> + Clone) -> [f64; 2] {
+    let n = values.len() as f64;
+    let mean = values.clone().sum::<f64>() / n;
+    let square = values.map(|x| (x - mean) * (x - mean)).sum::<f64>();
+    [mean, (square / (n * (n - 1.0))).sqrt()]
 }
 
 /// Edges of the control mesh without a river whose four vertices around all belong; evenly drawn.

@@ -45,21 +45,26 @@ fn short(hasher: &blake3::Hasher) -> String {
     hasher.finalize().to_hex()[..16].to_string()
 }
 
+/// The numbers of one column in the order of the hash.
+fn numbers(crust: &Crust, i: usize) -> impl Iterator<Item = f32> {
+    let scalars = [
+        crust.thickness[i],
+        crust.elevation[i],
+        crust.ocean_age[i],
+        crust.orogeny_age[i],
+    ];
+    let vectors = [crust.ridge[i], crust.fold[i]];
+    scalars
+        .into_iter()
+        .chain(vectors.into_iter().flat_map(|v| v.to_array()))
+}
+
 fn hash(snapshot: &Snapshot) -> String {
     let mut hasher = blake3::Hasher::new();
     let crust = &snapshot.crust;
     for i in 0..crust.len() {
-        let numbers = [
-            crust.thickness[i],
-            crust.elevation[i],
-            crust.ocean_age[i],
-            crust.orogeny_age[i],
-        ];
-        let vectors = [crust.ridge[i], crust.fold[i]]
-            .into_iter()
-            .flat_map(|v| v.to_array());
-        for x in numbers.into_iter().chain(vectors) {
-            hasher.update(&x.to_bits().to_le_bytes());
+        for number in numbers(crust, i) {
+            hasher.update(&number.to_le_bytes());
         }
         hasher.update(&crust.frame[i].to_le_bytes());
         hasher.update(&[crust.kind[i] as u8, crust.orogeny[i] as u8]);
@@ -70,16 +75,8 @@ fn hash(snapshot: &Snapshot) -> String {
     }
     for (id, motion, born) in &snapshot.plates {
         hasher.update(&id.0.to_le_bytes());
-        floats(
-            &mut hasher,
-            &[
-                motion.axis.x,
-                motion.axis.y,
-                motion.axis.z,
-                motion.speed,
-                *born,
-            ],
-        );
+        floats(&mut hasher, &motion.axis.to_array());
+        floats(&mut hasher, &[motion.speed, *born]);
     }
     for segment in &snapshot.polarity.0 {
         hasher.update(format!("{segment:?}").as_bytes());
@@ -97,13 +94,10 @@ fn stages() -> Vec<String> {
     let seen = Arc::new(Mutex::new(Vec::new()));
     let log = Arc::clone(&seen);
     probe(&mut app, move |change| {
-        if STEPS.contains(&change.step) && !matches!(change.stage, Stage::Commit | Stage::Surface) {
-            let line = format!(
-                "step {}, {}: {}",
-                change.step,
-                change.stage.name(),
-                hash(&change.after)
-            );
+        let ends_step = matches!(change.stage, Stage::Commit | Stage::Surface);
+        if STEPS.contains(&change.step) && !ends_step {
+            let (step, name) = (change.step, change.stage.name());
+            let line = format!("step {step}, {name}: {}", hash(&change.after));
             log.lock().unwrap().push(line);
         }
     });

@@ -6,11 +6,12 @@ use bevy_pangaea::math::{angle_between, lat_lon};
 use bevy_pangaea::plate::PlateId;
 use bevy_pangaea::plate::boundary::Rim;
 use bevy_pangaea::plate::contact::{Contacts, Role};
-use bevy_pangaea::plate::polarity::PolarityMemory;
+use bevy_pangaea::plate::polarity::{Pair, PolarityMemory};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::sphere::SphereMesh;
 use pangaea_tests::shape::{Floor, hemispheres, shaped, small};
 use pangaea_tests::world::{get, planet_app, plates, spawn, steps, surface};
+use std::collections::BTreeMap;
 
 /// Two oceans of given ages that close at the meridian 0.
 fn closing_oceans(west: f32, east: f32) -> (App, Entity) {
@@ -91,42 +92,48 @@ fn ocean_goes_under_a_continent_however_young() {
     assert!(seen > 20);
 }
 
+/// Steps at which each segment of a front turned over.
+type Flips = BTreeMap<(Pair, u16), Vec<u64>>;
+
+/// Notes the segments whose polarity is another one than before.
+fn note_flips(flips: &mut Flips, last: &PolarityMemory, now: &PolarityMemory, step: u64) {
+    let first_under: BTreeMap<_, _> = now
+        .0
+        .iter()
+        .map(|segment| ((segment.pair, segment.bin), segment.first_under))
+        .collect();
+    for segment in &last.0 {
+        let key = (segment.pair, segment.bin);
+        if first_under
+            .get(&key)
+            .is_some_and(|&under| under != segment.first_under)
+        {
+            flips.entry(key).or_default().push(step);
+        }
+    }
+}
+
 #[test]
 fn polarity_does_not_flicker() {
     let (mut app, planet) = planet_app(&small(2, 20_000));
     steps(&mut app, planet, 1);
-    let mut flips: std::collections::BTreeMap<_, Vec<u64>> = std::collections::BTreeMap::new();
+    let mut flips = Flips::new();
     let mut last = get::<PolarityMemory>(&app, planet).clone();
-    let mut segments = 0;
     for step in 0..20 {
         steps(&mut app, planet, 1);
         let now = get::<PolarityMemory>(&app, planet).clone();
-        for segment in &last.0 {
-            let same = now
-                .0
-                .iter()
-                .find(|s| (s.pair, s.bin) == (segment.pair, segment.bin));
-            if same.is_some_and(|same| same.first_under != segment.first_under) {
-                flips
-                    .entry((segment.pair, segment.bin))
-                    .or_default()
-                    .push(step);
-            }
-        }
-        segments = now.0.len();
+        note_flips(&mut flips, &last, &now, step);
         last = now;
     }
+    let segments = last.0.len();
     assert!(segments > 50);
     // A segment may turn over when other floor arrives, but not back and forth from step to step.
-    let hasty = flips
-        .values()
-        .filter(|steps| steps.windows(2).any(|w| w[1] - w[0] < 5))
-        .count();
-    assert_eq!(hasty, 0, "of {segments} segments: {flips:?}");
+    let is_hasty = |steps: &&Vec<u64>| steps.windows(2).any(|pair| pair[1] - pair[0] < 5);
+    assert_eq!(flips.values().filter(is_hasty).count(), 0, "{flips:?}");
+    let turned = flips.len();
     assert!(
-        flips.len() * 10 < segments,
-        "{} of {segments} segments turned over",
-        flips.len()
+        turned * 10 < segments,
+        "{turned} of {segments} segments turned over"
     );
 }
 
