@@ -103,22 +103,24 @@ fn a_clock_stops_at_the_time_that_it_was_told() {
     );
 }
 
+/// Digests of planets that grow in apps of their own.
+fn digests_alone(recipes: &[PlanetRecipe], count: u64) -> Vec<String> {
+    let alone = recipes.iter().map(|recipe| {
+        let (mut app, planet) = planet_app(recipe);
+        steps(&mut app, planet, count);
+        digest(&app, planet)
+    });
+    alone.collect()
+}
+
 #[test]
 fn planets_of_one_world_do_not_disturb_each_other() {
     let recipes = [lively(1, 3000), lively(2, 4000), lively(3, 2500)];
-    let alone: Vec<String> = recipes
-        .iter()
-        .map(|recipe| {
-            let (mut app, planet) = planet_app(recipe);
-            steps(&mut app, planet, 24);
-            digest(&app, planet)
-        })
-        .collect();
     let mut app = app();
-    let planets: Vec<Entity> = recipes
-        .iter()
-        .map(|recipe| PlanetState::new(recipe).unwrap().spawn(app.world_mut()))
-        .collect();
+    let world = app.world_mut();
+    let planets = recipes
+        .each_ref()
+        .map(|recipe| PlanetState::new(recipe).unwrap().spawn(world));
     for round in 0..12 {
         for k in 0..3 {
             // Interleaved, in changing order, one of them in slices.
@@ -127,8 +129,8 @@ fn planets_of_one_world_do_not_disturb_each_other() {
             while !run_slice(app.world_mut(), planet, Some(Instant::now())) {}
         }
     }
-    let together: Vec<String> = planets.iter().map(|&planet| digest(&app, planet)).collect();
-    assert_eq!(alone, together);
+    let together = planets.map(|planet| digest(&app, planet));
+    assert_eq!(digests_alone(&recipes, 24), together);
 }
 
 #[test]

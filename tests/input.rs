@@ -1,6 +1,7 @@
 //! Bad input: every number of a recipe that no planet can have is refused, and every one that it
 //! may have works.
 
+use bevy::prelude::*;
 use bevy_pangaea::planet::{DiscRecipe, PlanetError, PlateRecipe};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::spawn::{PlanetState, SpawnPlanet};
@@ -160,6 +161,7 @@ fn unchecked(name: &str, value: f64) -> TectonicParams {
 fn every_parameter_works_at_its_limits() {
     for info in TectonicParams::TABLE {
         for value in [info.min, info.max] {
+            let place = format!("{} = {value}", info.name);
             let recipe = recipe(|r| {
                 r.samples = 600;
                 r.plate_count = 12;
@@ -168,57 +170,38 @@ fn every_parameter_works_at_its_limits() {
             let (mut app, planet) = planet_app(&recipe);
             steps(&mut app, planet, 30);
             let crust = get::<Crust>(&app, planet);
-            let numbers = crust
-                .elevation
-                .iter()
-                .chain(&crust.thickness)
-                .chain(&crust.ocean_age);
+            let columns = [&crust.elevation, &crust.thickness, &crust.ocean_age];
             assert!(
-                numbers.into_iter().all(|x| x.is_finite()),
-                "{} = {value}",
-                info.name
+                columns.into_iter().flatten().all(|x| x.is_finite()),
+                "{place}"
             );
-            assert!(
-                crust.thickness.iter().all(|&e| e > 0.0),
-                "{} = {value}",
-                info.name
-            );
+            assert!(crust.thickness.iter().all(|&e| e > 0.0), "{place}");
             let ledger = get::<Ledger>(&app, planet);
-            assert!(
-                ledger.unexplained_volume_max < 1e-5,
-                "{} = {value}: {ledger:?}",
-                info.name
-            );
+            assert!(ledger.unexplained_volume_max < 1e-5, "{place}: {ledger:?}");
         }
     }
+}
+
+/// Number of planets in an app after a recipe of so many samples was spawned.
+fn planets_after_spawning(app: &mut App, samples: u32) -> usize {
+    let world = app.world_mut();
+    world
+        .commands()
+        .spawn_planet(recipe(|r| r.samples = samples));
+    world.flush();
+    world.query::<&Planet>().iter(world).count()
 }
 
 #[test]
 fn a_refused_recipe_spawns_nothing() {
     let mut app = app();
-    app.world_mut()
-        .commands()
-        .spawn_planet(recipe(|r| r.samples = 0));
-    app.world_mut().flush();
+    assert_eq!(planets_after_spawning(&mut app, 0), 0);
     assert_eq!(
-        app.world_mut().query::<&Planet>().iter(app.world()).count(),
-        0
-    );
-    app.world_mut()
-        .commands()
-        .spawn_planet(recipe(|r| r.samples = 200));
-    app.world_mut().flush();
-    assert_eq!(
-        app.world_mut().query::<&Planet>().iter(app.world()).count(),
+        planets_after_spawning(&mut app, 200),
         0,
         "40 plates need 400 samples"
     );
-    app.world_mut().commands().spawn_planet(recipe(|_| {}));
-    app.world_mut().flush();
-    assert_eq!(
-        app.world_mut().query::<&Planet>().iter(app.world()).count(),
-        1
-    );
+    assert_eq!(planets_after_spawning(&mut app, 1000), 1);
     app.update();
 }
 

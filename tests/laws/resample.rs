@@ -91,22 +91,24 @@ fn pictures_just_before_and_after_a_resample_agree() {
     assert!(compared >= 2, "{compared} resamples");
 }
 
+/// Asserts that few samples of two surfaces differ, and by little.
 fn compare(before: &Surface, after: &Surface) {
     let n = before.len();
-    let share =
-        |differs: &dyn Fn(usize) -> bool| (0..n).filter(|&i| differs(i)).count() as f64 / n as f64;
-    let moved = share(&|i| (before.elevation(i) - after.elevation(i)).abs() > 0.05);
+    let percent = |differs: &dyn Fn(usize) -> bool| {
+        100.0 * (0..n).filter(|&i| differs(i)).count() as f64 / n as f64
+    };
+    let moved = percent(&|i| (before.elevation(i) - after.elevation(i)).abs() > 0.05);
     assert!(
-        moved < 0.03,
-        "{:.2} % of the samples move by more than 50 m",
-        100.0 * moved
+        moved < 3.0,
+        "{moved:.2} % of the samples move by more than 50 m"
     );
-    let kind = share(&|i| before.crust.kind[i] != after.crust.kind[i]);
-    assert!(kind < 0.005, "{:.2} % change their kind", 100.0 * kind);
-    let plate = share(&|i| before.plate[i] != after.plate[i]);
-    assert!(plate < 0.02, "{:.2} % change their plate", 100.0 * plate);
-    let aged = share(&|i| (before.crust.ocean_age[i] - after.crust.ocean_age[i]).abs() > 2.1);
-    assert!(aged < 0.01, "{:.2} % age by more than a step", 100.0 * aged);
+    let kind = percent(&|i| before.crust.kind[i] != after.crust.kind[i]);
+    assert!(kind < 0.5, "{kind:.2} % change their kind");
+    let plate = percent(&|i| before.plate[i] != after.plate[i]);
+    assert!(plate < 2.0, "{plate:.2} % change their plate");
+    let ages = [before, after].map(|surface| &surface.crust.ocean_age);
+    let aged = percent(&|i| (ages[0][i] - ages[1][i]).abs() > 2.1);
+    assert!(aged < 1.0, "{aged:.2} % age by more than a step");
 }
 
 #[test]
