@@ -4,6 +4,7 @@
 use bevy::app::PluginGroup;
 use bevy::prelude::*;
 use bevy_pangaea::crust::Cause;
+use bevy_pangaea::crust::isostasy::Isostasy;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::process::{
     collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
@@ -25,7 +26,7 @@ fn lively(seed: u64) -> PlanetRecipe {
     recipe
 }
 
-/// What a stage may write, as the table of the processes says.
+/// Names of all that a stage may write, as the table of the processes says.
 fn declared(stage: Stage) -> &'static [&'static str] {
     match stage {
         Stage::Commands | Stage::Projection => &[],
@@ -107,24 +108,27 @@ fn every_stage_writes_what_it_declares() {
     });
     steps(&mut app, planet, 50);
     let seen = seen.lock().unwrap();
-    for (stage, column) in [
-        (Stage::Drift, "frames"),
-        (Stage::Contact, "polarity"),
-        (Stage::Subduction, "elevation"),
-        (Stage::SlabPull, "plates"),
-        (Stage::Collision, "frame"),
-        (Stage::Rifting, "plates"),
-        (Stage::SurfaceProcesses, "ocean_age"),
-        (Stage::Resample, "ridge"),
-        (Stage::Commit, "clock"),
-    ] {
+    for (stage, column) in WRITTEN {
+        let name = stage.name();
         assert!(
             seen.contains(&(stage, column)),
-            "{} never wrote {column}",
-            stage.name()
+            "{name} never wrote {column}"
         );
     }
 }
+
+/// Something that each stage has written by the end of a lively history.
+const WRITTEN: [(Stage, &str); 9] = [
+    (Stage::Drift, "frames"),
+    (Stage::Contact, "polarity"),
+    (Stage::Subduction, "elevation"),
+    (Stage::SlabPull, "plates"),
+    (Stage::Collision, "frame"),
+    (Stage::Rifting, "plates"),
+    (Stage::SurfaceProcesses, "ocean_age"),
+    (Stage::Resample, "ridge"),
+    (Stage::Commit, "clock"),
+];
 
 #[test]
 fn a_process_that_is_off_writes_nothing() {
@@ -154,35 +158,49 @@ fn a_process_that_is_off_writes_nothing() {
     }
 }
 
-#[test]
-fn relief_processes_that_are_off_book_and_move_nothing() {
-    for name in ["erosion", "noise", "subsidence", "sediment"] {
-        let (mut app, planet) = planet_app(&lively(2));
-        *params(&mut app, planet).processes.get_mut(name).unwrap() = false;
-        let floor = bevy_pangaea::crust::isostasy::Isostasy::new(get(&app, planet));
-        probe(&mut app, move |change| {
-            if change.stage != Stage::SurfaceProcesses {
-                return;
-            }
-            let (before, after) = (&change.before.crust, &change.after.crust);
-            for i in (0..before.len()).filter(|&i| !before.is_continental(i)) {
-                let (was, is) = (before.elevation[i], after.elevation[i]);
-                let above = was >= floor.elevation(before.thickness[i]);
-                match name {
-                    "subsidence" if above => assert_eq!(was, is, "floor sank"),
-                    "sediment" if !above => assert_eq!(was, is, "floor was filled"),
-                    _ => {}
-                }
-            }
-        });
-        steps(&mut app, planet, 30);
-        let ledger = get::<Ledger>(&app, planet);
-        match name {
-            "erosion" => assert_eq!(ledger.of(Cause::Erosion).volume, 0.0),
-            "noise" => assert_eq!(ledger.of(Cause::Noise).volume, 0.0),
-            _ => assert!(ledger.of(Cause::Erosion).volume < 0.0),
+/// Lets a planet grow without one process and shows each of its relief stages to `look`.
+fn without_process(name: &str, look: impl Fn(&Change) + Send + Sync + 'static) -> Ledger {
+    let (mut app, planet) = planet_app(&lively(2));
+    *params(&mut app, planet).processes.get_mut(name).unwrap() = false;
+    probe(&mut app, move |change| {
+        if change.stage == Stage::SurfaceProcesses {
+            look(change);
         }
-    }
+    });
+    steps(&mut app, planet, 30);
+    get::<Ledger>(&app, planet).clone()
+}
+
+/// Elevations in km of ocean floor before and after a stage, with the one at which it floats.
+fn ocean_floor(change: &Change) -> impl Iterator<Item = [f32; 3]> {
+    let (before, after) = (&change.before.crust, &change.after.crust);
+    let law = Isostasy::new(&lively(2).params);
+    let floor = (0..before.len()).filter(|&i| !before.is_continental(i));
+    floor.map(move |i| {
+        let rest = law.elevation(before.thickness[i]);
+        [before.elevation[i], after.elevation[i], rest]
+    })
+}
+
+#[test]
+fn erosion_and_noise_that_are_off_book_nothing() {
+    let ledger = without_process("erosion", |_| {});
+    assert_eq!(ledger.of(Cause::Erosion).volume, 0.0);
+    let ledger = without_process("noise", |_| {});
+    assert_eq!(ledger.of(Cause::Noise).volume, 0.0);
+    assert!(ledger.of(Cause::Erosion).volume < 0.0);
+}
+
+#[test]
+fn without_subsidence_no_floor_sinks_and_without_sediment_none_is_filled() {
+    without_process("subsidence", |change| {
+        let mut high = ocean_floor(change).filter(|[was, _, rest]| was >= rest);
+        assert!(high.all(|[was, is, _]| was == is), "floor sank");
+    });
+    without_process("sediment", |change| {
+        let mut low = ocean_floor(change).filter(|[was, _, rest]| was < rest);
+        assert!(low.all(|[was, is, _]| was == is), "floor was filled");
+    });
 }
 
 #[test]
@@ -290,15 +308,18 @@ fn a_process_can_be_replaced() {
 
 #[test]
 fn an_ambiguous_system_is_an_error() {
-    let clash = || {
-        let (mut app, planet) = planet_app(&small(1, 500));
-        let set = TectonicSystems::After(Stage::SurfaceProcesses);
-        app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
-        app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
-        steps(&mut app, planet, 1);
-    };
+    let result = std::panic::catch_unwind(clash);
     assert!(
-        std::panic::catch_unwind(clash).is_err(),
+        result.is_err(),
         "two systems that write the crust in no order were accepted"
     );
+}
+
+/// A step with two systems that write the crust in no order.
+fn clash() {
+    let (mut app, planet) = planet_app(&small(1, 500));
+    let set = TectonicSystems::After(Stage::SurfaceProcesses);
+    app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
+    app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
+    steps(&mut app, planet, 1);
 }

@@ -2,6 +2,7 @@
 //! in any slices, across a save, in a replay, and as committed.
 
 mod golden;
+mod order;
 mod replay;
 mod save;
 
@@ -20,22 +21,21 @@ fn lively(seed: u64, samples: u32) -> PlanetRecipe {
     recipe
 }
 
+/// Digest of a planet that has grown on a number of threads.
+fn digest_on_threads(threads: usize) -> String {
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    builder.build().unwrap().install(|| {
+        let (mut app, planet) = planet_app(&lively(9, 12_000));
+        steps(&mut app, planet, 30);
+        digest(&app, planet)
+    })
+}
+
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
-            let (mut app, planet) = planet_app(&lively(9, 12_000));
-            steps(&mut app, planet, 30);
-            digest(&app, planet)
-        })
-    };
-    let one = run(1);
-    assert_eq!(one, run(2));
-    assert_eq!(one, run(5));
+    let one = digest_on_threads(1);
+    assert_eq!(one, digest_on_threads(2));
+    assert_eq!(one, digest_on_threads(5));
 }
 
 #[test]
@@ -109,22 +109,24 @@ fn a_clock_stops_at_the_time_that_it_was_told() {
     );
 }
 
+/// Digests of planets that grow in apps of their own.
+fn digests_alone(recipes: &[PlanetRecipe], count: u64) -> Vec<String> {
+    let alone = recipes.iter().map(|recipe| {
+        let (mut app, planet) = planet_app(recipe);
+        steps(&mut app, planet, count);
+        digest(&app, planet)
+    });
+    alone.collect()
+}
+
 #[test]
 fn planets_of_one_world_do_not_disturb_each_other() {
     let recipes = [lively(1, 3000), lively(2, 4000), lively(3, 2500)];
-    let alone: Vec<String> = recipes
-        .iter()
-        .map(|recipe| {
-            let (mut app, planet) = planet_app(recipe);
-            steps(&mut app, planet, 24);
-            digest(&app, planet)
-        })
-        .collect();
     let mut app = app();
-    let planets: Vec<Entity> = recipes
-        .iter()
-        .map(|recipe| PlanetState::new(recipe).unwrap().spawn(app.world_mut()))
-        .collect();
+    let world = app.world_mut();
+    let planets = recipes
+        .each_ref()
+        .map(|recipe| PlanetState::new(recipe).unwrap().spawn(world));
     for round in 0..12 {
         for k in 0..3 {
             // Interleaved, in changing order, one of them in slices.
@@ -133,16 +135,16 @@ fn planets_of_one_world_do_not_disturb_each_other() {
             while !run_time_slice(app.world_mut(), planet, Some(Instant::now())) {}
         }
     }
-    let together: Vec<String> = planets.iter().map(|&planet| digest(&app, planet)).collect();
-    assert_eq!(alone, together);
+    let together = planets.map(|planet| digest(&app, planet));
+    assert_eq!(digests_alone(&recipes, 24), together);
 }
 
 #[test]
 fn another_seed_is_another_planet() {
-    let of = |seed| {
+    let [first, again, other] = [1, 1, 2].map(|seed| {
         let (app, planet) = planet_app(&small(seed, 1000));
         digest(&app, planet)
-    };
-    assert_eq!(of(1), of(1));
-    assert_ne!(of(1), of(2));
+    });
+    assert_eq!(first, again);
+    assert_ne!(first, other);
 }

@@ -1,6 +1,8 @@
 //! Bad input: every number of a recipe that no planet can have is refused, and every one that it
 //! may have works.
 
+use bevy::prelude::*;
+use bevy_pangaea::planet::{DiscRecipe, PlanetError, PlateRecipe};
 use bevy_pangaea::prelude::*;
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{app, get, heard, listen, planet_app, steps};
@@ -74,81 +76,39 @@ fn numbers_of_plates() {
     assert!(recipe(|r| r.plate_count = 100).validate().is_ok());
 }
 
+/// A recipe of two plates: a good one and one that turns about a pole.
+fn two_plates(centroid: (f64, f64), pole: (f64, f64), speed: f64) -> PlanetRecipe {
+    let other = PlateRecipe {
+        centroid: (-10.0, -160.0),
+        pole: None,
+        speed: 0.0,
+    };
+    let plate = PlateRecipe {
+        centroid,
+        pole: Some(pole),
+        speed,
+    };
+    recipe(|r| r.plates = vec![other, plate])
+}
+
 #[test]
 fn plates_given_one_by_one() {
-    let plate = PlateRecipe {
-        centroid: (10.0, 20.0),
-        pole: Some((30.0, 40.0)),
-        speed: 50.0,
-    };
-    let with = |plate: PlateRecipe| {
-        let other = PlateRecipe {
-            centroid: (-10.0, -160.0),
-            pole: None,
-            speed: 0.0,
-        };
-        recipe(|r| r.plates = vec![other, plate])
-    };
-    assert!(with(plate.clone()).validate().is_ok());
-    refused(
-        "one plate alone",
-        &recipe(|r| r.plates = vec![plate.clone()]),
-    );
-    refused(
-        "too many plates",
-        &recipe(|r| r.plates = vec![plate.clone(); 200]),
-    );
+    const GOOD: (f64, f64) = (10.0, 20.0);
+    let good = two_plates(GOOD, GOOD, 50.0);
+    assert!(good.validate().is_ok());
     for bad in BAD {
-        refused(
-            "latitude",
-            &with(PlateRecipe {
-                centroid: (bad, 0.0),
-                ..plate.clone()
-            }),
-        );
-        refused(
-            "longitude",
-            &with(PlateRecipe {
-                centroid: (0.0, bad),
-                ..plate.clone()
-            }),
-        );
-        refused(
-            "pole",
-            &with(PlateRecipe {
-                pole: Some((bad, 0.0)),
-                ..plate.clone()
-            }),
-        );
-        refused(
-            "pole",
-            &with(PlateRecipe {
-                pole: Some((0.0, bad)),
-                ..plate.clone()
-            }),
-        );
-        refused(
-            "speed",
-            &with(PlateRecipe {
-                speed: bad,
-                ..plate.clone()
-            }),
-        );
+        refused("latitude", &two_plates((bad, 0.0), GOOD, 50.0));
+        refused("longitude", &two_plates((0.0, bad), GOOD, 50.0));
+        refused("pole", &two_plates(GOOD, (bad, 0.0), 50.0));
+        refused("pole", &two_plates(GOOD, (0.0, bad), 50.0));
+        refused("speed", &two_plates(GOOD, GOOD, bad));
     }
-    refused(
-        "latitude",
-        &with(PlateRecipe {
-            centroid: (90.1, 0.0),
-            ..plate.clone()
-        }),
-    );
-    refused(
-        "speed",
-        &with(PlateRecipe {
-            speed: -300.1,
-            ..plate
-        }),
-    );
+    refused("latitude", &two_plates((90.1, 0.0), GOOD, 50.0));
+    refused("speed", &two_plates(GOOD, GOOD, -300.1));
+    let alone = good.plates[..1].to_vec();
+    refused("one plate alone", &recipe(|r| r.plates = alone));
+    let many = vec![good.plates[1].clone(); 200];
+    refused("too many plates", &recipe(|r| r.plates = many));
 }
 
 #[test]
@@ -200,6 +160,7 @@ fn unchecked(name: &str, value: f64) -> TectonicParams {
 fn every_parameter_works_at_its_limits() {
     for info in TectonicParams::TABLE {
         for value in [info.min, info.max] {
+            let place = format!("{} = {value}", info.name);
             let recipe = recipe(|r| {
                 r.samples = 600;
                 r.plate_count = 12;
@@ -208,27 +169,14 @@ fn every_parameter_works_at_its_limits() {
             let (mut app, planet) = planet_app(&recipe);
             steps(&mut app, planet, 30);
             let crust = get::<Crust>(&app, planet);
-            let numbers = crust
-                .elevation
-                .iter()
-                .chain(&crust.thickness)
-                .chain(&crust.ocean_age);
+            let columns = [&crust.elevation, &crust.thickness, &crust.ocean_age];
             assert!(
-                numbers.into_iter().all(|x| x.is_finite()),
-                "{} = {value}",
-                info.name
+                columns.into_iter().flatten().all(|x| x.is_finite()),
+                "{place}"
             );
-            assert!(
-                crust.thickness.iter().all(|&e| e > 0.0),
-                "{} = {value}",
-                info.name
-            );
+            assert!(crust.thickness.iter().all(|&e| e > 0.0), "{place}");
             let ledger = get::<Ledger>(&app, planet);
-            assert!(
-                ledger.unexplained_volume_max < 1e-5,
-                "{} = {value}: {ledger:?}",
-                info.name
-            );
+            assert!(ledger.unexplained_volume_max < 1e-5, "{place}: {ledger:?}");
         }
     }
 }

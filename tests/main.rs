@@ -9,10 +9,14 @@ mod belts;
 mod commands;
 mod contracts;
 mod determinism;
+mod fast_paths;
+mod fuzz;
 mod input;
 mod laws;
 mod planets;
+mod soak;
 mod spectra;
+mod structure;
 
 #[cfg(feature = "render")]
 mod shaders;

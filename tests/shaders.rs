@@ -4,7 +4,7 @@
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use pangaea_shaders::globe::{LIBRARIES, PASSES, WgslSource};
 
-/// What passes import from the renderer.
+/// Stand-ins for the modules of the renderer that passes import.
 const RENDERER: &str = "
     struct View { world_position: vec3<f32>, viewport: vec4<f32>, }
     @group(0) @binding(0) var<uniform> view: View;

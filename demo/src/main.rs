@@ -32,6 +32,9 @@ mod picture;
 
 mod explorer;
 
+#[cfg(test)]
+mod fuzz_tests;
+
 use bevy_pangaea::io::load;
 use clap::{Parser, error::ErrorKind};
 use cli::{Cli, Command};

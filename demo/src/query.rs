@@ -33,7 +33,7 @@ pub fn query(args: &QueryArgs) -> Result<(), CliError> {
 }
 
 /// Reads lines "lat,lon"; empty lines are passed over.
-fn read_places(mut input: impl BufRead) -> Result<Vec<PlaceSpec>, CliError> {
+pub fn read_places(mut input: impl BufRead) -> Result<Vec<PlaceSpec>, CliError> {
     let mut places = Vec::new();
     let mut line = Vec::new();
     for number in 1.. {

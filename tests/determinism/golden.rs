@@ -5,7 +5,7 @@
 
 use super::lively;
 use bevy::prelude::*;
-use bevy_pangaea::control::{BakeSettings, PlanetBake, bake_now};
+use bevy_pangaea::control::{Bake, BakeSettings, PlanetBake, bake_now};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::query::{Ground, LEVELS, PlanetGround, Rules};
 use bevy_pangaea::random::{Purpose, Stream};
@@ -45,21 +45,26 @@ fn short(hasher: &blake3::Hasher) -> String {
     hasher.finalize().to_hex()[..16].to_string()
 }
 
+/// The numbers of one column in the order of the hash.
+fn numbers(crust: &Crust, i: usize) -> impl Iterator<Item = f32> {
+    let scalars = [
+        crust.thickness[i],
+        crust.elevation[i],
+        crust.ocean_age[i],
+        crust.orogeny_age[i],
+    ];
+    let vectors = [crust.ridge[i], crust.fold[i]];
+    scalars
+        .into_iter()
+        .chain(vectors.into_iter().flat_map(|v| v.to_array()))
+}
+
 fn hash(snapshot: &Snapshot) -> String {
     let mut hasher = blake3::Hasher::new();
     let crust = &snapshot.crust;
     for i in 0..crust.len() {
-        let numbers = [
-            crust.thickness[i],
-            crust.elevation[i],
-            crust.ocean_age[i],
-            crust.orogeny_age[i],
-        ];
-        let vectors = [crust.ridge[i], crust.fold[i]]
-            .into_iter()
-            .flat_map(|v| v.to_array());
-        for x in numbers.into_iter().chain(vectors) {
-            hasher.update(&x.to_bits().to_le_bytes());
+        for number in numbers(crust, i) {
+            hasher.update(&number.to_le_bytes());
         }
         hasher.update(&crust.frame[i].to_le_bytes());
         hasher.update(&[crust.kind[i] as u8, crust.orogeny[i] as u8]);
@@ -70,16 +75,8 @@ fn hash(snapshot: &Snapshot) -> String {
     }
     for (id, motion, born) in &snapshot.plates {
         hasher.update(&id.0.to_le_bytes());
-        floats(
-            &mut hasher,
-            &[
-                motion.axis.x,
-                motion.axis.y,
-                motion.axis.z,
-                motion.speed,
-                *born,
-            ],
-        );
+        floats(&mut hasher, &motion.axis.to_array());
+        floats(&mut hasher, &[motion.speed, *born]);
     }
     for segment in &snapshot.polarity.0 {
         hasher.update(format!("{segment:?}").as_bytes());
@@ -97,15 +94,10 @@ fn stages() -> Vec<String> {
     let seen = Arc::new(Mutex::new(Vec::new()));
     let log = Arc::clone(&seen);
     probe(&mut app, move |change| {
-        if STEPS.contains(&change.step)
-            && !matches!(change.stage, Stage::Commit | Stage::Projection)
-        {
-            let line = format!(
-                "step {}, {}: {}",
-                change.step,
-                change.stage.name(),
-                hash(&change.after)
-            );
+        let ends_step = matches!(change.stage, Stage::Commit | Stage::Projection);
+        if STEPS.contains(&change.step) && !ends_step {
+            let (step, name) = (change.step, change.stage.name());
+            let line = format!("step {step}, {name}: {}", hash(&change.after));
             log.lock().unwrap().push(line);
         }
     });
@@ -132,39 +124,40 @@ fn ground(app: &mut App, planet: Entity) -> Vec<String> {
     bake_now(app.world_mut(), planet).unwrap();
     assert_eq!(digest(app, planet), digest_before, "a bake changes nothing");
     let bake = get::<PlanetBake>(app, planet);
+    let points = bake.mesh().points().iter();
+    let discharge = bake.drainage.discharge.iter();
+    vec![
+        line(
+            "base mesh",
+            points.flat_map(|p| p.to_array()).map(f64::to_le_bytes),
+        ),
+        line("rain", bake.climate.rain.iter().map(|x| x.to_le_bytes())),
+        line("discharge", discharge.map(|x| x.to_le_bytes())),
+        line("control mesh", [format!("{:?}", bake.control)]),
+        line(
+            "ground at level 17",
+            heights(bake).iter().map(|x| x.to_le_bytes()),
+        ),
+    ]
+}
+
+/// Heights of the finest level at directions of chance.
+fn heights(bake: &Bake) -> Vec<f32> {
     let ground = PlanetGround::of_bake(bake, Rules::default()).unwrap();
     let stream = Stream::new(1, Purpose::ReliefSites, 1);
     let directions: Vec<_> = (0..400).map(|i| stream.direction(2 * i)).collect();
     let mut heights = vec![0.0; directions.len()];
     ground.heights(&directions, LEVELS, &mut heights).unwrap();
-    let line = |name: &str, feed: &dyn Fn(&mut blake3::Hasher)| {
-        let mut hasher = blake3::Hasher::new();
-        feed(&mut hasher);
-        format!("{name}: {}", short(&hasher))
-    };
-    let singles = |hasher: &mut blake3::Hasher, numbers: &[f32]| {
-        for x in numbers {
-            hasher.update(&x.to_bits().to_le_bytes());
-        }
-    };
-    vec![
-        line("base mesh", &|hasher| {
-            bake.mesh()
-                .points()
-                .iter()
-                .for_each(|p| floats(hasher, &p.to_array()))
-        }),
-        line("rain", &|hasher| singles(hasher, &bake.climate.rain)),
-        line("discharge", &|hasher| {
-            for x in &bake.drainage.discharge {
-                hasher.update(&x.to_le_bytes());
-            }
-        }),
-        line("control mesh", &|hasher| {
-            hasher.update(format!("{:?}", bake.control).as_bytes());
-        }),
-        line("ground at level 17", &|hasher| singles(hasher, &heights)),
-    ]
+    heights
+}
+
+/// A name with the hash of bytes.
+fn line<B: AsRef<[u8]>>(name: &str, parts: impl IntoIterator<Item = B>) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for part in parts {
+        hasher.update(part.as_ref());
+    }
+    format!("{name}: {}", short(&hasher))
 }
 
 #[test]

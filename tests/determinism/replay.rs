@@ -4,96 +4,28 @@ use super::lively;
 use bevy_pangaea::io::scenario::parse_scenario;
 use bevy_pangaea::plate::PlateId;
 use bevy_pangaea::prelude::*;
+use pangaea_tests::order::{paint, paint_all, rift, set_crust, set_motion, set_param, set_process};
 use pangaea_tests::world::{command, digest, get, heard, listen, planet_app, steps};
 
-/// What a user does, and before which step; two commands are refused.
+/// Commands of a user, each with the step before which it comes; two are refused.
 fn session() -> Vec<(u64, TectonicCommand)> {
     let disc = PaintTarget::Disc {
         center: (20.0, 40.0),
         radius: 1500.0,
     };
     vec![
-        (
-            0,
-            TectonicCommand::SetPlateMotion {
-                plate: PlateId(1),
-                pole: (40.0, -70.0),
-                speed: -85.5,
-            },
-        ),
-        (
-            2,
-            TectonicCommand::PaintCrust {
-                target: disc,
-                brush: Brush::Kind(CrustKind::Continental),
-            },
-        ),
-        (
-            2,
-            TectonicCommand::PaintCrust {
-                target: disc,
-                brush: Brush::Raise(1.25),
-            },
-        ),
-        (
-            5,
-            TectonicCommand::RiftPlate {
-                plate: PlateId(0),
-                line: Vec::new(),
-                fragments: 2,
-            },
-        ),
-        (
-            5,
-            TectonicCommand::SetPlateMotion {
-                plate: PlateId(999),
-                pole: (0.0, 0.0),
-                speed: 1.0,
-            },
-        ),
-        (
-            6,
-            TectonicCommand::SetParam {
-                name: "uplift".into(),
-                value: 1.1,
-            },
-        ),
+        (0, set_motion(PlateId(1), (40.0, -70.0), -85.5)),
+        (2, paint(disc, Brush::Kind(CrustKind::Continental))),
+        (2, paint(disc, Brush::Raise(1.25))),
+        (5, rift(PlateId(0), &[], 2)),
+        (5, set_motion(PlateId(999), (0.0, 0.0), 1.0)),
+        (6, set_param("uplift", 1.1)),
         (8, TectonicCommand::Resample),
-        (
-            9,
-            TectonicCommand::SetPlateCrust {
-                plate: PlateId(5),
-                kind: CrustKind::Oceanic,
-            },
-        ),
-        (
-            9,
-            TectonicCommand::SetProcess {
-                name: "erosion".into(),
-                on: false,
-            },
-        ),
-        (
-            14,
-            TectonicCommand::SetParam {
-                name: "erosion".into(),
-                value: f64::NAN,
-            },
-        ),
-        (
-            15,
-            TectonicCommand::PaintCrust {
-                target: PaintTarget::Everywhere,
-                brush: Brush::Raise(-0.1),
-            },
-        ),
-        (
-            17,
-            TectonicCommand::SetProcess {
-                name: "erosion".into(),
-                on: true,
-            },
-        ),
+        (9, set_crust(PlateId(5), CrustKind::Oceanic)),
+        (9, set_process("erosion", false)),
+        (14, set_param("erosion", f64::NAN)),
+        (15, paint_all(Brush::Raise(-0.1))),
+        (17, set_process("erosion", true)),
     ]
 }
 
@@ -132,21 +64,10 @@ fn a_scenario_file_plays_like_a_user() {
     command(
         &mut app,
         planet,
-        TectonicCommand::SetPlateMotion {
-            plate: PlateId(2),
-            pole: (60.0, -30.0),
-            speed: 80.0,
-        },
+        set_motion(PlateId(2), (60.0, -30.0), 80.0),
     );
     steps(&mut app, planet, 4);
-    command(
-        &mut app,
-        planet,
-        TectonicCommand::SetParam {
-            name: "erosion".into(),
-            value: 0.1,
-        },
-    );
+    command(&mut app, planet, set_param("erosion", 0.1));
     steps(&mut app, planet, 5);
     let text = "[
         (step: 7, command: SetParam(name: \"erosion\", value: 0.1)),

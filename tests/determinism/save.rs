@@ -1,12 +1,21 @@
 //! A save, loaded again, goes on as if nothing had been.
 
 use super::lively;
+use bevy::prelude::*;
 use bevy_pangaea::io;
 use bevy_pangaea::io::save::{load, read_from, save, write_to};
 use bevy_pangaea::prelude::*;
+use bevy_pangaea::spawn::PlanetState;
+use pangaea_tests::order::{rift, set_param};
 use pangaea_tests::world::{command, digest, heard, listen, planet_app, spawn, state, steps};
 
 const STEPS: u64 = 34;
+
+fn saved(state: &PlanetState) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    write_to(state, &mut bytes).unwrap();
+    bytes
+}
 
 #[test]
 fn every_step_of_a_lively_planet_can_be_saved_and_continued() {
@@ -15,44 +24,41 @@ fn every_step_of_a_lively_planet_can_be_saved_and_continued() {
     listen::<PlateRifted>(&mut app);
     listen::<CrustResampled>(&mut app);
     let mut saves = Vec::new();
-    for step in 0..STEPS {
-        let mut bytes = Vec::new();
-        write_to(&state(&app, planet), &mut bytes).unwrap();
-        saves.push((step, bytes, happened(&app)));
+    for _ in 0..STEPS {
+        saves.push((saved(&state(&app, planet)), events(&app)));
         steps(&mut app, planet, 1);
     }
-    let (collisions, rifts, resamples) = happened(&app);
+    let [collisions, rifts, resamples] = events(&app);
     assert!(
         collisions > 0 && rifts > 0 && resamples > 1,
-        "{collisions} {rifts} {resamples}"
+        "{:?}",
+        events(&app)
     );
     let end = digest(&app, planet);
-    for (step, bytes, (collisions, rifts, resamples)) in saves {
-        let loaded = read_from(&bytes).unwrap();
-        let mut again = Vec::new();
-        write_to(&loaded, &mut again).unwrap();
-        assert!(bytes == again, "a load changes bits at step {step}");
-        let (mut app, planet) = spawn(loaded);
-        assert_eq!(
-            io::digest(&state(&app, planet)),
-            io::digest(&read_from(&bytes).unwrap()),
-            "spawning changes bits"
-        );
-        steps(&mut app, planet, STEPS - step);
-        assert_eq!(
-            digest(&app, planet),
-            end,
-            "saved at step {step}, after {collisions} collisions, {rifts} rifts, {resamples} resamples"
-        );
+    for (step, (bytes, events)) in (0..).zip(saves) {
+        let place = format!("saved at step {step}, after {events:?} collisions, rifts, resamples");
+        assert_eq!(continued(&bytes, STEPS - step), end, "{place}");
     }
 }
 
-fn happened(app: &bevy::prelude::App) -> (usize, usize, usize) {
-    (
+/// Numbers of collisions, rifts and resamples so far.
+fn events(app: &App) -> [usize; 3] {
+    [
         heard::<TerraneCollided>(app).len(),
         heard::<PlateRifted>(app).len(),
         heard::<CrustResampled>(app).len(),
-    )
+    ]
+}
+
+/// Loads a save and takes some steps. Returns the digest at the end.
+fn continued(bytes: &[u8], count: u64) -> String {
+    let loaded = read_from(bytes).unwrap();
+    assert!(saved(&loaded) == bytes, "a load changes bits");
+    let before = io::digest(&loaded);
+    let (mut app, planet) = spawn(loaded);
+    assert_eq!(digest(&app, planet), before, "spawning changes bits");
+    steps(&mut app, planet, count);
+    digest(&app, planet)
 }
 
 #[test]
@@ -62,49 +68,41 @@ fn a_file_holds_all_state_and_replaces_an_older_one() {
     let (mut app, planet) = planet_app(&lively(5, 2000));
     save(&state(&app, planet), &path).unwrap();
     let old = std::fs::read(&path).unwrap();
-    command(
-        &mut app,
-        planet,
-        TectonicCommand::SetParam {
-            name: "erosion".into(),
-            value: 0.1,
-        },
-    );
+    command(&mut app, planet, set_param("erosion", 0.1));
     steps(&mut app, planet, 7);
     save(&state(&app, planet), &path).unwrap();
     assert!(old != std::fs::read(&path).unwrap());
-    assert_eq!(
-        std::fs::read_dir(folder.path()).unwrap().count(),
-        1,
-        "no part file stays behind"
-    );
+    let files = std::fs::read_dir(folder.path()).unwrap().count();
+    assert_eq!(files, 1, "no part file stays behind");
     let loaded = load(&path).unwrap();
     assert_eq!(loaded.recording.0.len(), 1);
     assert_eq!(loaded.params.erosion, 0.1);
     assert_eq!(io::digest(&loaded), digest(&app, planet));
 }
 
+/// Small changes of the state, one of each kind.
+const CHANGES: [fn(&mut PlanetState); 12] = [
+    |s| s.crust.thickness[3] += 1e-5,
+    |s| s.crust.elevation[499] += 1e-6,
+    |s| s.crust.ocean_age[7] += 1e-4,
+    |s| s.crust.orogeny_age[7] += 1.0,
+    |s| s.crust.fold[7].x += 1e-6,
+    |s| s.crust.ridge[7].z += 1e-6,
+    |s| s.crust.frame[7] = (s.crust.frame[7] + 1) % 40,
+    |s| s.plates[2].1.speed *= 1.0 + 1e-15,
+    |s| s.ledger.carried_area += 1e-9,
+    |s| s.clock.step += 1,
+    |s| s.params.erosion += 1e-9,
+    |s| s.planet.seed += 1,
+];
+
 #[test]
-fn equal_planets_give_equal_bytes_and_digests_see_every_column() {
+fn digests_see_every_column() {
     let (app, planet) = planet_app(&lively(6, 500));
     let original = state(&app, planet);
     let digest = io::digest(&original);
     assert_eq!(digest, io::digest(&original.clone()));
-    let changes: [fn(&mut PlanetState); 12] = [
-        |s| s.crust.thickness[3] += 1e-5,
-        |s| s.crust.elevation[499] += 1e-6,
-        |s| s.crust.ocean_age[7] += 1e-4,
-        |s| s.crust.orogeny_age[7] += 1.0,
-        |s| s.crust.fold[7].x += 1e-6,
-        |s| s.crust.ridge[7].z += 1e-6,
-        |s| s.crust.frame[7] = (s.crust.frame[7] + 1) % 40,
-        |s| s.plates[2].1.speed *= 1.0 + 1e-15,
-        |s| s.ledger.carried_area += 1e-9,
-        |s| s.clock.step += 1,
-        |s| s.params.erosion += 1e-9,
-        |s| s.planet.seed += 1,
-    ];
-    for (k, change) in changes.into_iter().enumerate() {
+    for (k, change) in CHANGES.into_iter().enumerate() {
         let mut other = original.clone();
         change(&mut other);
         assert_ne!(digest, io::digest(&other), "change {k} is not seen");
@@ -121,41 +119,27 @@ fn how_time_passes_is_no_state() {
     assert_eq!(before, digest(&app, planet));
 }
 
+/// A rift at random that is to come.
+fn to_come(step: u64, plate: u32) -> TimedCommand {
+    TimedCommand {
+        step,
+        command: rift(PlateId(plate), &[], 2),
+    }
+}
+
 #[test]
 fn commands_that_are_still_to_come_are_saved() {
-    let tear = |step, plate| TimedCommand {
-        step,
-        command: TectonicCommand::RiftPlate {
-            plate: PlateId(plate),
-            line: Vec::new(),
-            fragments: 2,
-        },
-    };
-    let start = || {
-        let (mut app, planet) = planet_app(&lively(8, 3000));
-        let scenario = Scenario(vec![tear(9, 3), tear(2, 1), tear(6, 5)]);
-        app.world_mut().entity_mut(planet).insert(scenario);
-        steps(&mut app, planet, 5);
-        command(
-            &mut app,
-            planet,
-            TectonicCommand::SetParam {
-                name: "erosion".into(),
-                value: 0.2,
-            },
-        );
-        (app, planet)
-    };
-    let (mut app, planet) = start();
-    let mut bytes = Vec::new();
-    write_to(&state(&app, planet), &mut bytes).unwrap();
+    let (mut app, planet) = planet_app(&lively(8, 3000));
+    let scenario = Scenario(vec![to_come(9, 3), to_come(2, 1), to_come(6, 5)]);
+    app.world_mut().entity_mut(planet).insert(scenario);
+    steps(&mut app, planet, 5);
+    command(&mut app, planet, set_param("erosion", 0.2));
+    let bytes = saved(&state(&app, planet));
     steps(&mut app, planet, 10);
     let (mut again, loaded) = spawn(read_from(&bytes).unwrap());
     steps(&mut again, loaded, 10);
     assert_eq!(digest(&again, loaded), digest(&app, planet));
-    assert_eq!(
-        state(&again, loaded).recording.0.len(),
-        state(&app, planet).recording.0.len()
-    );
-    assert!(state(&again, loaded).pending.0.is_empty());
+    let [old, new] = [state(&app, planet), state(&again, loaded)];
+    assert_eq!(new.recording.0.len(), old.recording.0.len());
+    assert!(new.pending.0.is_empty());
 }

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// column twice.
 const SIZE: (usize, usize) = (540, 1081);
 
-/// Elevation of the Earth in km, or none where the file is missing, which is said on stderr. The
+/// Elevation of the Earth in km; `None`, and a line on stderr, where the file is missing. The
 /// folder is `PANGAEA_DATA`, or `../shared/data` beside the workspace.
 pub fn earth() -> Option<EquirectMap> {
     let beside = || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data");
@@ -28,11 +28,13 @@ pub fn earth() -> Option<EquirectMap> {
         .map(|x| x.parse().expect("a number"))
         .collect();
     assert_eq!(metres.len(), SIZE.0 * SIZE.1);
-    let height = |lat: f64, lon: f64| {
-        let row = ((lat + 90.0) * 3.0 - 0.5).round() as usize;
-        // The map's pixel centres are those of the file.
-        let column = ((lon - 20.0).rem_euclid(360.0) * 3.0 - 0.5).round() as usize;
-        metres[row.min(SIZE.0 - 1) * SIZE.1 + column.min(SIZE.1 - 1)] / 1000.0
-    };
-    Some(EquirectMap::from_fn(SIZE.0 as u32, height).expect("540 rows"))
+    let height_km = |lat, lon| metres[pixel(lat, lon)] / 1000.0;
+    Some(EquirectMap::from_fn(SIZE.0 as u32, height_km).expect("540 rows"))
+}
+
+/// Place in the file of a point at the middle of a pixel.
+fn pixel(lat: f64, lon: f64) -> usize {
+    let row = ((lat + 90.0) * 3.0 - 0.5).round() as usize;
+    let column = ((lon - 20.0).rem_euclid(360.0) * 3.0 - 0.5).round() as usize;
+    row.min(SIZE.0 - 1) * SIZE.1 + column.min(SIZE.1 - 1)
 }

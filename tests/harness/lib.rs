@@ -1,15 +1,23 @@
-//! What the tests of Pangaea share: planets without a window, hand-made crust, and measurements
-//! that do not use the code under test.
+//! The library of Pangaea's tests: planets without a window, hand-made crust, and measurements by
+//! brute force.
 //!
 //! ```text
 //! world      apps, steps, digests, commands, snapshots of the state
 //! shape      planets whose plates and coasts are known to the kilometre
+//! order      commands in few words
 //! measure    areas, volumes, hypsometry, coverage, by brute force
 //! probe      what every stage of a step does to the state
+//! fuzz       damaged inputs for readers
+//! soak       long runs, and the memory that they take
+//! source     the code of the workspace: figures, imports, names
 //! ```
 
 pub mod earth;
+pub mod fuzz;
 pub mod measure;
+pub mod order;
 pub mod probe;
 pub mod shape;
+pub mod soak;
+pub mod source;
 pub mod world;

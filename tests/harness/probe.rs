@@ -1,4 +1,4 @@
-//! What every stage of a step does: the state is compared before and after.
+//! The effect of every stage of a step: the state is compared before and after.
 
 use crate::measure::continents;
 use bevy::prelude::*;
@@ -42,7 +42,7 @@ pub struct Change {
     pub after: Snapshot,
 }
 
-/// What to do with every change.
+/// The state after the last stage, and the function that looks at every change.
 #[derive(Resource)]
 struct Probe {
     last: Option<Snapshot>,
@@ -103,7 +103,7 @@ pub fn snapshot(world: &World, planet: Entity) -> Snapshot {
 }
 
 impl Change {
-    /// What was booked in the stage, and what was measured.
+    /// Amounts of the stage: booked, and measured.
     pub fn account(&self) -> (Amount, Amount) {
         let (old, new) = (self.before.ledger.expected(), self.after.ledger.expected());
         let (was, is) = (self.before.continents, self.after.continents);

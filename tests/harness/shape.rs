@@ -79,27 +79,31 @@ pub enum Floor {
 /// The planet of a recipe with crust as `floor(plate, latitude, longitude)` says.
 pub fn shaped(recipe: &PlanetRecipe, floor: impl Fn(u32, f64, f64) -> Floor) -> PlanetState {
     let mut state = PlanetState::new(recipe).expect("the recipe of a test is valid");
-    let law = Isostasy::new(&recipe.params);
     let crust = &mut state.crust;
     for i in 0..crust.len() {
         let (lat, lon) = lat_lon(state.lattice.0.points()[i]);
         let plate = state.frames.plate(crust.frame[i]).0;
-        (
-            crust.kind[i],
-            crust.elevation[i],
-            crust.thickness[i],
-            crust.ocean_age[i],
-        ) = match floor(plate, lat, lon) {
-            Floor::Land(z) => (CrustKind::Continental, z, law.thickness(z), 0.0),
-            Floor::Ocean(age) => (
-                CrustKind::Oceanic,
-                recipe.params.abyss_elevation as f32,
-                recipe.params.ocean_thickness as f32,
-                age,
-            ),
-        };
-        crust.orogeny[i] = Orogeny::None;
+        lay(crust, i, floor(plate, lat, lon), &recipe.params);
     }
     state.ledger.initial = measure(crust, &state.lattice.0, recipe.radius);
     state
+}
+
+/// Gives sample `i` crust that was never folded.
+fn lay(crust: &mut Crust, i: usize, floor: Floor, params: &TectonicParams) {
+    crust.orogeny[i] = Orogeny::None;
+    match floor {
+        Floor::Land(z) => {
+            crust.kind[i] = CrustKind::Continental;
+            crust.elevation[i] = z;
+            crust.thickness[i] = Isostasy::new(params).thickness(z);
+            crust.ocean_age[i] = 0.0;
+        }
+        Floor::Ocean(age) => {
+            crust.kind[i] = CrustKind::Oceanic;
+            crust.elevation[i] = params.abyss_elevation as f32;
+            crust.thickness[i] = params.ocean_thickness as f32;
+            crust.ocean_age[i] = age;
+        }
+    }
 }

@@ -93,17 +93,19 @@ fn terranes_break_off_at_300_km_of_overlap() {
     assert_trigger(at, &app, planet, 50.0);
 }
 
+/// Overlap in km at which continents collide, with another trigger than the usual one. A resample
+/// resolves overlaps, so there is none.
+fn overlap_at_collision(trigger: f64) -> f64 {
+    let mut state = head_on(100.0, (0.0, 30.0), (0.0, 45.0));
+    state.params.collision_trigger = trigger;
+    state.params.processes.resample = false;
+    let (mut app, planet) = spawn(state);
+    until_collision(&mut app, planet, 60).unwrap_or(f64::INFINITY)
+}
+
 #[test]
 fn a_smaller_trigger_collides_earlier() {
-    let trigger = |km: f64| {
-        let mut state = head_on(100.0, (0.0, 30.0), (0.0, 45.0));
-        state.params.collision_trigger = km;
-        // A resample resolves overlaps; it must not come before the collision here.
-        state.params.processes.resample = false;
-        let (mut app, planet) = spawn(state);
-        until_collision(&mut app, planet, 60).unwrap_or(f64::INFINITY)
-    };
-    let (early, late) = (trigger(300.0), trigger(800.0));
+    let [early, late] = [300.0, 800.0].map(overlap_at_collision);
     assert!(
         late > early + 350.0 && late < early + 650.0,
         "{early} and {late} km"
@@ -152,63 +154,84 @@ fn slow_continents_do_not_collide_before_they_touch() {
     );
 }
 
+/// Steps until continents have collided, and returns the number of frames before that step.
+fn frames_before_collision(app: &mut App, planet: Entity) -> usize {
+    listen::<TerraneCollided>(app);
+    for _ in 0..60 {
+        let frames = get::<Frames>(app, planet).len();
+        steps(app, planet, 1);
+        if !heard::<TerraneCollided>(app).is_empty() {
+            return frames;
+        }
+    }
+    panic!("no collision");
+}
+
 #[test]
 fn the_smaller_terrane_changes_plate_in_a_new_frame() {
     let mut state = head_on(100.0, (0.0, 20.0), (0.0, 45.0));
     state.params.processes.resample = false;
     let (mut app, planet) = spawn(state);
-    let frames = loop {
-        let before = world::state(&app, planet);
-        let earlier = heard::<TerraneCollided>(&app).len();
-        until_collision(&mut app, planet, 1).ok();
-        if heard::<TerraneCollided>(&app).len() > earlier {
-            break before.frames.len();
-        }
-        assert!(before.clock.step < 60, "no collision");
-    };
+    let frames = frames_before_collision(&mut app, planet);
     let event = heard::<TerraneCollided>(&app).remove(0);
+    let plates = (event.from, event.to);
     assert_eq!(
-        (event.from, event.to),
+        plates,
         (PlateId(0), PlateId(1)),
         "the smaller continent moves"
     );
     let after = world::state(&app, planet);
     assert_eq!(after.frames.len(), frames + 1);
-    let terrane = after.frames.last().unwrap();
+    let terrane = after.frames[frames];
     assert!(terrane.terrane && terrane.plate == PlateId(1));
-    let old = after
+    let mut old = after
         .frames
         .iter()
-        .find(|frame| frame.plate == PlateId(0))
-        .unwrap();
+        .filter(|frame| frame.plate == PlateId(0));
+    let rotation = old.next().unwrap().rotation;
     assert_eq!(
-        terrane.rotation, old.rotation,
+        terrane.rotation, rotation,
         "it keeps the rotation that it has"
     );
-    let moved = (0..after.crust.len()).filter(|&i| usize::from(after.crust.frame[i]) == frames);
-    let area: f64 = moved
-        .inspect(|&i| assert!(after.crust.is_continental(i)))
-        .map(|i| after.lattice.0.area(i as u32) * 6370.0 * 6370.0)
-        .sum();
-    assert!((area / event.area - 1.0).abs() < 1e-9);
-    // From now on it is carried by the other plate: 10 steps later the old plate has left it
-    // behind.
+    assert_terrane_area(&after, frames, event.area);
+    // From now on it is carried by the other plate, which is at rest.
     steps(&mut app, planet, 3);
-    let later = world::state(&app, planet);
-    assert_eq!(
-        later.frames[frames].rotation, terrane.rotation,
-        "plate 1 is at rest"
-    );
+    let later = get::<Frames>(&app, planet)[frames].rotation;
+    assert_eq!(later, terrane.rotation);
+}
+
+/// Asserts that the samples of a frame are continental and cover `area` km².
+fn assert_terrane_area(state: &PlanetState, frame: usize, area: f64) {
+    let crust = &state.crust;
+    let moved = (0..crust.len()).filter(|&i| usize::from(crust.frame[i]) == frame);
+    let mut sum = 0.0;
+    for i in moved {
+        assert!(crust.is_continental(i));
+        sum += state.lattice.areas()[i] * 6370.0 * 6370.0;
+    }
+    assert!((sum / area - 1.0).abs() < 1e-9);
+}
+
+/// A planet just after two continents have collided near latitude 0, longitude 0, and its highest
+/// elevation in km before.
+fn sutured() -> (App, Entity, f32) {
+    let (mut app, planet) = spawn(head_on(100.0, (2.0, 22.0), (0.0, 45.0)));
+    let elevation = &get::<Crust>(&app, planet).elevation;
+    let before = elevation.iter().copied().fold(0.0, f32::max);
+    until_collision(&mut app, planet, 60).expect("a collision");
+    (app, planet, before)
+}
+
+/// Latitude and longitude of sample `i` as it is now.
+fn place(app: &App, planet: Entity, i: usize) -> (f64, f64) {
+    let frame = get::<Crust>(app, planet).frame[i];
+    let p = get::<Lattice>(app, planet).points()[i];
+    lat_lon(get::<Frames>(app, planet)[usize::from(frame)].to_world(p))
 }
 
 #[test]
-fn a_himalayan_belt_stands_at_the_suture() {
-    let (mut app, planet) = spawn(head_on(100.0, (2.0, 22.0), (0.0, 45.0)));
-    let before: f32 = get::<Crust>(&app, planet)
-        .elevation
-        .iter()
-        .fold(0.0, |a, &b| a.max(b));
-    until_collision(&mut app, planet, 60).expect("a collision");
+fn a_collision_tells_where_and_how_fast() {
+    let (app, ..) = sutured();
     let event = heard::<TerraneCollided>(&app).remove(0);
     let (lat, lon) = lat_lon(event.at);
     assert!(
@@ -216,40 +239,42 @@ fn a_himalayan_belt_stands_at_the_suture() {
         "contact at {lat} {lon}"
     );
     assert!((event.speed - 100.0).abs() < 15.0, "{}", event.speed);
-    let (crust, frames) = (get::<Crust>(&app, planet), get::<Frames>(&app, planet));
-    let mesh = get::<Lattice>(&app, planet);
+}
+
+#[test]
+fn a_himalayan_belt_stands_at_the_suture() {
+    let (app, planet, _) = sutured();
+    let crust = get::<Crust>(&app, planet);
     let params = get::<TectonicParams>(&app, planet);
     let reach = params.collision_distance * params.collision_reach;
-    let (mut belt, mut highest) = (0, (0.0_f32, 0.0));
-    for i in 0..crust.len() {
-        let p = frames[usize::from(crust.frame[i])].to_world(mesh.points()[i]);
-        let (lat, lon) = lat_lon(p);
-        if crust.orogeny[i] == Orogeny::Himalayan {
-            let km = lon.abs() * DEGREE * lat.to_radians().cos();
-            assert!(km < reach + 600.0, "a belt {km:.0} km from the suture");
-            assert!(crust.is_continental(i));
-            assert!((crust.fold[i].length() - 1.0).abs() < 0.1, "folded");
-            assert!(
-                crust.fold[i].dot(mesh.points()[i].as_vec3()).abs() < 0.1,
-                "the fold is tangent"
-            );
-            belt += 1;
-        }
-        if crust.elevation[i] > highest.0 {
-            highest = (crust.elevation[i], lon);
-        }
+    let belt = (0..crust.len()).filter(|&i| crust.orogeny[i] == Orogeny::Himalayan);
+    let mut count = 0;
+    for i in belt {
+        let (lat, lon) = place(&app, planet, i);
+        let km = lon.abs() * DEGREE * lat.to_radians().cos();
+        assert!(km < reach + 600.0, "a belt {km:.0} km from the suture");
+        assert!(crust.is_continental(i));
+        let (fold, up) = (
+            crust.fold[i],
+            get::<Lattice>(&app, planet).points()[i].as_vec3(),
+        );
+        assert!((fold.length() - 1.0).abs() < 0.1, "folded");
+        assert!(fold.dot(up).abs() < 0.1, "the fold is tangent");
+        count += 1;
     }
-    assert!(belt > 30, "{belt} samples");
-    assert!(highest.0 > before + 1.0 && highest.0 <= params.summit_elevation as f32);
-    assert!(
-        highest.1.abs() < 8.0,
-        "the highest summit stands at the suture, not at longitude {}",
-        highest.1
-    );
-    assert!(
-        get::<Ledger>(&app, planet)
-            .of(Cause::CollisionUplift)
-            .volume
-            > 0.0
-    );
+    assert!(count > 30, "{count} samples");
+}
+
+#[test]
+fn the_highest_summit_stands_at_the_suture_and_its_uplift_is_booked() {
+    let (app, planet, before) = sutured();
+    let elevation = &get::<Crust>(&app, planet).elevation;
+    let highest = (0..elevation.len()).max_by(|&a, &b| elevation[a].total_cmp(&elevation[b]));
+    let highest = highest.expect("a planet has samples");
+    let ceiling = get::<TectonicParams>(&app, planet).summit_elevation as f32;
+    assert!(elevation[highest] > before + 1.0 && elevation[highest] <= ceiling);
+    let (_, lon) = place(&app, planet, highest);
+    assert!(lon.abs() < 8.0, "at longitude {lon}");
+    let uplift = get::<Ledger>(&app, planet).of(Cause::CollisionUplift);
+    assert!(uplift.volume > 0.0);
 }

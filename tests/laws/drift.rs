@@ -1,7 +1,10 @@
 //! Drift: rigid rotation, no sample moves, nothing is lost.
 
-use bevy_pangaea::math::{PI, angle_between, direction, rotation};
+use bevy::math::DVec3;
+use bevy_pangaea::crust::Cover;
+use bevy_pangaea::math::{PI, angle_between, direction, lat_lon, rotation};
 use bevy_pangaea::prelude::*;
+use bevy_pangaea::spawn::PlanetState;
 use pangaea_tests::shape::{Floor, hemispheres, shaped};
 use pangaea_tests::world::{get, planet_app, plates, spawn, steps, surface};
 
@@ -18,68 +21,65 @@ fn turntable(samples: u32, degrees: f64) -> PlanetRecipe {
     recipe
 }
 
-#[test]
-fn a_full_turn_returns_every_sample() {
-    let recipe = turntable(3000, 4.5);
-    let state = shaped(&recipe, |_, lat, lon| {
-        if lat.abs() < 40.0 && lon.abs() < 50.0 {
+/// A turntable with a square continent of `side` degrees around latitude 0, longitude 0.
+fn with_continent(recipe: &PlanetRecipe, side: f64) -> PlanetState {
+    shaped(recipe, |_, lat, lon| {
+        if lat.abs().max(lon.abs()) < 0.5 * side {
             Floor::Land(0.5 + (lon / 100.0) as f32)
         } else {
             Floor::Ocean(80.0)
         }
-    });
-    let (mut app, planet) = spawn(state);
+    })
+}
+
+#[test]
+fn a_full_turn_returns_every_sample() {
+    let (mut app, planet) = spawn(with_continent(&turntable(3000, 4.5), 90.0));
     let before = surface(&mut app, planet);
     let crust = get::<Crust>(&app, planet).clone();
     steps(&mut app, planet, 80);
     let after = surface(&mut app, planet);
     for frame in get::<Frames>(&app, planet).iter() {
-        assert!((frame.to_world(bevy::math::DVec3::X) - bevy::math::DVec3::X).length() < 1e-10);
+        assert!(frame.to_world(DVec3::X).distance(DVec3::X) < 1e-10);
     }
     for i in 0..before.len() {
-        assert!(
-            (before.elevation(i) - after.elevation(i)).abs() < 1e-4,
-            "sample {i}"
-        );
-        assert_eq!(before.crust.kind[i], after.crust.kind[i]);
-        assert_eq!(before.plate[i], after.plate[i]);
+        let change = after.elevation(i) - before.elevation(i);
+        assert!(change.abs() < 1e-4, "sample {i}");
     }
+    assert_eq!(before.crust.kind, after.crust.kind);
+    assert_eq!(before.plate, after.plate);
     let now = get::<Crust>(&app, planet);
+    let state = (&crust.kind, &crust.frame, &crust.fold);
     assert_eq!(
-        (&crust.kind, &crust.frame, &crust.fold),
+        state,
         (&now.kind, &now.frame, &now.fold),
         "samples never move"
     );
 }
 
+/// Half the side of the continent that moves, in degrees.
+const HALF: f64 = 30.0;
+
+/// Whether a point lies within `margin` degrees of the continent's coast.
+fn is_near_coast((lat, lon): (f64, f64), margin: f64) -> bool {
+    let shrunk = margin / lat.to_radians().cos();
+    (lat.abs() - HALF).abs() < margin || (lon.abs() - HALF).abs() < shrunk
+}
+
 #[test]
 fn a_continent_moves_at_the_speed_of_its_plate() {
-    let recipe = turntable(8000, 1.0);
-    let state = shaped(&recipe, |_, lat, lon| {
-        if lat.abs() < 30.0 && lon.abs() < 30.0 {
-            Floor::Land(0.5)
-        } else {
-            Floor::Ocean(80.0)
-        }
-    });
-    let (mut app, planet) = spawn(state);
+    let (mut app, planet) = spawn(with_continent(&turntable(8000, 1.0), 2.0 * HALF));
     let before = surface(&mut app, planet);
     steps(&mut app, planet, 37);
     let after = surface(&mut app, planet);
     let mesh = get::<Lattice>(&app, planet);
-    let turn = rotation(bevy::math::DVec3::Z, 37.0_f64.to_radians());
-    let spacing = mesh.spacing();
-    for (i, p) in mesh.points().iter().enumerate() {
-        let from = mesh.nearest(turn.conjugate() * *p);
-        let (lat, lon) = bevy_pangaea::math::lat_lon(turn.conjugate() * *p);
-        let margin = 1.5 * spacing.to_degrees();
-        let near_coast = (lat.abs() - 30.0).abs() < margin
-            || (lon.abs() - 30.0).abs() < margin / lat.to_radians().cos();
-        if !near_coast {
-            assert_eq!(
-                after.crust.kind[i], before.crust.kind[from as usize],
-                "at {lat} {lon}"
-            );
+    let back = rotation(DVec3::Z, 37.0_f64.to_radians()).conjugate();
+    let margin = 1.5 * mesh.spacing().to_degrees();
+    for (i, &p) in mesh.points().iter().enumerate() {
+        let from = back * p;
+        if !is_near_coast(lat_lon(from), margin) {
+            let kind = before.crust.kind[mesh.nearest(from) as usize];
+            assert_eq!(after.crust.kind[i], kind, "at {:?}", lat_lon(from));
         }
     }
     let row = plates(&app, planet).rows()[0];
@@ -93,12 +93,11 @@ fn plates_that_turn_together_never_open_or_overlap() {
     for _ in 0..5 {
         steps(&mut app, planet, 3);
         let surface = surface(&mut app, planet);
-        let odd = surface
-            .cover
-            .iter()
-            .filter(|&&c| c != bevy_pangaea::crust::Cover::One)
-            .count();
-        assert_eq!(odd, 0, "the seam of two plates at rest against each other");
+        let is_whole = surface.cover.iter().all(|&cover| cover == Cover::One);
+        assert!(
+            is_whole,
+            "the seam of two plates at rest against each other"
+        );
     }
 }
 

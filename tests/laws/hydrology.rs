@@ -101,49 +101,50 @@ fn rivers_of_the_earth_keep_the_laws_and_reach_their_mouths() {
     assert_eq!(missed, ["Surgut"]);
 }
 
+/// Runs frames of a game until there is a bake of the surface as it is now, whose version is
+/// returned.
+fn wait_for_bake(app: &mut App, planet: Entity) -> u64 {
+    let wanted = surface(app, planet).version;
+    for _ in 0..6000 {
+        app.update();
+        let bake = app.world().get::<PlanetBake>(planet);
+        if bake.is_some_and(|bake| bake.version == wanted) {
+            return wanted;
+        }
+        std::thread::sleep(core::time::Duration::from_millis(10));
+    }
+    panic!("no bake of version {wanted} within a minute");
+}
+
 #[test]
 fn a_bake_follows_a_planet_and_says_so() {
     let (mut app, planet) = planet_app(&small(5, 2000));
     listen::<BakeFinished>(&mut app);
-    app.world_mut().entity_mut(planet).insert(BakeSettings {
+    let settings = BakeSettings {
         spacing: 0.03,
         ..default()
-    });
-    let wait = |app: &mut App| {
-        let wanted = surface(app, planet).version;
-        for _ in 0..6000 {
-            app.update();
-            if app
-                .world()
-                .get::<PlanetBake>(planet)
-                .is_some_and(|bake| bake.version == wanted)
-            {
-                return wanted;
-            }
-            std::thread::sleep(core::time::Duration::from_millis(10));
-        }
-        panic!("no bake of version {wanted} within a minute");
     };
+    app.world_mut().entity_mut(planet).insert(settings);
     app.world_mut()
         .get_mut::<ClockControls>(planet)
         .expect("controls")
         .paused = true;
-    let first = wait(&mut app);
+    let first = wait_for_bake(&mut app, planet);
     let frame = get::<PlanetBake>(&app, planet).frame.clone();
     steps(&mut app, planet, 3);
-    let second = wait(&mut app);
+    let second = wait_for_bake(&mut app, planet);
     assert!(second > first);
+    let followed = get::<PlanetBake>(&app, planet).0.clone();
     assert!(
-        Arc::ptr_eq(&frame, &get::<PlanetBake>(&app, planet).frame),
+        Arc::ptr_eq(&frame, &followed.frame),
         "the base mesh is built once"
     );
     let events = heard::<BakeFinished>(&app);
-    assert!(
-        events.iter().any(|e| e.version == first) && events.iter().any(|e| e.version == second)
-    );
-    assert_eq!(events.last().map(|e| e.planet), Some(planet));
+    for version in [first, second] {
+        assert!(events.iter().any(|event| event.version == version));
+    }
+    assert_eq!(events.last().map(|event| event.planet), Some(planet));
     // In the background as in the foreground.
-    let followed = get::<PlanetBake>(&app, planet).0.clone();
     bake_now(app.world_mut(), planet).expect("a bake");
     assert_eq!(followed.control, get::<PlanetBake>(&app, planet).control);
 }

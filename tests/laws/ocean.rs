@@ -6,6 +6,8 @@
 use bevy_pangaea::crust::Cover;
 use bevy_pangaea::math::{PI, lat_lon};
 use bevy_pangaea::prelude::*;
+use bevy_pangaea::sphere::SphereMesh;
+use core::ops::Range;
 use pangaea_tests::shape::{Floor, hemispheres, shaped};
 use pangaea_tests::world::{get, heard, listen, spawn, steps, surface};
 
@@ -17,69 +19,83 @@ fn parting(samples: u32) -> (bevy::prelude::App, bevy::prelude::Entity) {
     spawn(shaped(&recipe, |_, _, _| Floor::Ocean(100.0)))
 }
 
+/// Half the gap's width in degrees of longitude after 9 steps, in which each rim has moved by 1800
+/// km along the equator. On other latitudes the rims are great circles through the poles, too.
+fn half_width() -> f64 {
+    (1800.0 / RADIUS).to_degrees()
+}
+
 #[test]
 fn a_gap_holds_a_ridge_in_its_middle_before_any_resample() {
     let (mut app, planet) = parting(30_000);
     steps(&mut app, planet, 9);
     let surface = surface(&mut app, planet);
-    let params = get::<TectonicParams>(&app, planet);
     let mesh = get::<Lattice>(&app, planet);
-    // Each rim has moved by 1800 km along the equator.
-    let half = (1800.0 / RADIUS).to_degrees();
-    let spacing = mesh.spacing().to_degrees();
+    let (half, spacing) = (half_width(), mesh.spacing().to_degrees());
     let mut ridge = 0;
     for i in 0..surface.len() {
         let (lat, lon) = lat_lon(mesh.points()[i]);
         if lat.abs() > 30.0 || lon.abs() > 90.0 {
             continue;
         }
-        // On other latitudes the rims are great circles through the poles, as on the equator.
         let inside = half - lon.abs();
         if inside > spacing {
-            assert_eq!(surface.cover[i], Cover::Ridge, "{lat} {lon}");
-            assert_eq!(surface.crust.kind[i], CrustKind::Oceanic);
-            let expected = 18.0 * lon.abs() / half;
-            let age = f64::from(surface.crust.ocean_age[i]);
-            assert!(
-                (age - expected).abs() < 18.0 * spacing / half + 0.5,
-                "age {age} for {expected} at {lat} {lon}"
-            );
-            let east = surface.plate[i].0 == 1;
-            assert!(
-                lon.abs() < spacing || east == (lon > 0.0),
-                "{lat} {lon} belongs to the wrong plate"
-            );
+            assert_new_floor(&surface, i, (lat, lon), spacing);
             ridge += 1;
         } else if inside < -spacing {
             assert_eq!(surface.cover[i], Cover::One, "{lat} {lon}");
         }
     }
     assert!(ridge > 500);
-    let mean = |low: f64, high: f64| {
-        let zs: Vec<f64> = (0..surface.len())
-            .filter(|&i| {
-                let (lat, lon) = lat_lon(mesh.points()[i]);
-                lat.abs() < 20.0 && lon.abs() >= low && lon.abs() < high
-            })
-            .map(|i| f64::from(surface.elevation(i)))
-            .collect();
-        zs.iter().sum::<f64>() / zs.len() as f64
-    };
-    let profile = [
-        mean(0.0, 2.0),
-        mean(4.0, 7.0),
-        mean(9.0, 12.0),
-        mean(13.5, 16.0),
-    ];
+}
+
+/// Asserts that a sample within the gap has floor of the nearer plate, and of its age.
+fn assert_new_floor(surface: &Surface, i: usize, (lat, lon): (f64, f64), spacing: f64) {
+    assert_eq!(surface.cover[i], Cover::Ridge, "{lat} {lon}");
+    assert_eq!(surface.crust.kind[i], CrustKind::Oceanic);
+    let half = half_width();
+    let expected = 18.0 * lon.abs() / half;
+    let age = f64::from(surface.crust.ocean_age[i]);
+    let tolerance = 18.0 * spacing / half + 0.5;
     assert!(
-        profile.windows(2).all(|w| w[0] > w[1]),
-        "the floor falls from ridge to rim: {profile:?}"
+        (age - expected).abs() < tolerance,
+        "age {age} for {expected} at {lat} {lon}"
     );
+    let is_east = surface.plate[i].0 == 1;
+    assert!(
+        lon.abs() < spacing || is_east == (lon > 0.0),
+        "{lat} {lon} is on the wrong plate"
+    );
+}
+
+#[test]
+fn the_floor_falls_from_the_ridge_to_the_rims() {
+    let (mut app, planet) = parting(30_000);
+    steps(&mut app, planet, 9);
+    let surface = surface(&mut app, planet);
+    let params = get::<TectonicParams>(&app, planet);
+    let mesh = get::<Lattice>(&app, planet);
+    let profile = [(0.0, 2.0), (4.0, 7.0), (9.0, 12.0), (13.5, 16.0)]
+        .map(|(low, high)| mean_elevation(&surface, mesh, low..high));
+    assert!(profile.is_sorted_by(|a, b| a > b), "{profile:?}");
     assert!(
         (profile[0] - params.ridge_elevation).abs() < 0.5,
         "{profile:?}"
     );
     assert!(profile[3] < params.ridge_elevation - 0.6, "{profile:?}");
+}
+
+/// Mean elevation in km around the equator between two longitudes, east and west.
+fn mean_elevation(surface: &Surface, mesh: &SphereMesh, degrees: Range<f64>) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for (i, &p) in mesh.points().iter().enumerate() {
+        let (lat, lon) = lat_lon(p);
+        if lat.abs() < 20.0 && degrees.contains(&lon.abs()) {
+            sum += f64::from(surface.elevation(i));
+            count += 1.0;
+        }
+    }
+    sum / count
 }
 
 #[test]
@@ -121,18 +137,12 @@ fn the_area_of_new_crust_is_that_of_the_lune() {
         "{:e} for {lune:e}",
         events[0].new_ocean
     );
-    let mean = |app: &bevy::prelude::App| {
-        let crust = get::<Crust>(app, planet);
-        crust.ocean_age.iter().map(|&a| f64::from(a)).sum::<f64>() / crust.len() as f64
-    };
+    let ages = &get::<Crust>(&app, planet).ocean_age;
+    let mean = ages.iter().map(|&age| f64::from(age)).sum::<f64>() / ages.len() as f64;
     // Old floor aged by 20 My; the lune has a mean of 10; what went under is as large as the lune.
     let share = lune / (4.0 * PI * RADIUS * RADIUS);
     let expected = 120.0 * (1.0 - share) + 10.0 * share;
-    assert!(
-        (mean(&app) - expected).abs() < 1.0,
-        "{} for {expected}",
-        mean(&app)
-    );
+    assert!((mean - expected).abs() < 1.0, "{mean} for {expected}");
 }
 
 #[test]

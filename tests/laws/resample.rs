@@ -4,37 +4,34 @@ use bevy::prelude::*;
 use bevy_pangaea::crust::Cover;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::resample::project_now;
-use pangaea_tests::probe::probe;
+use pangaea_tests::probe::{Change, probe};
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{command, get, heard, listen, params, planet_app, steps};
-use std::sync::{Arc, Mutex};
 
 /// Takes one step with a resample and asserts that it changed no bit of the crust.
 fn resample_without_a_trace(app: &mut App, planet: Entity) {
     listen::<CrustResampled>(app);
     let earlier = heard::<CrustResampled>(app).len();
     command(app, planet, TectonicCommand::Resample);
-    let changes = Arc::new(Mutex::new(Vec::new()));
-    let seen = Arc::clone(&changes);
-    probe(app, move |change| {
+    probe(app, |change| {
         if change.stage == Stage::Resample {
-            let pairs = change
-                .before
-                .crust
-                .thickness
-                .iter()
-                .zip(&change.after.crust.thickness);
-            let most = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-            seen.lock().unwrap().push((change.changed(), most));
+            assert_no_trace(change);
         }
     });
     steps(app, planet, 1);
     assert_eq!(heard::<CrustResampled>(app).len(), earlier + 1);
-    let (changed, most) = changes.lock().unwrap().pop().unwrap();
-    let state = ["clock", "ledger"];
+}
+
+/// Asserts that a stage has changed nothing but clock and ledger.
+fn assert_no_trace(change: &Change) {
+    let [before, after] = [&change.before, &change.after].map(|state| &state.crust.thickness);
+    let changes = before.iter().zip(after).map(|(a, b)| (a - b).abs());
+    let most = changes.fold(0.0, f32::max);
+    let mut changed = change.changed();
+    changed.retain(|name| !["clock", "ledger"].contains(name));
     assert!(
-        changed.iter().all(|name| state.contains(name)),
-        "a resample at rest changed {changed:?}, thickness by {most:e} km at most"
+        changed.is_empty(),
+        "{changed:?} changed, thickness by {most:e} km at most"
     );
 }
 
@@ -60,17 +57,19 @@ fn a_second_resample_changes_no_bit() {
 #[derive(Resource, Default)]
 struct Before(Option<PlanetSurface>);
 
+/// Keeps the surface as it is now.
+fn look(world: &mut World) {
+    let planet = world.resource::<CurrentPlanet>().0;
+    project_now(world, planet);
+    let surface = world.get::<PlanetSurface>(planet).cloned();
+    world.resource_mut::<Before>().0 = surface;
+}
+
 #[test]
 fn pictures_just_before_and_after_a_resample_agree() {
     let (mut app, planet) = planet_app(&small(3, 20_000));
     app.init_resource::<Before>();
     listen::<CrustResampled>(&mut app);
-    let look = |world: &mut World| {
-        let planet = world.resource::<CurrentPlanet>().0;
-        project_now(world, planet);
-        let surface = world.get::<PlanetSurface>(planet).cloned();
-        world.resource_mut::<Before>().0 = surface;
-    };
     app.add_systems(
         TectonicStep,
         look.in_set(TectonicSystems::After(Stage::SurfaceProcesses)),
@@ -89,22 +88,28 @@ fn pictures_just_before_and_after_a_resample_agree() {
     assert!(compared >= 2, "{compared} resamples");
 }
 
+/// Share of `n` samples that differ, in percent.
+fn percent(n: usize, differs: impl Fn(usize) -> bool) -> f64 {
+    100.0 * (0..n).filter(|&i| differs(i)).count() as f64 / n as f64
+}
+
+/// Asserts that few samples of two surfaces differ, and by little.
 fn compare(before: &Surface, after: &Surface) {
     let n = before.len();
-    let share =
-        |differs: &dyn Fn(usize) -> bool| (0..n).filter(|&i| differs(i)).count() as f64 / n as f64;
-    let moved = share(&|i| (before.elevation(i) - after.elevation(i)).abs() > 0.05);
+    let moved = percent(n, |i| {
+        (before.elevation(i) - after.elevation(i)).abs() > 0.05
+    });
     assert!(
-        moved < 0.03,
-        "{:.2} % of the samples move by more than 50 m",
-        100.0 * moved
+        moved < 3.0,
+        "{moved:.2} % of the samples move by more than 50 m"
     );
-    let kind = share(&|i| before.crust.kind[i] != after.crust.kind[i]);
-    assert!(kind < 0.005, "{:.2} % change their kind", 100.0 * kind);
-    let plate = share(&|i| before.plate[i] != after.plate[i]);
-    assert!(plate < 0.02, "{:.2} % change their plate", 100.0 * plate);
-    let aged = share(&|i| (before.crust.ocean_age[i] - after.crust.ocean_age[i]).abs() > 2.1);
-    assert!(aged < 0.01, "{:.2} % age by more than a step", 100.0 * aged);
+    let kind = percent(n, |i| before.crust.kind[i] != after.crust.kind[i]);
+    assert!(kind < 0.5, "{kind:.2} % change their kind");
+    let plate = percent(n, |i| before.plate[i] != after.plate[i]);
+    assert!(plate < 2.0, "{plate:.2} % change their plate");
+    let ages = [before, after].map(|surface| &surface.crust.ocean_age);
+    let aged = percent(n, |i| (ages[0][i] - ages[1][i]).abs() > 2.1);
+    assert!(aged < 1.0, "{aged:.2} % age by more than a step");
 }
 
 #[test]

@@ -1,0 +1,77 @@
+//! A planet that grows for very long: everything stays finite, the ledger closed, memory flat.
+//!
+//! `PANGAEA_SOAK=1` makes it 10,000 steps of 60,000 samples; memory means something only where no
+//! other test runs beside it (`--test-threads=1`).
+
+use bevy::prelude::*;
+use bevy_pangaea::prelude::*;
+use pangaea_tests::shape::small;
+use pangaea_tests::soak;
+use pangaea_tests::world::{get, planet_app, state, steps};
+
+/// Bytes by which a process may grow between the first tenth of the steps and the last: what an
+/// allocator keeps, and not a thousandth of what 9,000 leaks of one column would take.
+const GROWTH: u64 = 32 << 20;
+
+#[test]
+fn a_planet_grows_for_long_and_takes_no_more_memory() {
+    let samples = soak::count(2_000, 60_000) as u32;
+    let tenth = soak::count(40, 1_000);
+    let (mut app, planet) = planet_app(&small(17, samples));
+    let mut early = None;
+    for part in 0..10 {
+        steps(&mut app, planet, tenth);
+        assert_sound(&app, planet);
+        if part == 0 {
+            early = soak::memory("VmRSS");
+        }
+    }
+    assert_eq!(get::<GeologicClock>(&app, planet).step, 10 * tenth);
+    if soak::is_on() {
+        let [early, late] = [early, soak::memory("VmRSS")].map(Option::unwrap_or_default);
+        assert!(
+            late < early + GROWTH,
+            "from {} to {} MiB",
+            early >> 20,
+            late >> 20
+        );
+    }
+}
+
+/// Asserts that all numbers of a planet are finite and that its ledger is closed.
+fn assert_sound(app: &App, planet: Entity) {
+    let state = state(app, planet);
+    let crust = &state.crust;
+    let scalars = [
+        &crust.thickness,
+        &crust.elevation,
+        &crust.ocean_age,
+        &crust.orogeny_age,
+    ];
+    assert!(
+        scalars
+            .iter()
+            .all(|column| column.iter().all(|x| x.is_finite()))
+    );
+    let vectors = [&crust.fold, &crust.ridge];
+    assert!(
+        vectors
+            .iter()
+            .all(|column| column.iter().all(|v| v.is_finite()))
+    );
+    assert!(
+        state
+            .frames
+            .iter()
+            .all(|frame| frame.rotation.is_normalized())
+    );
+    assert!(
+        state
+            .plates
+            .iter()
+            .all(|(_, motion, _)| motion.speed.is_finite())
+    );
+    let ledger = &state.ledger;
+    assert!(ledger.unexplained_volume_max < 1e-5, "{ledger:?}");
+    assert!(ledger.unexplained_max < 1e-4, "{ledger:?}");
+}

@@ -1,0 +1,127 @@
+//! The structure of the code: imports go one way, a word has one meaning, documents are true.
+
+use pangaea_tests::source::documents::Named;
+use pangaea_tests::source::imports::{Import, Modules};
+use pangaea_tests::source::names::{riddles, types_named_twice};
+use pangaea_tests::source::{Source, files_below, sources, workspace};
+use std::fmt::Display;
+
+/// The folders with the code of the workspace's crates.
+const CRATES: [&str; 3] = ["plugin/src", "shaders/src", "demo/src"];
+
+fn everything() -> Vec<Source> {
+    CRATES.iter().flat_map(|folder| sources(folder)).collect()
+}
+
+/// One entry to a line.
+fn list<T: Display>(entries: impl IntoIterator<Item = T>) -> String {
+    entries
+        .into_iter()
+        .map(|entry| format!("\n  {entry}"))
+        .collect()
+}
+
+fn modules(folder: &str) -> Modules {
+    Modules::new(folder, &sources(folder))
+}
+
+fn assert_none(imports: &[Import], complaint: &str) {
+    assert!(
+        imports.is_empty(),
+        "{} {complaint}:{}",
+        imports.len(),
+        list(imports)
+    );
+}
+
+#[test]
+fn the_plugin_imports_in_the_order_of_its_root() {
+    let later = modules("plugin/src").from_later(&[]);
+    assert_none(
+        &later,
+        "imports from modules that come later in plugin/src/lib.rs",
+    );
+}
+
+#[test]
+fn no_passes_of_the_ground_import_each_other_in_a_circle() {
+    let circles = modules("shaders/src").circles();
+    assert_none(&circles.concat(), "imports close circles of files");
+}
+
+#[test]
+fn no_files_of_the_plugin_import_each_other_in_a_circle() {
+    let circles = modules("plugin/src").circles();
+    assert_none(&circles.concat(), "imports close circles of files");
+}
+
+#[test]
+fn no_files_of_the_program_import_each_other_in_a_circle() {
+    let circles = modules("demo/src").circles();
+    assert_none(&circles.concat(), "imports close circles of files");
+}
+
+#[test]
+fn no_folders_import_each_other_in_a_circle() {
+    for folder in CRATES {
+        let circles = modules(folder).top_circles();
+        assert_none(&circles.concat(), "imports close circles of top modules");
+    }
+}
+
+#[test]
+fn no_type_is_named_twice() {
+    let twice = types_named_twice(&everything());
+    let places = twice
+        .iter()
+        .map(|(name, places)| format!("{name}: {}", places.join(", ")));
+    assert!(twice.is_empty(), "types of one name:{}", list(places));
+}
+
+#[test]
+fn documentation_states_instead_of_asking() {
+    let found: Vec<String> = everything().iter().flat_map(riddles).collect();
+    assert!(
+        found.is_empty(),
+        "{} lines begin with \"What\":{}",
+        found.len(),
+        list(found)
+    );
+}
+
+fn document(name: &str) -> Named {
+    let text = std::fs::read_to_string(workspace().join(name)).expect("a document of the root");
+    Named::read(&text)
+}
+
+#[test]
+fn documents_name_files_that_exist() {
+    for name in ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"] {
+        let missing = document(name).missing;
+        assert!(
+            missing.is_empty(),
+            "{name} names what is not there:{}",
+            list(missing)
+        );
+    }
+}
+
+/// A file of code that is not the root of a folder, whose place the folder's name tells.
+fn needs_a_place(path: &str) -> bool {
+    const ROOTS: [&str; 3] = ["/mod.rs", "/lib.rs", "/main.rs"];
+    let is_code = path.ends_with(".rs") && !path.ends_with("tests.rs");
+    is_code && !path.contains("/tests/") && ROOTS.iter().all(|root| !path.ends_with(root))
+}
+
+#[test]
+fn the_map_of_the_code_names_every_file_or_its_folder() {
+    let map = document("ARCHITECTURE.md");
+    let folders = ["plugin/src", "shaders/src/amplify", "demo/src"];
+    let mut files = folders.map(files_below).concat();
+    files.retain(|path| needs_a_place(path) && !map.covers(path));
+    assert!(
+        files.is_empty(),
+        "ARCHITECTURE.md does not name:{}",
+        list(files)
+    );
+}
