@@ -248,7 +248,7 @@ fn add_rivers(
             input.mesh.locate(p).interpolate(|k| f64::from(drawn(k))) as f32,
         )
     };
-    for stretch in rivers::stretches(overlay, bake) {
+    for stretch in rivers::reaches(overlay, bake) {
         let [from, to] = stretch.ends.map(end);
         let half = RIVER_WIDTH.0 + RIVER_WIDTH.1 * stretch.half_width() as f32;
         lines.add(from, to, half, stretch.color);

@@ -161,7 +161,7 @@ fn axes_are_drawn_only_where_there_are_any() {
 
 #[test]
 fn rivers_run_down_to_the_sea_in_lines() {
-    let bake = crate::overlay::ground::tests::bake();
+    let bake = crate::overlay::baked::tests::bake();
     let World {
         planet,
         mesh,

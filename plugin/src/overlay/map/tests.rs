@@ -1,14 +1,17 @@
 //! Tests of maps and overlays on a small planet whose fields have closed forms.
 
-use super::super::{Legend, LegendEntries, colorize};
 use super::*;
-use crate::crust::{Cover, Crust, Orogeny};
+use crate::crust::{Cover, Crust, CrustKind, Orogeny};
+use crate::overlay::palette::{self, Rgba};
+use crate::overlay::{BoundaryKind, Legend, LegendEntries, boundaries, colorize};
 use crate::params::TectonicParams;
 use crate::planet::Planet;
-use crate::plate::{PlateMotion, PlateRow, PlateStats, PlateTable};
+use crate::plate::{PlateId, PlateMotion, PlateRow, PlateStats, PlateTable};
 use bevy::prelude::Entity;
 
-struct Small {
+/// Two plates that meet at the meridians 0 and 180. Elevation is 5 sin(latitude), the north is
+/// continental, folds run from east to west.
+struct SmallPlanet {
     planet: Planet,
     mesh: SphereMesh,
     surface: Surface,
@@ -16,33 +19,48 @@ struct Small {
     params: TectonicParams,
 }
 
-/// Two plates that meet at the meridians 0 and 180; the eastern one turns about the pole by
-/// `omega`. Elevation is 5 sin(latitude), the north is continental.
-fn small(omega: f64) -> Small {
+/// A small planet whose eastern plate turns about the pole by `omega`.
+fn small(omega: f64) -> SmallPlanet {
     let params = TectonicParams::default();
     let mesh = SphereMesh::fibonacci(4000).unwrap();
-    let mut surface = Surface {
-        crust: Crust::ocean(mesh.len(), &params),
+    let surface = Surface {
+        crust: crust(&mesh, &params),
+        plate: (mesh.points().iter())
+            .map(|p| PlateId(u32::from(p.y > 0.0)))
+            .collect(),
+        cover: vec![Cover::One; mesh.len()],
+        trench: vec![0.0; mesh.len()],
         ..Surface::default()
     };
-    for (i, p) in mesh.points().iter().enumerate() {
-        surface.crust.elevation[i] = (5.0 * p.z) as f32;
-        surface.crust.kind[i] = if p.z > 0.0 {
-            CrustKind::Continental
-        } else {
-            CrustKind::Oceanic
-        };
-        surface.crust.orogeny[i] = if p.z > 0.5 {
-            Orogeny::Andean
-        } else {
-            Orogeny::None
-        };
-        surface.crust.fold[i] = DVec3::new(-p.y, p.x, 0.0).normalize_or_zero().as_vec3();
-        surface.plate.push(PlateId(u32::from(p.y > 0.0)));
+    SmallPlanet {
+        planet: Planet {
+            radius: 6370.0,
+            seed: 1,
+        },
+        mesh,
+        surface,
+        plates: PlateTable::new([row(0, 0.0), row(1, omega)]),
+        params,
     }
-    surface.cover = vec![Cover::One; mesh.len()];
-    surface.trench = vec![0.0; mesh.len()];
-    let row = |id, speed| PlateRow {
+}
+
+fn crust(mesh: &SphereMesh, params: &TectonicParams) -> Crust {
+    let mut crust = Crust::ocean(mesh.len(), params);
+    for (i, p) in mesh.points().iter().enumerate() {
+        crust.elevation[i] = (5.0 * p.z) as f32;
+        if p.z > 0.0 {
+            crust.kind[i] = CrustKind::Continental;
+        }
+        if p.z > 0.5 {
+            crust.orogeny[i] = Orogeny::Andean;
+        }
+        crust.fold[i] = DVec3::new(-p.y, p.x, 0.0).normalize_or_zero().as_vec3();
+    }
+    crust
+}
+
+fn row(id: u32, speed: f64) -> PlateRow {
+    PlateRow {
         id: PlateId(id),
         entity: Entity::PLACEHOLDER,
         motion: PlateMotion {
@@ -51,35 +69,17 @@ fn small(omega: f64) -> Small {
         },
         stats: PlateStats::default(),
         born: 0.0,
-    };
-    let plates = PlateTable::new([row(0, 0.0), row(1, omega)]);
-    Small {
-        planet: Planet {
-            radius: 6370.0,
-            seed: 1,
-        },
-        mesh,
-        surface,
-        plates,
-        params,
     }
 }
 
-impl Small {
+impl SmallPlanet {
     fn input(&self) -> OverlayInput<'_> {
-        let Self {
-            planet,
-            mesh,
-            surface,
-            plates,
-            params,
-        } = self;
         OverlayInput {
-            planet,
-            mesh,
-            surface,
-            plates,
-            params,
+            planet: &self.planet,
+            mesh: &self.mesh,
+            surface: &self.surface,
+            plates: &self.plates,
+            params: &self.params,
             bake: None,
         }
     }
@@ -124,39 +124,51 @@ fn the_same_map_on_any_number_of_threads() {
     assert_eq!(pool(1).install(draw), pool(3).install(draw));
 }
 
+/// The kind of boundary at a place, or beside it.
+fn kind_near(small: &SmallPlanet, kinds: &[BoundaryKind], lat: f64, lon: f64) -> BoundaryKind {
+    let sample = small.mesh.nearest(math::direction(lat, lon));
+    let ring = small.mesh.ring(sample).iter();
+    let near = ring.map(|&j| kinds[j as usize]);
+    near.chain([kinds[sample as usize]])
+        .find(|&kind| kind != BoundaryKind::None)
+        .unwrap_or_default()
+}
+
 #[test]
 fn boundaries_are_named_by_relative_motion() {
     // The eastern plate turns east: at longitude 0 it leaves, at 180 it comes.
     let small = small(0.01);
     let kinds = boundaries(&small.input());
-    let at = |lat, lon| {
-        let sample = small.mesh.nearest(math::direction(lat, lon));
-        let foreign = small
-            .mesh
-            .ring(sample)
-            .iter()
-            .find(|&&j| kinds[j as usize] != BoundaryKind::None);
-        foreign.map_or(kinds[sample as usize], |&j| kinds[j as usize])
-    };
-    assert_eq!(at(10.0, 0.0), BoundaryKind::Divergent);
-    assert_eq!(at(10.0, 180.0), BoundaryKind::Convergent);
-    assert_eq!(at(10.0, 90.0), BoundaryKind::None);
-    let resting = boundaries(&self::small(0.0).input());
-    assert!(
-        resting
-            .iter()
-            .all(|k| matches!(k, BoundaryKind::None | BoundaryKind::Transform))
-    );
+    let at = |lon| kind_near(&small, &kinds, 10.0, lon);
+    assert_eq!(at(0.0), BoundaryKind::Divergent);
+    assert_eq!(at(180.0), BoundaryKind::Convergent);
+    assert_eq!(at(90.0), BoundaryKind::None);
 }
 
 #[test]
-fn every_overlay_colours_every_sample_and_explains_itself() {
+fn plates_at_rest_only_have_transform_boundaries() {
+    let kinds = boundaries(&small(0.0).input());
+    let resting =
+        |kind: &BoundaryKind| matches!(kind, BoundaryKind::None | BoundaryKind::Transform);
+    assert!(kinds.iter().all(resting));
+}
+
+#[test]
+fn every_overlay_colours_every_sample() {
     let small = small(0.01);
     let map = MapProjection::new(&small.mesh, 32, 16);
     for overlay in Overlay::ALL {
         let colors = colorize(overlay, &small.input());
         assert_eq!(colors.len(), small.mesh.len());
         assert!(colors.iter().all(|c| c[3] == 255), "{overlay:?}");
+        assert_eq!(map.draw(overlay, &small.input()).rgb.len(), 3 * 32 * 16);
+    }
+}
+
+#[test]
+fn every_overlay_explains_itself() {
+    let small = small(0.01);
+    for overlay in Overlay::ALL {
         let Legend { title, entries, .. } = overlay.legend(&small.input());
         assert!(!title.is_empty());
         match entries {
@@ -165,7 +177,6 @@ fn every_overlay_colours_every_sample_and_explains_itself() {
             }
             LegendEntries::Classes(classes) => assert!(!classes.is_empty()),
         }
-        assert_eq!(map.draw(overlay, &small.input()).rgb.len(), 3 * 32 * 16);
     }
 }
 
@@ -182,8 +193,11 @@ fn colours_follow_the_values() {
     let age = colorize(Overlay::OceanAge, &input);
     assert_ne!(age[north], age[south], "continents have no ocean age");
     assert_eq!(age[south], palette::AGE.at(0.0));
-    // Folds run east-west everywhere: one colour, whatever the longitude.
-    let folds = colorize(Overlay::FoldDirection, &input);
+}
+
+#[test]
+fn folds_of_one_azimuth_have_one_colour_at_any_longitude() {
+    let folds = colorize(Overlay::FoldDirection, &small(0.01).input());
     let east_west = palette::axis_hue(90.0);
     let far = |a: Rgba, b: Rgba| (0..3).any(|k| a[k].abs_diff(b[k]) > 2);
     assert!(!folds.iter().any(|&c| far(c, east_west)));
