@@ -14,55 +14,27 @@
 //! ```
 //! Fields that are left out have their defaults; an unknown field is an error.
 
-use super::{IoError, read_text};
+use super::IoError;
+use super::text::{TextError, parse, read_text};
 use crate::params::ParamError;
 use crate::planet::{PlanetError, PlanetRecipe};
 use bevy::asset::io::Reader;
 use bevy::asset::{AssetLoader, LoadContext};
 use bevy::prelude::*;
-use ron::extensions::Extensions;
-use serde::de::DeserializeOwned;
 use std::path::Path;
 
-/// What is wrong with a text, and in which line (0: in none in particular).
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("line {line}: {problem}")]
-pub struct TextError {
-    /// Line from 1, or 0.
-    pub line: usize,
-    /// What is wrong.
-    pub problem: String,
-}
-
-impl TextError {
-    pub(super) fn in_file(self, path: &Path) -> IoError {
-        IoError::Text {
-            path: path.to_path_buf(),
-            line: self.line,
-            problem: self.problem,
-        }
-    }
-}
-
-/// Reads RON in which `Some(..)` may be left out.
-pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, TextError> {
-    let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
-    options.from_str(text).map_err(|error| {
-        // The parser quotes the text it met; a message stays on one line.
-        let problem = error
-            .code
-            .to_string()
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ");
-        TextError {
-            line: error.span.start.line,
-            problem,
-        }
-    })
-}
-
 /// Reads and checks a recipe.
+///
+/// ```
+/// use bevy_pangaea::io::preset::parse_recipe;
+///
+/// let recipe = parse_recipe("(seed: 7, land: 0.4, params: (erosion: 0.05))")?;
+/// assert_eq!((recipe.seed, recipe.params.erosion), (7, 0.05));
+///
+/// let refused = parse_recipe("(\n    land: 2,\n)").unwrap_err();
+/// assert_eq!(refused.line, 2);
+/// # Ok::<(), bevy_pangaea::io::TextError>(())
+/// ```
 ///
 /// # Errors
 /// [`TextError`] names the line of what is refused.
@@ -89,22 +61,23 @@ fn field_of(error: &PlanetError) -> Option<&str> {
     }
 }
 
-/// The only line that sets the field `name`; none if there are several, or none.
+/// The line that sets the field `name`, if there is exactly one.
 fn line_of(text: &str, name: &str) -> Option<usize> {
-    let sets = |line: &str| {
-        line.match_indices(name).any(|(at, _)| {
-            let before = line[..at].chars().next_back();
-            let after = line[at + name.len()..].trim_start();
-            after.starts_with(':') && !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
-        })
-    };
-    let mut found = text
-        .lines()
-        .enumerate()
-        .filter(|(_, line)| sets(line))
-        .map(|(i, _)| i + 1);
+    let mut found = (1..)
+        .zip(text.lines())
+        .filter(|(_, line)| sets(line, name))
+        .map(|(number, _)| number);
     let first = found.next()?;
     found.next().is_none().then_some(first)
+}
+
+/// Whether a line sets the field `name`, and not one whose name ends in it.
+fn sets(line: &str, name: &str) -> bool {
+    line.match_indices(name).any(|(at, _)| {
+        let before = line[..at].chars().next_back();
+        let after = line[at + name.len()..].trim_start();
+        after.starts_with(':') && !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
+    })
 }
 
 /// Loads a recipe from a file.
@@ -137,13 +110,13 @@ impl Plugin for PresetPlugin {
 /// Why an asset is no recipe.
 #[derive(Debug, thiserror::Error)]
 pub enum RecipeLoadError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error("cannot read the preset: {0}")]
     Read(#[from] std::io::Error),
-    /// It is no UTF-8.
+    /// The file is no UTF-8.
     #[error("the preset is no UTF-8 text")]
     NotText,
-    /// It is refused.
+    /// The recipe is refused.
     #[error(transparent)]
     Text(#[from] TextError),
 }
@@ -222,22 +195,26 @@ mod tests {
         );
     }
 
+    const NOT_NUMBERS: [&str; 5] = ["NaN", "inf", "-inf", "1e300", "-1e300"];
+
+    fn assert_refused(text: &str) {
+        assert!(parse_recipe(text).is_err(), "{text}");
+    }
+
     #[test]
-    fn every_number_of_a_preset_is_checked() {
-        for bad in ["NaN", "inf", "-inf", "1e300", "-1e300"] {
-            for field in ["radius", "land"] {
-                assert!(
-                    parse_recipe(&format!("({field}: {bad})")).is_err(),
-                    "{field}: {bad}"
-                );
-            }
+    fn every_number_of_a_planet_is_checked() {
+        for bad in NOT_NUMBERS {
+            assert_refused(&format!("(radius: {bad})"));
+            assert_refused(&format!("(land: {bad})"));
             for info in crate::params::TectonicParams::TABLE {
-                assert!(
-                    parse_recipe(&format!("(params: ({}: {bad}))", info.name)).is_err(),
-                    "{}",
-                    info.name
-                );
+                assert_refused(&format!("(params: ({}: {bad}))", info.name));
             }
+        }
+    }
+
+    #[test]
+    fn every_number_of_plates_and_continents_is_checked() {
+        for bad in NOT_NUMBERS {
             for plate in [
                 format!("(centroid: ({bad}, 0))"),
                 format!("(centroid: (0, {bad}))"),
@@ -245,18 +222,14 @@ mod tests {
                 format!("(centroid: (0, 0), pole: ({bad}, 0))"),
                 format!("(centroid: (0, 0), pole: (0, {bad}))"),
             ] {
-                let text = format!("(plates: [(centroid: (1, 1)), {plate}])");
-                assert!(parse_recipe(&text).is_err(), "{text}");
+                assert_refused(&format!("(plates: [(centroid: (1, 1)), {plate}])"));
             }
             for disc in [
                 format!("(center: ({bad}, 0), radius: 100)"),
                 format!("(center: (0, {bad}), radius: 100)"),
                 format!("(center: (0, 0), radius: {bad})"),
             ] {
-                assert!(
-                    parse_recipe(&format!("(continents: [{disc}])")).is_err(),
-                    "{disc}"
-                );
+                assert_refused(&format!("(continents: [{disc}])"));
             }
         }
     }

@@ -12,54 +12,26 @@
 
 use super::codec::Decoder;
 use super::sections;
-use super::{IoError, write_atomically};
+use super::{IoError, SaveError, write_atomically};
 use crate::spawn::PlanetState;
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
-use thiserror::Error;
 
 const MAGIC: &[u8; 8] = b"PANGAEA\x1a";
 
 /// The version of the format that this program writes and reads.
 pub const VERSION: u32 = 3;
 
-/// Bytes of magic and version, and of the hash at the end.
-const HEAD: usize = 12;
-const HASH: usize = 32;
+/// Bytes of magic and version.
+const HEADER_BYTES: usize = 12;
+/// Bytes of the hash at the end.
+const HASH_BYTES: usize = 32;
 
-/// Why bytes are no planet.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum SaveError {
-    /// The magic is missing.
-    #[error("this is no Pangaea planet")]
-    NotASave,
-    /// The file was written in another version of the format.
-    #[error("format version {found} is {}; this program reads version {VERSION}", age(*found))]
-    Version {
-        /// The file's version.
-        found: u32,
-    },
-    /// The file ends too early.
-    #[error("the file is cut short")]
-    Truncated,
-    /// The content was changed since it was written.
-    #[error("the file is damaged: its checksum does not match")]
-    Checksum,
-    /// The content makes no planet.
-    #[error("the file is damaged: {0}")]
-    Invalid(String),
-}
+/// Larger files hold no planet: two million samples take 140 MB.
+const MAX_FILE_BYTES: u64 = 1 << 30;
 
-fn age(found: u32) -> &'static str {
-    if found > VERSION {
-        "newer than this program"
-    } else {
-        "no longer supported"
-    }
-}
-
-/// Passes on what is written, and hashes it.
+/// Passes bytes on, and hashes them.
 struct Hashing<W> {
     out: W,
     hasher: blake3::Hasher,
@@ -75,7 +47,7 @@ impl<W: Write> Hashing<W> {
 /// Writes a planet. Equal state gives equal bytes.
 ///
 /// # Errors
-/// What `out` returns.
+/// The error of `out`.
 pub fn write_to(state: &PlanetState, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
     write_hashed(state, out).map(|_| ())
 }
@@ -91,9 +63,8 @@ pub(super) fn write_hashed(
     };
     out.put(MAGIC)?;
     out.put(&VERSION.to_le_bytes())?;
-    for section in sections::SECTIONS {
-        let content = (section.encode)(state);
-        out.put(section.tag)?;
+    for (tag, content) in sections::encode(state) {
+        out.put(tag)?;
         out.put(&(content.len() as u64).to_le_bytes())?;
         out.put(&content)?;
     }
@@ -105,37 +76,62 @@ pub(super) fn write_hashed(
 /// Reads a planet and makes its mesh.
 ///
 /// # Errors
-/// [`SaveError`] for anything but what [`write_to`] wrote.
+/// [`SaveError`] for bytes that [`write_to`] did not write.
 pub fn read_from(bytes: &[u8]) -> Result<PlanetState, SaveError> {
+    sections::decode(&split(checked(bytes)?)?)
+}
+
+/// The sections of a file with a good header and hash.
+fn checked(bytes: &[u8]) -> Result<&[u8], SaveError> {
     if bytes.get(..MAGIC.len()) != Some(MAGIC) {
         return Err(SaveError::NotASave);
     }
     let found = Decoder(&bytes[MAGIC.len()..]).u32()?;
     if found != VERSION {
-        return Err(SaveError::Version { found });
+        return Err(SaveError::Version {
+            found,
+            supported: VERSION,
+        });
     }
-    let content = bytes
+    let end = bytes
         .len()
-        .checked_sub(HASH)
-        .filter(|&end| end >= HEAD)
+        .checked_sub(HASH_BYTES)
+        .filter(|&end| end >= HEADER_BYTES)
         .ok_or(SaveError::Truncated)?;
-    if blake3::hash(&bytes[..content]).as_bytes()[..] != bytes[content..] {
+    if blake3::hash(&bytes[..end]).as_bytes()[..] != bytes[end..] {
         return Err(SaveError::Checksum);
     }
-    let mut decoder = Decoder(&bytes[HEAD..content]);
-    let mut contents = Vec::with_capacity(sections::SECTIONS.len());
-    for section in sections::SECTIONS {
-        if decoder.take(4)? != section.tag {
+    Ok(&bytes[HEADER_BYTES..end])
+}
+
+/// The contents of all sections.
+fn split(sections: &[u8]) -> Result<Vec<&[u8]>, SaveError> {
+    let mut decoder = Decoder(sections);
+    let mut contents = Vec::new();
+    for tag in sections::tags() {
+        if decoder.take(4)? != tag {
             return Err(SaveError::Invalid("a section is missing".into()));
         }
         let length = usize::try_from(decoder.u64()?).map_err(|_| SaveError::Truncated)?;
         contents.push(decoder.take(length)?);
     }
     decoder.end()?;
-    sections::decode(&contents)
+    Ok(contents)
 }
 
 /// Saves a planet, whole or not at all.
+///
+/// ```
+/// use bevy_pangaea::{io, prelude::*, spawn::PlanetState};
+///
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("planet.pangaea");
+/// let recipe = PlanetRecipe { samples: 1000, plate_count: 8, ..PlanetRecipe::default() };
+/// let planet = PlanetState::new(&recipe)?;
+/// io::save(&planet, &path)?;
+/// assert_eq!(io::digest(&io::load(&path)?), io::digest(&planet));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`IoError::Write`]; an older file of that name is untouched then.
@@ -149,23 +145,13 @@ pub fn save(state: &PlanetState, path: &Path) -> Result<(), IoError> {
 /// [`IoError::Read`] if the file cannot be read, [`IoError::Save`] if it is no planet.
 pub fn load(path: &Path) -> Result<PlanetState, IoError> {
     let meta = fs::metadata(path).map_err(|source| IoError::read(path, source))?;
-    // A device may never end, and no save is that large.
-    if !meta.is_dir() && (!meta.is_file() || meta.len() > MAX_SIZE) {
-        return Err(IoError::Save {
-            path: path.to_path_buf(),
-            source: SaveError::NotASave,
-        });
+    // A device may never end, and no save is that large. Folders are refused by the read.
+    if !meta.is_dir() && (!meta.is_file() || meta.len() > MAX_FILE_BYTES) {
+        return Err(IoError::save(path, SaveError::NotASave));
     }
     let bytes = fs::read(path).map_err(|source| IoError::read(path, source))?;
-    read_from(&bytes).map_err(|source| IoError::Save {
-        path: path.to_path_buf(),
-        source,
-    })
+    read_from(&bytes).map_err(|source| IoError::save(path, source))
 }
 
-/// Larger files hold no planet: two million samples take 140 MB.
-const MAX_SIZE: u64 = 1 << 30;
-
 #[cfg(test)]
-#[path = "save_tests.rs"]
 mod tests;
