@@ -1,6 +1,7 @@
 //! `pangaea bench`: how fast this machine grows planets, also in floors: how often all columns
 //! could have been read and written in the same time.
 
+pub mod floor;
 mod ground;
 
 use crate::cli::BenchArgs;
@@ -10,7 +11,7 @@ use crate::output::{check_file, print, say, write_file};
 use crate::progress;
 use bevy_pangaea::authoring::{Inbox, TectonicCommand, apply::apply};
 use bevy_pangaea::crust::Crust;
-use bevy_pangaea::io::{Timings, floor, stats::peak_rss_mb};
+use bevy_pangaea::io::{Timings, stats::peak_rss_mb};
 use bevy_pangaea::planet::PlanetRecipe;
 use bevy_pangaea::schedule::{Stage, StageTimings};
 use std::fmt::Write;
@@ -88,7 +89,7 @@ fn measure(samples: u32) -> Result<Row, CliError> {
     let timings_ms = Timings {
         mesh: Some(mesh),
         total: Some(total),
-        floor: Some(floor(headless.get::<Crust>()?)),
+        floor: Some(floor::memory_floor_ms(headless.get::<Crust>()?)),
         ..Timings::of_stages(stages)
     };
     let steps = stages.steps.max(1) as f64;

@@ -6,7 +6,7 @@ use crate::ground::ground_of;
 use crate::interrupt;
 use crate::output::{check_file, say};
 use crate::progress;
-use bevy_pangaea::io::export::{self as squares, Format};
+use bevy_pangaea::io::export::{self as squares, ExportFormat};
 use bevy_pangaea::io::{load, write_all_atomically};
 use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid, Square};
 
@@ -14,10 +14,10 @@ use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid,
 pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     interrupt::watch();
     // Refused before a planet is loaded: a wrong name, and a place where no file can be.
-    let format = Format::of(&args.out)?;
+    let format = ExportFormat::of(&args.out)?;
     format.check(args.pixels as usize)?;
     check_file(&args.out)?;
-    if format == Format::Grey {
+    if format == ExportFormat::Grey {
         check_file(&args.out.with_extension("json"))?;
     }
     let climate = args.climate.load()?;

@@ -1,5 +1,6 @@
 //! `pangaea generate`: grows a planet and writes it, its maps and its figures.
 
+use crate::bench::floor::memory_floor_ms;
 use crate::cli::GenerateArgs;
 use crate::course::Course;
 use crate::error::CliError;
@@ -9,7 +10,7 @@ use crate::output::{Files, say};
 use crate::progress;
 use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::crust::{Crust, PlanetSurface};
-use bevy_pangaea::io::{Stats, Timings, digest, floor, png, save};
+use bevy_pangaea::io::{Stats, Timings, digest, png, save};
 use bevy_pangaea::overlay::{MapProjection, Overlay};
 use bevy_pangaea::schedule::StageTimings;
 use std::time::Instant;
@@ -47,7 +48,7 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     let timings = Timings {
         mesh: Some(mesh_ms),
         total: Some(total),
-        floor: Some(floor(headless.get::<Crust>()?)),
+        floor: Some(memory_floor_ms(headless.get::<Crust>()?)),
         ..Timings::of_stages(headless.get::<StageTimings>()?)
     };
     let hash = add_planet(&headless, &mut files)?;

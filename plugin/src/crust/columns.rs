@@ -5,12 +5,11 @@
 //! column, for parallel sweeps), comparison, copies and files. A new column is one entry.
 
 use super::kinds::{CrustKind, Orogeny};
-use super::value::ColumnValue;
+use super::value::{ColumnError, ColumnValue, decode_column, encode_column};
 use crate::ids::FrameId;
 use crate::parallel::CHUNK;
 use bevy::prelude::*;
 use core::ops::Range;
-use thiserror::Error;
 
 /// A column as files and messages know it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,35 +26,6 @@ pub struct ColumnInfo {
     pub max: f32,
     /// Bytes of a value.
     pub bytes: usize,
-}
-
-/// Why a stored column was refused.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum ColumnError {
-    /// There are more columns or fewer than the crust has.
-    #[error("{0} columns of crust instead of {n}", n = Crust::COLUMNS.len())]
-    Count(usize),
-    /// The column has not one entry per sample.
-    #[error("the column of {0} has the wrong length")]
-    Length(&'static str),
-    /// The bytes of a sample are no value of the column.
-    #[error("unknown {label} of sample {sample}")]
-    Unknown {
-        /// Name of the column in messages.
-        label: &'static str,
-        /// The sample.
-        sample: usize,
-    },
-    /// The value of a sample is NaN or outside of the limits.
-    #[error("{label} of sample {sample} is {value}")]
-    OutOfRange {
-        /// Name of the column in messages.
-        label: &'static str,
-        /// The sample.
-        sample: usize,
-        /// The refused value.
-        value: f32,
-    },
 }
 
 macro_rules! columns {
@@ -150,7 +120,7 @@ macro_rules! columns {
 
             /// Every column as bytes, in the order of [`COLUMNS`](Self::COLUMNS).
             pub fn encode_columns(&self) -> Vec<Vec<u8>> {
-                vec![ $( encode(&self.$name), )+ ]
+                vec![ $( encode_column(&self.$name), )+ ]
             }
 
             /// The crust of `n` samples that columns of bytes hold, in the order of
@@ -160,11 +130,14 @@ macro_rules! columns {
             /// [`ColumnError`] names the column and the sample.
             pub fn decode_columns(columns: &[&[u8]], n: usize) -> Result<Self, ColumnError> {
                 if columns.len() != Self::COLUMNS.len() {
-                    return Err(ColumnError::Count(columns.len()));
+                    return Err(ColumnError::Count {
+                        found: columns.len(),
+                        expected: Self::COLUMNS.len(),
+                    });
                 }
                 let mut columns = columns.iter().zip(Self::COLUMNS);
                 $( let $name = match columns.next() {
-                    Some((bytes, info)) => decode(bytes, n, info)?,
+                    Some((bytes, info)) => decode_column(bytes, n, info.label, info.min..=info.max)?,
                     None => Vec::new(),
                 }; )+
                 Ok(Self { $( $name, )+ })
@@ -206,40 +179,6 @@ columns! {
     orogeny: Orogeny = "orogeny", b"OROG", 0.0..2.0;
     /// Fold direction f: a tangent vector, unit length once folded, zero before.
     fold: Vec3 = "fold direction", b"FOLD", -1.001..1.001;
-}
-
-fn encode<T: ColumnValue>(column: &[T]) -> Vec<u8> {
-    let mut bytes = vec![0; T::BYTES * column.len()];
-    for (bytes, value) in bytes.chunks_exact_mut(T::BYTES).zip(column) {
-        value.encode(bytes);
-    }
-    bytes
-}
-
-fn decode<T: ColumnValue>(
-    bytes: &[u8],
-    n: usize,
-    info: &ColumnInfo,
-) -> Result<Vec<T>, ColumnError> {
-    let label = info.label;
-    if bytes.len() != T::BYTES * n {
-        return Err(ColumnError::Length(label));
-    }
-    bytes
-        .chunks_exact(T::BYTES)
-        .enumerate()
-        .map(|(sample, bytes)| {
-            let value = T::decode(bytes).ok_or(ColumnError::Unknown { label, sample })?;
-            match value.outside(info.min, info.max) {
-                None => Ok(value),
-                Some(value) => Err(ColumnError::OutOfRange {
-                    label,
-                    sample,
-                    value,
-                }),
-            }
-        })
-        .collect()
 }
 
 impl Crust {

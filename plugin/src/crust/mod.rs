@@ -18,9 +18,9 @@ pub mod surface;
 pub mod ledger;
 
 pub use crate::ids::FrameId;
-pub use columns::{ColumnError, ColumnInfo, Crust, CrustChunk, CrustRow};
+pub use columns::{ColumnInfo, Crust, CrustChunk, CrustRow};
 pub use frame::{Frame, Frames};
 pub use kinds::{CrustKind, Orogeny};
 pub use ledger::{Cause, Ledger};
 pub use surface::{Cover, PlanetSurface, Surface};
-pub use value::ColumnValue;
+pub use value::{ColumnError, ColumnValue, decode_column, encode_column};

@@ -1,7 +1,10 @@
-//! Values that a crust column can hold, and how files store them.
+//! Values that a column can hold, and how files store columns: values of one type in little-endian
+//! bytes, one after the other.
 
 use super::kinds::{CrustKind, Orogeny};
 use bevy::math::Vec3;
+use core::ops::RangeInclusive;
+use thiserror::Error;
 
 /// A type of column: little-endian bytes of fixed length, and what a value shows in a message.
 pub trait ColumnValue: Copy + PartialEq + Send + Sync + 'static {
@@ -76,6 +79,22 @@ impl ColumnValue for Vec3 {
     }
 }
 
+impl ColumnValue for u32 {
+    const BYTES: usize = 4;
+
+    fn encode(self, bytes: &mut [u8]) {
+        bytes.copy_from_slice(&self.to_le_bytes());
+    }
+
+    fn decode(bytes: &[u8]) -> Option<Self> {
+        Some(Self::from_le_bytes(bytes.try_into().ok()?))
+    }
+
+    fn outside(&self, min: f32, max: f32) -> Option<f32> {
+        (*self as f32).outside(min, max)
+    }
+}
+
 macro_rules! one_byte {
     ($($kind:ty),+) => { $(
         impl ColumnValue for $kind {
@@ -97,3 +116,78 @@ macro_rules! one_byte {
 }
 
 one_byte!(CrustKind, Orogeny);
+
+/// Why a stored column was refused.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum ColumnError {
+    /// There are more columns or fewer than the crust has.
+    #[error("{found} columns of crust instead of {expected}")]
+    Count {
+        /// Columns that were found.
+        found: usize,
+        /// Columns that the crust has.
+        expected: usize,
+    },
+    /// The column has not one entry per sample.
+    #[error("the column of {0} has the wrong length")]
+    Length(&'static str),
+    /// The bytes of a sample are no value of the column.
+    #[error("unknown {label} of sample {sample}")]
+    Unknown {
+        /// Name of the column in messages.
+        label: &'static str,
+        /// The sample.
+        sample: usize,
+    },
+    /// The value of a sample is NaN or outside of the limits.
+    #[error("{label} of sample {sample} is {value}")]
+    OutOfRange {
+        /// Name of the column in messages.
+        label: &'static str,
+        /// The sample.
+        sample: usize,
+        /// The refused value.
+        value: f32,
+    },
+}
+
+/// The bytes of a column.
+pub fn encode_column<T: ColumnValue>(column: &[T]) -> Vec<u8> {
+    let mut bytes = vec![0; T::BYTES * column.len()];
+    for (bytes, value) in bytes.chunks_exact_mut(T::BYTES).zip(column) {
+        value.encode(bytes);
+    }
+    bytes
+}
+
+/// The column of `n` values within `limits` that `bytes` hold; `label` names it in errors.
+///
+/// # Errors
+/// [`ColumnError`] names the first sample whose value is refused.
+pub fn decode_column<T: ColumnValue>(
+    bytes: &[u8],
+    n: usize,
+    label: &'static str,
+    limits: RangeInclusive<f32>,
+) -> Result<Vec<T>, ColumnError> {
+    if bytes.len() != T::BYTES * n {
+        return Err(ColumnError::Length(label));
+    }
+    let (min, max) = limits.into_inner();
+    let value = |(sample, bytes)| {
+        let value = T::decode(bytes).ok_or(ColumnError::Unknown { label, sample })?;
+        match value.outside(min, max) {
+            None => Ok(value),
+            Some(value) => Err(ColumnError::OutOfRange {
+                label,
+                sample,
+                value,
+            }),
+        }
+    };
+    bytes
+        .chunks_exact(T::BYTES)
+        .enumerate()
+        .map(value)
+        .collect()
+}

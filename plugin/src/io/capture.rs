@@ -15,6 +15,22 @@ use bevy::prelude::*;
 ///
 /// `None` if the entity is no planet, or while it is in the middle of a step. Commands that wait in
 /// its inbox are part of the state, as those of a scenario are that have still to come.
+///
+/// ```
+/// use bevy::prelude::*;
+/// use bevy_pangaea::schedule::run_steps;
+/// use bevy_pangaea::{io, prelude::*, spawn::PlanetState};
+///
+/// let mut app = App::new();
+/// app.add_plugins(PangaeaPlugins);
+/// let recipe = PlanetRecipe { samples: 1000, plate_count: 8, ..default() };
+/// let planet = PlanetState::new(&recipe)?.spawn(app.world_mut());
+/// run_steps(app.world_mut(), planet, 3);
+///
+/// let state = io::capture(app.world(), planet).ok_or("in the middle of a step")?;
+/// assert_eq!(state.clock.step, 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     let entity = world.get_entity(planet).ok()?;
     if entity
@@ -23,22 +39,7 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     {
         return None;
     }
-    let mut rows: Vec<((PlateId, PlateMotion, f64), PlateStats)> = Vec::new();
-    for plate in entity
-        .get::<Plates>()
-        .into_iter()
-        .flat_map(|plates| plates.iter())
-    {
-        let plate = world.get_entity(plate).ok()?;
-        let row = (
-            *plate.get::<PlateId>()?,
-            *plate.get::<PlateMotion>()?,
-            plate.get::<Plate>()?.born,
-        );
-        rows.push((row, *plate.get::<PlateStats>()?));
-    }
-    rows.sort_by_key(|&((id, ..), _)| id);
-    let (plates, stats) = rows.into_iter().unzip();
+    let (plates, stats) = plates(world, entity.get::<Plates>())?;
     Some(PlanetState {
         planet: *entity.get::<Planet>()?,
         lattice: entity.get::<Lattice>()?.clone(),
@@ -57,8 +58,25 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     })
 }
 
-/// What is left of the scenario, and the inbox: its commands are due now, after those of the
-/// scenario.
+/// A plate of a planet's state: number, motion, time of birth in My.
+type SavedPlate = (PlateId, PlateMotion, f64);
+
+/// The plates in order of their numbers, and what each is made of.
+fn plates(world: &World, plates: Option<&Plates>) -> Option<(Vec<SavedPlate>, Vec<PlateStats>)> {
+    let mut rows: Vec<(SavedPlate, PlateStats)> = Vec::new();
+    for plate in plates.into_iter().flat_map(Plates::iter) {
+        let plate = world.get_entity(plate).ok()?;
+        let id = *plate.get::<PlateId>()?;
+        let motion = *plate.get::<PlateMotion>()?;
+        let born = plate.get::<Plate>()?.born;
+        rows.push(((id, motion, born), *plate.get::<PlateStats>()?));
+    }
+    rows.sort_by_key(|&((id, ..), _)| id);
+    Some(rows.into_iter().unzip())
+}
+
+/// The commands of the scenario that have still to come, and the inbox: its commands are due now,
+/// after those of the scenario.
 fn pending(planet: EntityRef) -> Option<Scenario> {
     let step = planet.get::<GeologicClock>()?.step;
     let mut pending = planet.get::<Scenario>().cloned().unwrap_or_default();

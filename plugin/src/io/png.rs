@@ -6,23 +6,33 @@
 use crate::overlay::Raster;
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
 
-/// Elevation in km that has the grey value 0, and the range of all grey values.
-const LOWEST: f32 = -12.0;
-const RANGE: f32 = 24.0;
+/// Elevation of the grey value 0.
+const LOWEST_KM: f32 = -12.0;
+/// Difference of elevation between the greatest grey value and 0.
+const RANGE_KM: f32 = 24.0;
 
 /// The grey value of an elevation in km.
 pub fn grey_of_elevation(z: f32) -> u16 {
-    let level = f64::from((z - LOWEST) / RANGE) * 65_535.0;
-    // Not a number becomes 0.
+    let level = f64::from((z - LOWEST_KM) / RANGE_KM) * 65_535.0;
+    // NaN becomes 0.
     (level + 0.5).clamp(0.0, 65_535.0) as u16
 }
 
 /// The elevation in km of a grey value.
 pub fn elevation_of_grey(grey: u16) -> f32 {
-    f32::from(grey) / 65_535.0 * RANGE + LOWEST
+    f32::from(grey) / 65_535.0 * RANGE_KM + LOWEST_KM
 }
 
 /// A 16-bit grey PNG of elevations in km, `width` to a row, rows from the top.
+///
+/// ```
+/// use bevy_pangaea::io::png::{elevation_of_grey, elevation_png, grey_of_elevation};
+///
+/// let file = elevation_png(2, &[-4.0, 0.0, 0.5, 8.0])?;
+/// assert!(file.starts_with(b"\x89PNG"));
+/// assert!((elevation_of_grey(grey_of_elevation(8.0)) - 8.0).abs() < 4e-4);
+/// # Ok::<(), png::EncodingError>(())
+/// ```
 ///
 /// # Errors
 /// If the elevations are not whole rows.
@@ -95,50 +105,45 @@ mod tests {
         }
     }
 
-    #[test]
-    fn pictures_are_read_as_written() {
-        let elevation = [-11.0_f32, -5.0, 0.0, 3.0, 9.0, 12.0];
-        let file = elevation_png(3, &elevation).unwrap();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(&file))
+    /// Size and pixels of a picture.
+    fn decoded(file: &[u8]) -> ((u32, u32), Vec<u8>) {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file))
             .read_info()
             .unwrap();
-        let mut pixels = vec![0; 12];
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut pixels).unwrap();
-        assert_eq!(
-            (info.width, info.height, info.bit_depth),
-            (3, 2, BitDepth::Sixteen)
-        );
-        for (z, bytes) in elevation.iter().zip(pixels.chunks(2)) {
-            assert_eq!(
-                u16::from_be_bytes([bytes[0], bytes[1]]),
-                grey_of_elevation(*z)
-            );
-        }
+        ((info.width, info.height), pixels)
+    }
+
+    #[test]
+    fn elevations_are_read_as_written() {
+        let elevation = [-11.0_f32, -5.0, 0.0, 3.0, 9.0, 12.0];
+        let (size, pixels) = decoded(&elevation_png(3, &elevation).unwrap());
+        assert_eq!(size, (3, 2));
+        let greys = elevation.map(|z| grey_of_elevation(z).to_be_bytes());
+        assert_eq!(pixels, greys.concat());
+    }
+
+    #[test]
+    fn colours_are_read_as_written() {
         let raster = Raster {
             width: 1,
             height: 2,
             rgb: vec![1, 2, 3, 4, 5, 6],
         };
-        let file = rgb_png(&raster).unwrap();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(&file))
-            .read_info()
-            .unwrap();
-        let mut pixels = vec![0; 6];
-        reader.next_frame(&mut pixels).unwrap();
-        assert_eq!(pixels, raster.rgb);
+        let (size, pixels) = decoded(&rgb_png(&raster).unwrap());
+        assert_eq!((size, pixels), ((1, 2), raster.rgb));
     }
 
     #[test]
     fn broken_rows_are_refused() {
         assert!(elevation_png(4, &[0.0; 6]).is_err());
         assert!(elevation_png(0, &[]).is_err());
-        assert!(
-            rgb_png(&Raster {
-                width: 2,
-                height: 2,
-                rgb: vec![0; 3]
-            })
-            .is_err()
-        );
+        let short = Raster {
+            width: 2,
+            height: 2,
+            rgb: vec![0; 3],
+        };
+        assert!(rgb_png(&short).is_err());
     }
 }

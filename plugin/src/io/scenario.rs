@@ -9,12 +9,23 @@
 //! ]
 //! ```
 
-use super::preset::{TextError, parse};
-use super::{IoError, read_text};
+use super::IoError;
+use super::text::{TextError, parse, read_text};
 use crate::authoring::{Scenario, TimedCommand};
 use std::path::Path;
 
-/// Reads a scenario and checks what can be known without a planet: names, limits and coordinates.
+/// Reads a scenario and checks all that needs no planet: names, limits and coordinates.
+///
+/// ```
+/// use bevy_pangaea::io::scenario::parse_scenario;
+///
+/// let scenario = parse_scenario("[(step: 10, command: RiftPlate(plate: 5))]")?;
+/// assert_eq!(scenario.0[0].step, 10);
+///
+/// let unknown = parse_scenario("[(step: 10, command: Explode)]");
+/// assert!(unknown.is_err());
+/// # Ok::<(), bevy_pangaea::io::TextError>(())
+/// ```
 ///
 /// # Errors
 /// [`TextError`] for the first command that is refused.

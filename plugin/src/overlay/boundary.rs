@@ -5,7 +5,7 @@ use super::palette::Rgba;
 use crate::parallel;
 use bevy::prelude::*;
 
-/// What plates do where they meet.
+/// The relative motion of plates where they meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Reflect)]
 #[repr(u8)]
 pub enum BoundaryKind {
@@ -34,7 +34,7 @@ impl BoundaryKind {
         }
     }
 
-    /// Colour of lines of this kind; transparent where there is none.
+    /// Colour of lines of this kind; transparent for [`BoundaryKind::None`].
     pub fn color(self) -> Rgba {
         match self {
             Self::None => [0, 0, 0, 0],
@@ -47,41 +47,47 @@ impl BoundaryKind {
 
 /// Least share of the relative speed that must be across a boundary, or it counts as transform: the
 /// sine of 30 degrees.
-const ACROSS: f64 = 0.5;
+const LEAST_NORMAL_SHARE: f64 = 0.5;
 
 /// Relative speed in radii per My below which plates rest against each other: 1 km in 150 My on
 /// Earth.
-const REST: f64 = 1e-6;
+const RESTING_SPEED: f64 = 1e-6;
 
 /// The kind of boundary at every sample; a boundary is one sample wide on either side.
 pub fn boundaries(input: &OverlayInput) -> Vec<BoundaryKind> {
     parallel::map(input.mesh.len(), |i| boundary(input, i))
 }
 
+/// The kind at sample `i`, from the mean motion of the neighbours on other plates.
 fn boundary(input: &OverlayInput, i: u32) -> BoundaryKind {
-    let OverlayInput {
-        mesh,
-        surface,
-        plates,
-        ..
-    } = *input;
-    let (own, p) = (surface.plate[i as usize], mesh.point(i));
-    let (mut opening, mut speed, mut foreign) = (0.0, 0.0, 0);
-    for &j in mesh.ring(i) {
-        let other = surface.plate[j as usize];
+    let plate = &input.surface.plate;
+    let own = plate[i as usize];
+    let p = input.mesh.point(i);
+    let mut opening = 0.0;
+    let mut speed = 0.0;
+    let mut foreign = 0;
+    for &j in input.mesh.ring(i) {
+        let other = plate[j as usize];
         if other == own {
             continue;
         }
-        let q = mesh.point(j);
-        let relative = (plates.angular_velocity(other) - plates.angular_velocity(own))
-            .cross((p + q).normalize());
+        let q = input.mesh.point(j);
+        let turn = input.plates.angular_velocity(other) - input.plates.angular_velocity(own);
+        let relative = turn.cross((p + q).normalize());
         opening += relative.dot((q - p).normalize());
         speed += relative.length();
         foreign += 1;
     }
     if foreign == 0 {
-        BoundaryKind::None
-    } else if speed < REST * f64::from(foreign) || opening.abs() < ACROSS * speed {
+        return BoundaryKind::None;
+    }
+    kind_of(opening, speed, f64::from(foreign))
+}
+
+/// The kind of a boundary with sums over `count` neighbours: speeds of opening and relative speeds,
+/// in radii per My.
+fn kind_of(opening: f64, speed: f64, count: f64) -> BoundaryKind {
+    if speed < RESTING_SPEED * count || opening.abs() < LEAST_NORMAL_SHARE * speed {
         BoundaryKind::Transform
     } else if opening > 0.0 {
         BoundaryKind::Divergent

@@ -1,7 +1,7 @@
 //! A colour for every sample.
 
-use super::field::Field;
 use super::palette::Rgba;
+use super::quantity::field_of;
 use super::{Overlay, OverlayInput};
 use crate::parallel;
 
@@ -10,6 +10,8 @@ pub fn colorize(overlay: Overlay, input: &OverlayInput) -> Vec<Rgba> {
     if input.surface.len() != input.mesh.len() {
         return Vec::new();
     }
-    let field = Field::new(overlay, input);
-    parallel::map(input.mesh.len(), |i| field.at(i, &input.surface.crust.kind))
+    let field = field_of(overlay, input);
+    parallel::map(input.mesh.len(), |i| {
+        field.at_sample(i, &input.surface.crust.kind)
+    })
 }

@@ -1,195 +1,75 @@
-//! The quantity that an overlay shows, per sample, and how it becomes a colour.
+//! A quantity that is known at every sample, and how it becomes a colour between them.
 //!
-//! Quantities, not colours, are interpolated between samples: a coast stays a line, and a missing
-//! value is left out instead of being mixed in. Classes take the side with most weight.
+//! Quantities, not colours, are interpolated between samples: a coast stays a line, and NaN is left
+//! out instead of being mixed in. Classes take the side with most weight.
 
-use super::derivatives::{laplacians, slopes};
-use super::palette::{self, Ramp, Rgba};
-use super::{Overlay, OverlayInput, ground};
-use crate::crust::{CrustKind, Orogeny};
+use super::palette::{self, Ramp, Rgba, classes};
+use crate::crust::CrustKind;
 use crate::math;
-use crate::noise::Noise;
-use crate::parallel;
-use crate::random::{Purpose, mix};
-use bevy::math::Vec3;
 
-/// What an overlay shows at each sample.
-pub(super) enum Field {
-    /// Numbers on a ramp between two values; not a number where there is none.
+/// A quantity at every sample.
+pub(super) enum OverlayField {
+    /// Numbers on a ramp from `low` to `high`; NaN where there is no value.
     Scalar {
         values: Vec<f32>,
         ramp: Ramp,
         low: f32,
         high: f32,
     },
-    /// Axes: the doubled azimuth as a vector; zero where there is none.
+    /// Axes: the doubled azimuth as a vector, so that opposite directions mix; zero where there is
+    /// no axis.
     Axis(Vec<[f32; 2]>),
-    /// Classes that do not mix.
+    /// Classes that do not mix, by their colours.
     Classes(Vec<Rgba>),
     /// Colours that mix.
     Colors(Vec<Rgba>),
 }
 
-/// Ground without a value on oceanic crust.
-pub(super) const NO_VALUE_OCEAN: Rgba = [52, 60, 72, 255];
-/// Ground without a value on continental crust.
-pub(super) const NO_VALUE_LAND: Rgba = [176, 174, 166, 255];
-
-/// Colours of the crust types: ocean, continent above and below the sea.
-pub(super) const CRUST: [Rgba; 3] = [
-    [30, 66, 116, 255],
-    [190, 164, 112, 255],
-    [122, 158, 164, 255],
-];
-/// Colours of Andean and Himalayan folding.
-pub(super) const OROGENY: [Rgba; 2] = [[226, 110, 60, 255], [132, 74, 168, 255]];
-
-/// Oldest ocean floor on the ramp, in My; the oldest on Earth.
-pub(super) const OCEAN_AGE_MAX: f32 = 180.0;
-/// Thickest crust on the ramp, in km; Tibet's.
-pub(super) const THICKNESS_MAX: f32 = 75.0;
-/// Steepest slope on the ramp, in m per km.
-pub(super) const SLOPE_MAX: f32 = 40.0;
-/// Largest Laplacian on the ramp, in m per km².
-pub(super) const LAPLACIAN_MAX: f32 = 0.6;
-
-/// Oldest folding on the ramp, in My: the age of the planet in whole 50 My, 100 to 1000.
-pub(super) fn orogeny_age_max(input: &OverlayInput) -> f32 {
-    ((input.surface.time / 50.0).ceil() * 50.0).clamp(100.0, 1000.0) as f32
+/// A place in the triangle of three samples.
+#[derive(Clone, Copy)]
+pub(super) struct Barycentric {
+    /// The samples.
+    pub(super) vertices: [u32; 3],
+    /// Their weights; the sum is 1.
+    pub(super) weights: [f32; 3],
 }
 
-/// Frequency and octaves of the noise that warps borders, as they are for 40 plates: 0.9 periods
-/// per distance of two centroids.
-const NOISE: (f64, u32) = (1.6, 5);
+impl Barycentric {
+    /// The entries of `column` at the three samples.
+    pub(super) fn of<T: Copy>(&self, column: &[T]) -> [T; 3] {
+        self.vertices.map(|v| column[v as usize])
+    }
+}
 
-impl Field {
-    /// The field that `overlay` shows.
-    pub(super) fn new(overlay: Overlay, input: &OverlayInput) -> Self {
-        let OverlayInput {
-            planet,
-            mesh,
-            surface,
-            plates,
-            params,
-            bake,
-        } = *input;
-        let crust = &surface.crust;
-        let scalar = |ramp, low, high, value: &(dyn Fn(usize) -> f32 + Sync)| Self::Scalar {
-            values: parallel::map(mesh.len(), |i| value(i as usize)),
-            ramp,
-            low,
-            high,
+impl OverlayField {
+    /// The colour at sample `i`; `kinds` are the crust's.
+    pub(super) fn at_sample(&self, i: u32, kinds: &[CrustKind]) -> Rgba {
+        let place = Barycentric {
+            vertices: [i; 3],
+            weights: [1.0, 0.0, 0.0],
         };
-        let classes = |color: &(dyn Fn(usize) -> Rgba + Sync)| {
-            Self::Classes(parallel::map(mesh.len(), |i| color(i as usize)))
-        };
-        match overlay {
-            baked if ground::is_baked(baked) => match bake {
-                Some(bake) => Self::Colors(ground::colors(baked, bake, mesh)),
-                None => classes(&|_| NO_VALUE_LAND),
-            },
-            Overlay::Elevation => scalar(palette::HYPSOMETRIC, 0.0, 1.0, &|i| surface.elevation(i)),
-            Overlay::Plates => classes(&|i| plate_color(surface.plate[i].0, crust.kind[i])),
-            Overlay::CrustType => classes(&|i| crust_color(crust.kind[i], surface.elevation(i))),
-            Overlay::OceanAge => scalar(palette::AGE, 0.0, OCEAN_AGE_MAX, &|i| {
-                if crust.is_continental(i) {
-                    f32::NAN
-                } else {
-                    crust.ocean_age[i]
-                }
-            }),
-            Overlay::Thickness => {
-                scalar(palette::AMOUNT, 0.0, THICKNESS_MAX, &|i| crust.thickness[i])
-            }
-            Overlay::OrogenyType => classes(&|i| orogeny_color(crust.orogeny[i], crust.kind[i])),
-            Overlay::OrogenyAge => scalar(palette::AGE, 0.0, orogeny_age_max(input), &|i| {
-                if crust.orogeny[i] == Orogeny::None {
-                    f32::NAN
-                } else {
-                    crust.orogeny_age[i]
-                }
-            }),
-            Overlay::FoldDirection => axes_of(input, &crust.fold),
-            Overlay::RidgeDirection => axes_of(input, &crust.ridge),
-            Overlay::Velocity => scalar(palette::AMOUNT, 0.0, params.max_speed as f32, &|i| {
-                let omega = plates.angular_velocity(surface.plate[i]);
-                (omega.cross(mesh.point(i as u32)).length() * planet.radius) as f32
-            }),
-            Overlay::Slope => Self::Scalar {
-                values: slopes(input),
-                ramp: palette::STEEPNESS,
-                low: 0.0,
-                high: SLOPE_MAX,
-            },
-            Overlay::Laplacian => {
-                let values = laplacians(input);
-                Self::Scalar {
-                    values,
-                    ramp: palette::DIVERGING,
-                    low: 0.0,
-                    high: LAPLACIAN_MAX,
-                }
-            }
-            Overlay::VectorNoise => {
-                let noise = Noise::new(planet.seed, Purpose::BorderWarp, 0);
-                Self::Colors(parallel::map(mesh.len(), |i| {
-                    noise_color(&noise, mesh.point(i))
-                }))
-            }
-            _ => classes(&|i| {
-                let tint = palette::mix(
-                    palette::HYPSOMETRIC.at(surface.elevation(i)),
-                    [150, 150, 150, 255],
-                    0.45,
-                );
-                palette::scaled(tint, [0.86, 0.95, 1.04, 1.12][(mix(i as u64) & 3) as usize])
-            }),
-        }
+        self.at(&place, kinds)
     }
 
-    /// The colour at sample `i`.
-    pub(super) fn at(&self, i: u32, kinds: &[CrustKind]) -> Rgba {
-        self.between([i; 3], [1.0, 0.0, 0.0], kinds)
-    }
-
-    /// The colour between three samples.
-    pub(super) fn between(
-        &self,
-        vertices: [u32; 3],
-        weights: [f32; 3],
-        kinds: &[CrustKind],
-    ) -> Rgba {
-        let corner = vertices.map(|v| v as usize);
+    /// The colour at a place between three samples; `kinds` are the crust's.
+    pub(super) fn at(&self, place: &Barycentric, kinds: &[CrustKind]) -> Rgba {
+        let weights = place.weights;
         match self {
             Self::Scalar {
                 values,
                 ramp,
                 low,
                 high,
-            } => match mean(corner.map(|i| values[i]), weights) {
+            } => match mean(place.of(values), weights) {
                 Some(value) => ramp.within(value, *low, *high),
-                None => no_value(corner.map(|i| kinds[i]), weights),
+                None => no_value(place.of(kinds), weights),
             },
-            Self::Axis(axes) => {
-                let part = |k: usize| (0..3).map(|c| weights[c] * axes[corner[c]][k]).sum::<f32>();
-                let known: f32 = (0..3)
-                    .filter(|&c| axes[corner[c]] != [0.0; 2])
-                    .map(|c| weights[c])
-                    .sum();
-                if known < 0.5 {
-                    return no_value(corner.map(|i| kinds[i]), weights);
-                }
-                palette::axis_hue(0.5 * math::atan2(part(1).into(), part(0).into()).to_degrees())
-            }
-            Self::Classes(colors) => majority(corner.map(|i| colors[i]), weights).0,
-            Self::Colors(colors) => {
-                let channel = |k: usize| {
-                    (0..3)
-                        .map(|c| weights[c] * f32::from(colors[corner[c]][k]))
-                        .sum::<f32>()
-                };
-                [0, 1, 2, 3].map(|k| (channel(k) + 0.5) as u8)
-            }
+            Self::Axis(axes) => match mean_azimuth(place.of(axes), weights) {
+                Some(degrees) => palette::axis_hue(degrees),
+                None => no_value(place.of(kinds), weights),
+            },
+            Self::Classes(colors) => majority(place.of(colors), weights).0,
+            Self::Colors(colors) => blend(place.of(colors), weights),
         }
     }
 }
@@ -206,21 +86,36 @@ fn mean(values: [f32; 3], weights: [f32; 3]) -> Option<f32> {
     (known >= 0.5).then(|| sum / known)
 }
 
+/// Mean azimuth of axes in degrees, if those that are known have at least half of the weight.
+fn mean_azimuth(axes: [[f32; 2]; 3], weights: [f32; 3]) -> Option<f64> {
+    let known: f32 = (0..3)
+        .filter(|&c| axes[c] != [0.0; 2])
+        .map(|c| weights[c])
+        .sum();
+    if known < 0.5 {
+        return None;
+    }
+    let part = |k: usize| (0..3).map(|c| weights[c] * axes[c][k]).sum::<f32>();
+    Some(0.5 * math::atan2(part(1).into(), part(0).into()).to_degrees())
+}
+
+/// Weighted mean of colours, rounded.
+fn blend(colors: [Rgba; 3], weights: [f32; 3]) -> Rgba {
+    [0, 1, 2, 3].map(|k| {
+        let channel: f32 = (0..3).map(|c| weights[c] * f32::from(colors[c][k])).sum();
+        (channel + 0.5) as u8
+    })
+}
+
 /// The class with most weight, and by how much it leads. At a tie the first corner wins.
 pub(super) fn majority<T: Copy + PartialEq>(classes: [T; 3], weights: [f32; 3]) -> (T, f32) {
-    let total = |class: T| {
-        (0..3)
-            .filter(|&c| classes[c] == class)
-            .map(|c| weights[c])
-            .sum::<f32>()
-    };
-    let mut best = (classes[0], total(classes[0]));
+    let mut best = (classes[0], weight_of(classes[0], classes, weights));
     let mut second = 0.0;
     for class in [classes[1], classes[2]] {
         if class == best.0 {
             continue;
         }
-        let weight = total(class);
+        let weight = weight_of(class, classes, weights);
         if weight > best.1 {
             second = best.1;
             best = (class, weight);
@@ -231,55 +126,20 @@ pub(super) fn majority<T: Copy + PartialEq>(classes: [T; 3], weights: [f32; 3]) 
     (best.0, best.1 - second)
 }
 
+/// Weight of all corners of a class.
+fn weight_of<T: PartialEq>(class: T, classes: [T; 3], weights: [f32; 3]) -> f32 {
+    (0..3)
+        .filter(|&c| classes[c] == class)
+        .map(|c| weights[c])
+        .sum()
+}
+
+/// The colour of a place without a value.
 fn no_value(kinds: [CrustKind; 3], weights: [f32; 3]) -> Rgba {
     match majority(kinds, weights).0 {
-        CrustKind::Oceanic => NO_VALUE_OCEAN,
-        CrustKind::Continental => NO_VALUE_LAND,
+        CrustKind::Oceanic => classes::NO_VALUE_OCEAN,
+        CrustKind::Continental => classes::NO_VALUE_LAND,
     }
-}
-
-/// A plate's colour; its continents are darker.
-pub(super) fn plate_color(id: u32, kind: CrustKind) -> Rgba {
-    let color = palette::distinct(id);
-    if kind == CrustKind::Continental {
-        palette::scaled(color, 0.72)
-    } else {
-        color
-    }
-}
-
-fn crust_color(kind: CrustKind, elevation: f32) -> Rgba {
-    match kind {
-        CrustKind::Oceanic => CRUST[0],
-        CrustKind::Continental if elevation >= 0.0 => CRUST[1],
-        CrustKind::Continental => CRUST[2],
-    }
-}
-
-fn orogeny_color(orogeny: Orogeny, kind: CrustKind) -> Rgba {
-    match orogeny {
-        Orogeny::Andean => OROGENY[0],
-        Orogeny::Himalayan => OROGENY[1],
-        Orogeny::None if kind == CrustKind::Continental => NO_VALUE_LAND,
-        Orogeny::None => NO_VALUE_OCEAN,
-    }
-}
-
-fn axes_of(input: &OverlayInput, vectors: &[Vec3]) -> Field {
-    Field::Axis(parallel::map(input.mesh.len(), |i| {
-        let v = vectors[i as usize].as_dvec3();
-        if v.length_squared() < 1e-12 {
-            return [0.0; 2];
-        }
-        let (sin, cos) = math::sin_cos(2.0 * math::azimuth(input.mesh.point(i), v).to_radians());
-        [cos as f32, sin as f32]
-    }))
-}
-
-fn noise_color(noise: &Noise, p: bevy::math::DVec3) -> Rgba {
-    let v = noise.vector(p, NOISE.0, NOISE.1);
-    let channel = |x: f64| (127.5 + 190.0 * x).clamp(0.0, 255.0) as u8;
-    [channel(v.x), channel(v.y), channel(v.z), 255]
 }
 
 #[cfg(test)]
@@ -288,10 +148,8 @@ mod tests {
 
     #[test]
     fn missing_values_are_left_out() {
-        assert_eq!(
-            mean([2.0, f32::NAN, 4.0], [0.5, 0.25, 0.25]),
-            Some(8.0 / 3.0)
-        );
+        let mixed = mean([2.0, f32::NAN, 4.0], [0.5, 0.25, 0.25]);
+        assert_eq!(mixed, Some(8.0 / 3.0));
         assert_eq!(mean([f32::NAN, f32::NAN, 4.0], [0.4, 0.3, 0.3]), None);
     }
 

@@ -1,23 +1,26 @@
-//! What the colours of an overlay mean.
+//! The meaning of the colours of an overlay.
 
 use super::boundary::BoundaryKind;
-use super::field::{self, LAPLACIAN_MAX, OCEAN_AGE_MAX, SLOPE_MAX, THICKNESS_MAX};
-use super::palette::{self, Ramp, Rgba};
-use super::{Overlay, OverlayInput, ground};
+use super::discharge::discharge_decades;
+use super::palette::{self, Ramp, Rgba, classes as colors};
+use super::quantity::{self, LAPLACIAN_MAX, OCEAN_AGE_MAX, SLOPE_MAX, THICKNESS_MAX};
+use super::{Overlay, OverlayInput, baked, rivers};
+use crate::crust::CrustKind;
+use bevy::prelude::*;
 
 /// Title, unit and key of an overlay.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Reflect)]
 pub struct Legend {
-    /// What is shown.
+    /// Name of the quantity.
     pub title: &'static str,
-    /// Unit of the values, empty where there is none.
+    /// Unit of the values; empty for quantities without a unit.
     pub unit: &'static str,
     /// Colours and their meaning.
     pub entries: LegendEntries,
 }
 
 /// The key of a legend.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Reflect)]
 pub enum LegendEntries {
     /// A ramp of values in ascending order; two stops of one value are a step.
     Gradient {
@@ -28,146 +31,167 @@ pub enum LegendEntries {
     Classes(Vec<(String, Rgba)>),
 }
 
-pub(super) fn legend(overlay: Overlay, input: &OverlayInput) -> Legend {
-    let (unit, entries) = match overlay {
-        Overlay::Elevation => ("km", gradient(palette::HYPSOMETRIC, 1.0)),
-        Overlay::Plates => ("", plates()),
-        Overlay::CrustType => (
-            "",
-            classes(&[
-                ("oceanic", field::CRUST[0]),
-                ("continental, land", field::CRUST[1]),
-                ("continental, under water", field::CRUST[2]),
-            ]),
-        ),
-        Overlay::OceanAge => ("My", gradient(palette::AGE, OCEAN_AGE_MAX)),
-        Overlay::Thickness => ("km", gradient(palette::AMOUNT, THICKNESS_MAX)),
-        Overlay::OrogenyType => (
-            "",
-            classes(&[
-                ("Andean: above a subduction zone", field::OROGENY[0]),
-                ("Himalayan: continental collision", field::OROGENY[1]),
-                ("unfolded continent", field::NO_VALUE_LAND),
-                ("unfolded ocean floor", field::NO_VALUE_OCEAN),
-            ]),
-        ),
-        Overlay::OrogenyAge => ("My", gradient(palette::AGE, field::orogeny_age_max(input))),
-        Overlay::FoldDirection | Overlay::RidgeDirection => ("° from north", axes()),
-        Overlay::Velocity => (
-            "km/My",
-            gradient(palette::AMOUNT, input.params.max_speed as f32),
-        ),
-        Overlay::Slope => ("m/km", gradient(palette::STEEPNESS, SLOPE_MAX)),
-        Overlay::Laplacian => ("m/km²", gradient(palette::DIVERGING, LAPLACIAN_MAX)),
-        Overlay::VectorNoise => (
-            "",
-            classes(&[
-                ("x of the warp", [230, 128, 128, 255]),
-                ("y of the warp", [128, 230, 128, 255]),
-                ("z of the warp", [128, 128, 230, 255]),
-            ]),
-        ),
-        Overlay::Temperature => {
-            let (low, high) = ground::TEMPERATURE;
-            let stops = palette::TEMPERATURE.0;
-            let stop =
-                |&(x, color): &(f32, [u8; 3])| (low + x * (high - low), palette::opaque(color));
-            (
-                "°C",
-                LegendEntries::Gradient {
-                    stops: stops.iter().map(stop).collect(),
-                },
-            )
+/// Names and colours of classes.
+type ClassTable = [(&'static str, Rgba)];
+
+const CRUST_TYPES: &ClassTable = &[
+    ("oceanic", colors::OCEANIC_CRUST),
+    ("continental, land", colors::CONTINENT),
+    ("continental, under water", colors::SHELF),
+];
+
+const OROGENIES: &ClassTable = &[
+    ("Andean: above a subduction zone", colors::ANDEAN),
+    ("Himalayan: continental collision", colors::HIMALAYAN),
+    ("unfolded continent", colors::NO_VALUE_LAND),
+    ("unfolded ocean floor", colors::NO_VALUE_OCEAN),
+];
+
+const NOISE_AXES: &ClassTable = &[
+    ("x of the warp", [230, 128, 128, 255]),
+    ("y of the warp", [128, 230, 128, 255]),
+    ("z of the warp", [128, 128, 230, 255]),
+];
+
+const BASINS: &ClassTable = &[
+    (
+        "one colour per mouth; reddish: never reaches the sea",
+        colors::GREY,
+    ),
+    ("sea", colors::SEA),
+];
+
+const LAKES: &ClassTable = &[
+    ("lake that drains to the sea", colors::LAKES[0]),
+    (
+        "lake that drains to one without an outlet",
+        colors::LAKES[1],
+    ),
+    ("lake without an outlet", colors::LAKES[2]),
+    ("sea", colors::SEA),
+];
+
+const SAMPLES: &ClassTable = &[("one shade per sample", colors::GREY)];
+
+impl Overlay {
+    /// Title, unit and key of the overlay on the planet as it is now.
+    pub fn legend(self, input: &OverlayInput) -> Legend {
+        Legend {
+            title: self.label(),
+            unit: unit(self),
+            entries: entries(self, input),
         }
-        Overlay::Rain => ("mm/year", gradient(palette::RAIN, ground::RAIN_MAX)),
-        Overlay::Wetness => ("", gradient(palette::RAIN, 1.0)),
-        Overlay::Drainage => ("m³/s", discharges(input.planet.radius)),
-        Overlay::Rivers => ("order", rivers()),
-        Overlay::Basins => (
-            "",
-            classes(&[
-                (
-                    "one colour per mouth; reddish: never reaches the sea",
-                    [150, 150, 150, 255],
-                ),
-                ("sea", ground::SEA),
-            ]),
-        ),
-        Overlay::Lakes => ("", classes(&LAKES)),
-        Overlay::Mesh => (
-            "",
-            classes(&[("one shade per sample", [150, 150, 150, 255])]),
-        ),
-    };
-    Legend {
-        title: overlay.label(),
-        unit,
-        entries,
     }
 }
 
+fn unit(overlay: Overlay) -> &'static str {
+    match overlay {
+        Overlay::Elevation | Overlay::Thickness => "km",
+        Overlay::OceanAge | Overlay::OrogenyAge => "My",
+        Overlay::FoldDirection | Overlay::RidgeDirection => "° from north",
+        Overlay::Velocity => "km/My",
+        Overlay::Slope => "m/km",
+        Overlay::Laplacian => "m/km²",
+        Overlay::Temperature => "°C",
+        Overlay::Rain => "mm/year",
+        Overlay::Drainage => "m³/s",
+        Overlay::Rivers => "order",
+        _ => "",
+    }
+}
+
+fn entries(overlay: Overlay, input: &OverlayInput) -> LegendEntries {
+    match overlay {
+        Overlay::Elevation => gradient(palette::HYPSOMETRIC, 1.0),
+        Overlay::Plates => plates(),
+        Overlay::CrustType => classes(CRUST_TYPES),
+        Overlay::OceanAge => gradient(palette::AGE, OCEAN_AGE_MAX),
+        Overlay::Thickness => gradient(palette::AMOUNT, THICKNESS_MAX),
+        Overlay::OrogenyType => classes(OROGENIES),
+        Overlay::OrogenyAge => gradient(palette::AGE, quantity::orogeny_age_max(input)),
+        Overlay::FoldDirection | Overlay::RidgeDirection => axes(),
+        Overlay::Velocity => gradient(palette::AMOUNT, input.params.max_speed as f32),
+        Overlay::Slope => gradient(palette::STEEPNESS, SLOPE_MAX),
+        Overlay::Laplacian => gradient(palette::DIVERGING, LAPLACIAN_MAX),
+        Overlay::VectorNoise => classes(NOISE_AXES),
+        Overlay::Mesh => classes(SAMPLES),
+        Overlay::Temperature => temperature(),
+        Overlay::Rain => gradient(palette::RAIN, baked::RAIN_MAX),
+        Overlay::Wetness => gradient(palette::RAIN, 1.0),
+        Overlay::Drainage => discharges(input.planet.radius),
+        Overlay::Rivers => orders(),
+        Overlay::Basins => classes(BASINS),
+        Overlay::Lakes => classes(LAKES),
+    }
+}
+
+/// A ramp whose position 1 stands for `scale`.
 fn gradient(ramp: Ramp, scale: f32) -> LegendEntries {
-    let stops = ramp
-        .0
-        .iter()
-        .map(|&(x, color)| (x * scale, palette::opaque(color)))
-        .collect();
-    LegendEntries::Gradient { stops }
-}
-
-fn classes(entries: &[(&str, Rgba)]) -> LegendEntries {
-    LegendEntries::Classes(
-        entries
-            .iter()
-            .map(|&(name, color)| (name.to_string(), color))
+    let stops = ramp.0.iter();
+    LegendEntries::Gradient {
+        stops: stops
+            .map(|&(x, color)| (x * scale, palette::opaque(color)))
             .collect(),
-    )
+    }
 }
 
+fn classes(table: &ClassTable) -> LegendEntries {
+    LegendEntries::Classes(named(table).collect())
+}
+
+fn named(table: &ClassTable) -> impl Iterator<Item = (String, Rgba)> {
+    table.iter().map(|&(name, color)| (name.to_string(), color))
+}
+
+/// Kinds of boundaries, and the two shades of one plate for all.
 fn plates() -> LegendEntries {
     let kinds = BoundaryKind::ALL.map(|kind| (format!("{} boundary", kind.label()), kind.color()));
-    let mut entries = kinds.to_vec();
-    let shade = |kind| field::plate_color(2, kind);
-    entries.push((
-        "ocean floor of a plate".into(),
-        shade(crate::crust::CrustKind::Oceanic),
-    ));
-    entries.push((
-        "continent of the plate".into(),
-        shade(crate::crust::CrustKind::Continental),
-    ));
-    LegendEntries::Classes(entries)
+    let shades = [
+        ("ocean floor of a plate", CrustKind::Oceanic),
+        ("continent of the plate", CrustKind::Continental),
+    ]
+    .map(|(name, kind)| (name.to_string(), quantity::plate_color(2, kind)));
+    LegendEntries::Classes(kinds.into_iter().chain(shades).collect())
 }
 
-/// Classes of lakes.
-const LAKES: [(&str, Rgba); 4] = [
-    ("lake that drains to the sea", ground::LAKE[0]),
-    ("lake that drains to one without an outlet", ground::LAKE[1]),
-    ("lake without an outlet", ground::LAKE[2]),
-    ("sea", ground::SEA),
-];
+fn temperature() -> LegendEntries {
+    let (low, high) = (baked::TEMPERATURE_MIN, baked::TEMPERATURE_MAX);
+    let stops = palette::TEMPERATURE.0.iter();
+    LegendEntries::Gradient {
+        stops: stops
+            .map(|&(x, color)| (low + x * (high - low), palette::opaque(color)))
+            .collect(),
+    }
+}
 
+/// Powers of ten.
 fn discharges(radius: f64) -> LegendEntries {
-    let name = |power: i32| match power {
+    let decades = discharge_decades(radius).map(|(power, color)| (power_of_ten(power), color));
+    let sea = ("sea".to_string(), colors::SEA);
+    LegendEntries::Classes(decades.chain([sea]).collect())
+}
+
+/// 10 to the `power` in digits.
+fn power_of_ten(power: i32) -> String {
+    match power {
         0.. => format!("1{}", "0".repeat(power as usize)),
         _ => format!("0.{}1", "0".repeat((-power - 1) as usize)),
-    };
-    let decades = ground::discharge_decades(radius).map(|(power, color)| (name(power), color));
-    LegendEntries::Classes(decades.chain([("sea".to_string(), ground::SEA)]).collect())
+    }
 }
 
-fn rivers() -> LegendEntries {
-    let orders = (2..=7).map(|order| (format!("order {order}"), super::rivers::order_color(order)));
-    let lakes = LAKES.iter().map(|&(name, color)| (name.to_string(), color));
-    LegendEntries::Classes(orders.chain(lakes).collect())
+/// Orders of rivers, and lakes.
+fn orders() -> LegendEntries {
+    let orders = (2..=7).map(|order| (format!("order {order}"), rivers::order_color(order)));
+    LegendEntries::Classes(orders.chain(named(LAKES)).collect())
 }
 
+/// Azimuths of half a turn, every 15 degrees.
 fn axes() -> LegendEntries {
-    let stop = |k: u8| {
+    let stops = (0..=12_u8).map(|k| {
         let degrees = 15.0 * f32::from(k);
         (degrees, palette::axis_hue(degrees.into()))
-    };
+    });
     LegendEntries::Gradient {
-        stops: (0..=12).map(stop).collect(),
+        stops: stops.collect(),
     }
 }

@@ -1,46 +1,79 @@
-//! What maps and globes show: a colour for every sample, and the legend that explains it.
+//! Colours of maps and globes: one for every sample, and the legend that explains them.
 //!
-//! In: the [`Surface`] of a planet. Out: colours per sample ([`colorize`](fn@colorize)) for the
-//! globe, rasters ([`map`]) for files. Nothing here needs a renderer.
+//! In: the [`Surface`] of a planet. Out: colours per sample ([`colorize`]) for the globe,
+//! [`Raster`]s ([`MapProjection`]) for files. Nothing here needs a renderer.
+//!
+//! ```
+//! use bevy::prelude::*;
+//! use bevy_pangaea::overlay::{MapProjection, Overlay, OverlayInput};
+//! use bevy_pangaea::plate::plate_table;
+//! use bevy_pangaea::prelude::*;
+//! use bevy_pangaea::spawn::PlanetState;
+//!
+//! let mut app = App::new();
+//! app.add_plugins(PangaeaPlugins);
+//! let recipe = PlanetRecipe { samples: 1000, plate_count: 8, ..default() };
+//! let planet = PlanetState::new(&recipe)?.spawn(app.world_mut());
+//!
+//! let plates = plate_table(app.world(), planet);
+//! let input = OverlayInput::from_world(app.world(), planet, &plates).ok_or("no planet")?;
+//! let map = MapProjection::new(input.mesh, 64, 32).draw(Overlay::Elevation, &input);
+//! assert_eq!(map.rgb.len(), 3 * 64 * 32);
+//!
+//! let legend = Overlay::Elevation.legend(&input);
+//! assert_eq!((legend.title, legend.unit), ("Elevation", "km"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! ```text
-//! palette     colour ramps
-//! relief      gradient, slope, Laplacian and shading of the elevation
-//! boundary    kinds of plate boundaries
-//! field       the quantity that an overlay shows, and how it becomes a colour
-//! ground      climate, discharge, basins and lakes of a bake
-//! rivers      its rivers as lines
-//! legend      title, unit and key of an overlay
-//! map         equirectangular rasters
+//! palette      colour ramps, and the colours of classes
+//! raster       a picture in memory
+//! derivatives  gradient, slope, Laplacian and shading of the elevation
+//! boundary     kinds of plate boundaries
+//! discharge    the ramp of a river's discharge
+//! rivers       the rivers of a bake as lines
+//! baked        climate, discharge, basins and lakes of a bake
+//! field        a quantity at every sample, and how it becomes a colour
+//! quantity     which quantity an overlay shows
+//! colorize     a colour for every sample
+//! legend       title, unit and key of an overlay
+//! map          equirectangular rasters
 //! ```
 
 pub mod palette;
 
-pub mod derivatives;
+mod raster;
 
-pub mod boundary;
+mod derivatives;
 
-mod field;
+mod boundary;
 
-pub(crate) mod ground;
+mod discharge;
 
 pub(crate) mod rivers;
 
-pub mod legend;
+pub(crate) mod baked;
 
-pub mod colorize;
+mod field;
 
-pub mod map;
+mod quantity;
+
+mod colorize;
+
+mod legend;
+
+mod map;
 
 pub use boundary::{BoundaryKind, boundaries};
 pub use colorize::colorize;
 pub use legend::{Legend, LegendEntries};
-pub use map::{MapProjection, Raster};
+pub use map::MapProjection;
+pub use raster::Raster;
 
-use crate::control::Bake;
-use crate::crust::Surface;
+use crate::control::{Bake, PlanetBake};
+use crate::crust::{PlanetSurface, Surface};
 use crate::params::TectonicParams;
-use crate::planet::Planet;
+use crate::planet::{Lattice, Planet};
 use crate::plate::PlateTable;
 use crate::sphere::SphereMesh;
 use bevy::prelude::*;
@@ -60,7 +93,7 @@ pub enum Overlay {
     OceanAge,
     /// Thickness of the crust.
     Thickness,
-    /// What folded the crust last.
+    /// Kind of the last mountain building.
     OrogenyType,
     /// Time since the crust was folded.
     OrogenyAge,
@@ -78,18 +111,17 @@ pub enum Overlay {
     VectorNoise,
     /// The samples and their triangles.
     Mesh,
-    /// Mean temperature of a year at the ground; this and what follows needs a [`Bake`].
+    /// Mean temperature of a year at the ground; this and the following overlays need a [`Bake`].
     Temperature,
     /// Rain of a year.
     Rain,
     /// Wetness W of paper 002.
     Wetness,
-    /// Discharge: the water of all that lies upstream, on a logarithmic ramp, and rivers in its
-    /// colours.
+    /// Discharge: the water of all land upstream, on a logarithmic ramp, and rivers in its colours.
     Drainage,
     /// Rivers by their Horton–Strahler order, and lakes.
     Rivers,
-    /// What drains to the same mouth.
+    /// Drainage basins, a colour per mouth.
     Basins,
     /// Lakes, with and without an outlet.
     Lakes,
@@ -182,16 +214,20 @@ impl Overlay {
 
     /// Whether the overlay shows a bake, and is grey without one.
     pub fn needs_bake(self) -> bool {
-        ground::is_baked(self)
-    }
-
-    /// Title, unit and key of the overlay on the planet as it is now.
-    pub fn legend(self, input: &OverlayInput) -> Legend {
-        legend::legend(self, input)
+        matches!(
+            self,
+            Self::Temperature
+                | Self::Rain
+                | Self::Wetness
+                | Self::Drainage
+                | Self::Rivers
+                | Self::Basins
+                | Self::Lakes
+        )
     }
 }
 
-/// Everything that an overlay may look at.
+/// The parts of a planet that overlays read.
 #[derive(Clone, Copy)]
 pub struct OverlayInput<'a> {
     /// Radius and seed.
@@ -206,6 +242,21 @@ pub struct OverlayInput<'a> {
     pub params: &'a TectonicParams,
     /// The last bake of the ground, where there is one: for climate and rivers.
     pub bake: Option<&'a Bake>,
+}
+
+impl<'a> OverlayInput<'a> {
+    /// The parts of a planet in a world; `None` if the entity is no planet. `plates` are those of
+    /// [`plate_table`](crate::plate::plate_table).
+    pub fn from_world(world: &'a World, planet: Entity, plates: &'a PlateTable) -> Option<Self> {
+        Some(Self {
+            planet: world.get::<Planet>(planet)?,
+            mesh: &world.get::<Lattice>(planet)?.0,
+            surface: world.get::<PlanetSurface>(planet)?,
+            plates,
+            params: world.get::<TectonicParams>(planet)?,
+            bake: world.get::<PlanetBake>(planet).map(|bake| &*bake.0),
+        })
+    }
 }
 
 #[cfg(test)]

@@ -1,19 +1,23 @@
 //! Rivers as lines along the edges of the base mesh, on maps as on globes: as wide as their order,
 //! in the colour of their order or of their discharge.
 
-use super::map::Raster;
+use super::Overlay;
+use super::discharge::discharge_color;
 use super::palette::{self, Rgba};
-use super::{Overlay, ground};
+use super::raster::Raster;
 use crate::control::Bake;
 use crate::hydrology::{Drainage, NONE};
 use crate::math;
 
-/// Lowest order of a river that is drawn.
+/// Lowest Horton–Strahler order of a river that is drawn.
 const LOWEST_ORDER: u8 = 2;
 
 /// Least discharge that has a line, m³/s as it would be on an Earth-sized planet: paler lines would
 /// be lighter than the shaded ground of a globe.
-const SMALLEST_LINE: f64 = 100.0;
+const LEAST_DISCHARGE: f64 = 100.0;
+
+/// Width in pixels of the map on which half a line's width is [`RiverReach::half_width`] pixels.
+const REFERENCE_WIDTH: f64 = 2048.0;
 
 /// The colour of a river's order: the higher, the deeper and the darker.
 pub(crate) fn order_color(order: u8) -> Rgba {
@@ -21,13 +25,8 @@ pub(crate) fn order_color(order: u8) -> Rgba {
     palette::mix([122, 170, 208, 255], [10, 40, 110, 255], t)
 }
 
-/// Whether vertex `i` of the base mesh is a river on the map.
-fn is_drawn(bake: &Bake, i: usize) -> bool {
-    bake.drainage.strahler[i] >= LOWEST_ORDER && !bake.drainage.is_lake(i)
-}
-
-/// A stretch of a river along an edge of the base mesh.
-pub(crate) struct Stretch {
+/// A reach of a river along an edge of the base mesh.
+pub(crate) struct RiverReach {
     /// Horton–Strahler order.
     pub(crate) order: u8,
     /// Vertices of the base mesh, downstream.
@@ -36,45 +35,52 @@ pub(crate) struct Stretch {
     pub(crate) color: Rgba,
 }
 
-impl Stretch {
-    /// Half its width relative to that of the lowest order.
+impl RiverReach {
+    /// The reach that begins at vertex `i`; `None` where water goes no further.
+    fn from_vertex(drainage: &Drainage, i: u32, color: Rgba) -> Option<Self> {
+        let to = drainage.routes.receiver[i as usize];
+        (to != NONE).then_some(Self {
+            order: drainage.strahler[i as usize],
+            ends: [i, to],
+            color,
+        })
+    }
+
+    /// How much half its width exceeds that of the lowest order.
     pub(crate) fn half_width(&self) -> f64 {
         0.2 * f64::from(self.order - LOWEST_ORDER)
     }
 }
 
-/// The rivers that an overlay draws, low orders first; none on overlays that show none.
-pub(crate) fn stretches(overlay: Overlay, bake: &Bake) -> Vec<Stretch> {
+/// The rivers that an overlay draws, low orders first; empty for overlays without rivers.
+pub(crate) fn reaches(overlay: Overlay, bake: &Bake) -> Vec<RiverReach> {
     let drainage = &bake.drainage;
-    let (color, least): (fn(&Drainage, usize) -> Rgba, f64) = match overlay {
-        Overlay::Rivers => (|drainage, i| order_color(drainage.strahler[i]), 0.0),
-        Overlay::Drainage => (
-            |drainage, i| ground::discharge_color(drainage.earth_like_discharge(i)),
-            SMALLEST_LINE,
-        ),
-        _ => return Vec::new(),
+    let upstream_first = drainage.routes.order.iter().copied();
+    let drawn = upstream_first.filter(|&i| is_drawn(drainage, i as usize));
+    let reach = |i: u32| {
+        let color = river_color(overlay, drainage, i as usize)?;
+        RiverReach::from_vertex(drainage, i, color)
     };
-    let large = |i: usize| drainage.earth_like_discharge(i) >= least;
-    let drawn = drainage
-        .routes
-        .order
-        .iter()
-        .filter(|&&i| is_drawn(bake, i as usize) && large(i as usize));
-    let stretch = |&i: &u32| {
-        let (to, order) = (
-            drainage.routes.receiver[i as usize],
-            drainage.strahler[i as usize],
-        );
-        let color = color(drainage, i as usize);
-        (to != NONE).then_some(Stretch {
-            order,
-            ends: [i, to],
-            color,
-        })
-    };
-    let mut stretches: Vec<_> = drawn.filter_map(stretch).collect();
-    stretches.sort_by_key(|stretch| stretch.order);
-    stretches
+    let mut reaches: Vec<_> = drawn.filter_map(reach).collect();
+    reaches.sort_by_key(|reach| reach.order);
+    reaches
+}
+
+/// Whether vertex `i` of the base mesh lies on a river of the map.
+fn is_drawn(drainage: &Drainage, i: usize) -> bool {
+    drainage.strahler[i] >= LOWEST_ORDER && !drainage.is_lake(i)
+}
+
+/// The colour in which an overlay draws the river at vertex `i`, if it does.
+fn river_color(overlay: Overlay, drainage: &Drainage, i: usize) -> Option<Rgba> {
+    match overlay {
+        Overlay::Rivers => Some(order_color(drainage.strahler[i])),
+        Overlay::Drainage => {
+            let discharge = drainage.earth_like_discharge(i);
+            (discharge >= LEAST_DISCHARGE).then(|| discharge_color(discharge))
+        }
+        _ => None,
+    }
 }
 
 /// Draws the rivers of an overlay as lines.
@@ -84,10 +90,10 @@ pub(super) fn draw(overlay: Overlay, bake: &Bake, raster: &mut Raster) {
         let (lat, lon) = math::lat_lon(bake.mesh().point(i));
         ((lon + 180.0) / 360.0 * width, (90.0 - lat) / 180.0 * height)
     };
-    for stretch in stretches(overlay, bake) {
-        let [from, to] = stretch.ends.map(pixel);
-        let half = stretch.half_width() * width / 2048.0;
-        line(raster, from, to, half, stretch.color);
+    for reach in reaches(overlay, bake) {
+        let [from, to] = reach.ends.map(pixel);
+        let half = reach.half_width() * width / REFERENCE_WIDTH;
+        line(raster, from, to, half, reach.color);
     }
 }
 
@@ -96,18 +102,23 @@ fn line(raster: &mut Raster, from: (f64, f64), to: (f64, f64), half: f64, color:
     let width = f64::from(raster.width);
     let turn = ((to.0 - from.0) / width).round() * width;
     let (dx, dy) = (to.0 - turn - from.0, to.1 - from.1);
+    // Two squares a pixel leave no gaps.
     let steps = (2.0 * dx.abs().max(dy.abs())).ceil().max(1.0);
     for step in 0..=steps as u32 {
         let t = f64::from(step) / steps;
-        let (x, y) = (from.0 + t * dx, from.1 + t * dy);
-        for row in (y - half).floor() as i64..=(y + half).floor() as i64 {
-            for column in (x - half).floor() as i64..=(x + half).floor() as i64 {
-                if (0..i64::from(raster.height)).contains(&row) {
-                    let column = column.rem_euclid(i64::from(raster.width));
-                    let place = 3 * (row * i64::from(raster.width) + column) as usize;
-                    raster.rgb[place..place + 3].copy_from_slice(&color[..3]);
-                }
-            }
+        fill_square(raster, (from.0 + t * dx, from.1 + t * dy), half, color);
+    }
+}
+
+/// Fills the pixels up to `half` from a point. Columns go on around the date line, rows end at the
+/// poles.
+fn fill_square(raster: &mut Raster, (x, y): (f64, f64), half: f64, color: Rgba) {
+    let (width, height) = (i64::from(raster.width), i64::from(raster.height));
+    let rows = (y - half).floor() as i64..=(y + half).floor() as i64;
+    for row in rows.filter(|row| (0..height).contains(row)) {
+        for column in (x - half).floor() as i64..=(x + half).floor() as i64 {
+            let place = 3 * (row * width + column.rem_euclid(width)) as usize;
+            raster.rgb[place..place + 3].copy_from_slice(&color[..3]);
         }
     }
 }

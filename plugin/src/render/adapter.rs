@@ -6,6 +6,7 @@
 
 use bevy::render::renderer::initialize_renderer;
 use bevy::render::settings::{RenderCreation, WgpuSettings};
+use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use thiserror::Error;
 
@@ -13,11 +14,11 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("no GPU adapter: {reason}; {CURE}")]
 pub struct NoAdapter {
-    /// What the renderer said.
+    /// The renderer's own words.
     pub reason: String,
 }
 
-/// What to do about it.
+/// Advice to users of a machine without an adapter.
 pub const CURE: &str = if cfg!(target_os = "linux") {
     "install a Vulkan driver; on Debian and Ubuntu: apt-get install mesa-vulkan-drivers libvulkan1 \
      (its lavapipe draws without a GPU)"
@@ -47,15 +48,17 @@ pub fn open_adapter() -> Result<RenderCreation, NoAdapter> {
     set_hook(hook);
     match opened {
         Ok(resources) => Ok(RenderCreation::Manual(resources)),
-        Err(panic) => {
-            let text = panic.downcast_ref::<String>().map(String::as_str);
-            let text = text
-                .or_else(|| panic.downcast_ref::<&str>().copied())
-                .unwrap_or("it would not open");
-            let reason = text.split(['!', '\n']).next().unwrap_or(text).trim();
-            Err(NoAdapter {
-                reason: reason.into(),
-            })
-        }
+        Err(panic) => Err(NoAdapter {
+            reason: first_sentence(&*panic).into(),
+        }),
     }
+}
+
+/// The first sentence of a panic's message.
+fn first_sentence(panic: &(dyn Any + Send)) -> &str {
+    let owned = panic.downcast_ref::<String>().map(String::as_str);
+    let text = owned
+        .or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or("it would not open");
+    text.split(['!', '\n']).next().unwrap_or(text).trim()
 }

@@ -3,40 +3,45 @@
 //! Vertices carry a direction and the number of their sample. Heights and colours come from the
 //! buffer of samples, so neither directions nor indices are uploaded again.
 
-use super::horizon::Cap;
-use super::to_bevy;
+use super::axes::to_bevy;
+use super::cap::SphericalCap;
 use crate::sphere::SphereMesh;
 use bevy::asset::RenderAssetUsages;
 use bevy::mesh::{Indices, MeshVertexAttribute, PrimitiveTopology, VertexFormat};
 use bevy::prelude::*;
 
-/// The number of a vertex's sample.
+/// Attribute: the number of a vertex's sample.
 pub(super) const SAMPLE: MeshVertexAttribute =
     MeshVertexAttribute::new("PangaeaSample", 0x70a9_6ae5_0000_0001, VertexFormat::Uint32);
 
-/// Subdivisions of the shell of air: flat enough that its facets are not seen.
-const SHELL: u32 = 24;
+/// Subdivisions of the shell of air: its facets are not seen.
+const AIR_SUBDIVISIONS: u32 = 24;
 
-/// Most patches that a globe is cut into, and fewest triangles of a patch.
-const PATCHES: usize = 96;
-const PATCH_TRIANGLES: usize = 2048;
+/// Most patches that a globe is cut into.
+const MAX_PATCHES: usize = 96;
+/// Fewest triangles of a patch, unless the globe has fewer.
+const MIN_PATCH_TRIANGLES: usize = 2048;
 
 /// A run of triangles that lie close together, for they are ordered along a curve.
-pub(super) struct Patch {
+pub(super) struct GlobePatch {
     /// The triangles.
     pub(super) mesh: Mesh,
     /// Where they lie.
-    pub(super) cap: Cap,
+    pub(super) cap: SphericalCap,
 }
 
 /// All triangles of the lattice.
-pub(super) fn ground(mesh: &SphereMesh) -> Vec<Patch> {
+pub(super) fn ground_patches(mesh: &SphereMesh) -> Vec<GlobePatch> {
     let triangles = mesh.triangles();
-    let size = triangles.len().div_ceil(PATCHES).max(PATCH_TRIANGLES);
+    let size = triangles
+        .len()
+        .div_ceil(MAX_PATCHES)
+        .max(MIN_PATCH_TRIANGLES);
     triangles.chunks(size).map(|run| patch(mesh, run)).collect()
 }
 
-fn patch(mesh: &SphereMesh, triangles: &[[u32; 3]]) -> Patch {
+/// A mesh of these triangles and of the samples that they need.
+fn patch(mesh: &SphereMesh, triangles: &[[u32; 3]]) -> GlobePatch {
     let corners = triangles.as_flattened();
     let mut samples = corners.to_vec();
     samples.sort_unstable();
@@ -44,8 +49,8 @@ fn patch(mesh: &SphereMesh, triangles: &[[u32; 3]]) -> Patch {
     // Every corner is among the samples.
     let local = |i: &u32| samples.binary_search(i).unwrap_or_default() as u32;
     let indices = corners.iter().map(local).collect();
-    let cap = Cap::around(samples.iter().map(|&i| mesh.point(i)));
-    Patch {
+    let cap = SphericalCap::around(samples.iter().map(|&i| mesh.point(i)));
+    GlobePatch {
         mesh: with_samples(mesh, PrimitiveTopology::TriangleList, samples, indices),
         cap,
     }
@@ -66,6 +71,7 @@ pub(super) fn edges(mesh: &SphereMesh) -> Mesh {
     )
 }
 
+/// A mesh of these samples.
 fn with_samples(
     mesh: &SphereMesh,
     topology: PrimitiveTopology,
@@ -83,9 +89,11 @@ fn with_samples(
 }
 
 /// A unit sphere for the air.
-pub(super) fn shell() -> Mesh {
+pub(super) fn air_shell() -> Mesh {
     let sphere = Sphere::new(1.0).mesh();
-    sphere.ico(SHELL).unwrap_or_else(|_| sphere.uv(96, 48))
+    sphere
+        .ico(AIR_SUBDIVISIONS)
+        .unwrap_or_else(|_| sphere.uv(96, 48))
 }
 
 #[cfg(test)]
@@ -103,7 +111,7 @@ mod tests {
     #[test]
     fn patches_hold_every_triangle_once() {
         let lattice = SphereMesh::fibonacci(100_000).unwrap();
-        let patches = ground(&lattice);
+        let patches = ground_patches(&lattice);
         let triangles = patches
             .iter()
             .filter_map(|patch| patch.mesh.indices())
@@ -112,10 +120,12 @@ mod tests {
         // Most patches are compact, so that they lie before or behind the horizon as a whole.
         let mut angles: Vec<f64> = patches.iter().map(|patch| patch.cap.angle).collect();
         angles.sort_by(f64::total_cmp);
-        assert!(
-            angles.len() == PATCHES && angles[PATCHES / 2] < 0.45,
-            "{angles:?}"
-        );
-        assert_eq!(ground(&SphereMesh::fibonacci(100).unwrap()).len(), 1);
+        assert_eq!(angles.len(), MAX_PATCHES);
+        assert!(angles[MAX_PATCHES / 2] < 0.45, "{angles:?}");
+    }
+    #[test]
+    fn a_small_globe_is_one_patch() {
+        let lattice = SphereMesh::fibonacci(100).unwrap();
+        assert_eq!(ground_patches(&lattice).len(), 1);
     }
 }

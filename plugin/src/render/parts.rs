@@ -1,222 +1,191 @@
-//! The entities that draw a globe, children of the planet's entity, and what is handed to them.
+//! The entities that draw a globe, children of the planet's entity, and their assets.
 
-use super::material::{
-    AirMaterial, AirUniform, GroundMaterial, GroundUniform, LineMaterial, LineUniform,
-};
-use super::painter::Easel;
-use super::{Globe, mesh};
-use crate::overlay::Overlay;
+use super::assets::{GlobeAssets, GlobeMaterials};
+use super::globe::{Globe, GlobeDrawn};
+use super::material::GlobeUniforms;
+use super::mesh::{GlobePatch, air_shell};
+use super::picking::GlobePicker;
+use super::task::GlobeTask;
 use crate::planet::{Lattice, Planet};
+use crate::resample::SurfaceProjection;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::visibility::NoFrustumCulling;
 use bevy::light::{NotShadowCaster, NotShadowReceiver};
 use bevy::prelude::*;
 use bevy::render::storage::ShaderBuffer;
 
-/// The entities and assets of a globe.
+/// The entities and assets of a globe. Assets are held here and by the entities alone: all go with
+/// the planet.
 #[derive(Component)]
-pub(super) struct Parts {
-    /// A patch each.
-    pub(super) ground: Vec<Entity>,
-    lines: Entity,
-    air: Entity,
-    edges: Option<Entity>,
+pub(super) struct GlobeParts {
+    /// An entity per patch of ground.
+    pub(super) patches: Vec<Entity>,
+    pub(super) lines: Entity,
+    pub(super) air: Entity,
+    /// The edges of triangles, once they were asked for.
+    pub(super) edges: Option<Entity>,
+    pub(super) materials: GlobeMaterials,
     samples: Handle<ShaderBuffer>,
 }
 
-impl Parts {
+impl GlobeParts {
     fn entities(&self) -> impl Iterator<Item = Entity> {
         let others = [Some(self.lines), Some(self.air), self.edges];
-        self.ground
-            .iter()
-            .copied()
-            .chain(others.into_iter().flatten())
-    }
-
-    /// One entity for each material.
-    fn painted(&self) -> impl Iterator<Item = Entity> {
-        self.entities().skip(self.ground.len().saturating_sub(1))
+        let patches = self.patches.iter().copied();
+        patches.chain(others.into_iter().flatten())
     }
 }
 
 /// The mesh of the air, shared by all globes.
-#[derive(Resource, Default)]
-pub(super) struct Shell(Option<Handle<Mesh>>);
+#[derive(Resource)]
+pub(super) struct AirShell(Handle<Mesh>);
 
-/// Makes the entities of a globe when the first picture on its lattice is there.
-pub(super) fn build_parts(
+impl FromWorld for AirShell {
+    fn from_world(world: &mut World) -> Self {
+        Self(world.resource_mut::<Assets<Mesh>>().add(air_shell()))
+    }
+}
+
+/// Prepares a planet that is to be drawn: builds need its surface after every step.
+pub(super) fn start_globe(added: On<Add, Globe>, mut commands: Commands) {
+    commands
+        .entity(added.entity)
+        .try_insert((GlobeTask::default(), SurfaceProjection::EveryStep));
+}
+
+/// Removes all traces of a globe that is no longer drawn.
+pub(super) fn remove_globe(
+    removed: On<Remove, Globe>,
+    mut commands: Commands,
+    globes: Query<&GlobeParts>,
+) {
+    for part in globes
+        .get(removed.entity)
+        .iter()
+        .flat_map(|parts| parts.entities())
+    {
+        commands.entity(part).try_despawn();
+    }
+    if let Ok(mut planet) = commands.get_entity(removed.entity) {
+        planet.try_remove::<(GlobeTask, GlobeParts, GlobeDrawn, GlobePicker)>();
+    }
+}
+
+/// The components of every part of a globe.
+pub(super) fn part(name: &'static str, planet: Entity) -> impl Bundle {
+    (
+        Name::new(name),
+        ChildOf(planet),
+        NoFrustumCulling,
+        NotShadowCaster,
+        NotShadowReceiver,
+    )
+}
+
+/// Visible as the planet is, or hidden.
+pub(super) fn visibility(shown: bool) -> Visibility {
+    if shown {
+        Visibility::Inherited
+    } else {
+        Visibility::Hidden
+    }
+}
+
+/// Spawns the entities of a globe when the first build on its lattice is there.
+pub(super) fn spawn_parts(
     mut commands: Commands,
     mut globes: Query<(
         Entity,
         &Planet,
         &Lattice,
         &Globe,
-        &mut Easel,
-        Option<&Parts>,
+        &mut GlobeTask,
+        Option<&GlobeParts>,
     )>,
-    mut shell: ResMut<Shell>,
-    mut meshes: ResMut<Assets<Mesh>>,
-    mut buffers: ResMut<Assets<ShaderBuffer>>,
-    (mut grounds, mut airs, mut line_materials): (
-        ResMut<Assets<GroundMaterial>>,
-        ResMut<Assets<AirMaterial>>,
-        ResMut<Assets<LineMaterial>>,
-    ),
+    shell: Res<AirShell>,
+    mut assets: GlobeAssets,
 ) {
-    for (planet, &Planet { radius, .. }, lattice, globe, mut easel, old) in &mut globes {
-        let Some(picture) = &mut easel.finished else {
+    for (entity, planet, lattice, globe, mut task, old) in &mut globes {
+        let Some(built) = &mut task.built else {
             continue;
         };
-        let Some(patches) = picture.ground.take() else {
+        let Some(patches) = built.patches.take() else {
             continue;
         };
-        for part in old.into_iter().flat_map(Parts::entities) {
+        for part in old.into_iter().flat_map(GlobeParts::entities) {
             commands.entity(part).try_despawn();
         }
-        let size = picture.columns.len();
-        let samples = buffers.add(ShaderBuffer::with_size(
-            size,
-            RenderAssetUsages::RENDER_WORLD,
-        ));
-        let part = |name| {
-            (
-                Name::new(name),
-                ChildOf(planet),
-                NoFrustumCulling,
-                NotShadowCaster,
-                NotShadowReceiver,
-            )
-        };
-        let ground = GroundMaterial {
-            uniform: GroundUniform::new(globe, radius, lattice.spacing()),
-            samples: samples.clone(),
-            wire: false,
-        };
-        let material = MeshMaterial3d(grounds.add(ground));
-        let patch = |mesh::Patch { mesh, cap }| {
-            commands
-                .spawn((
-                    part("ground"),
-                    Mesh3d(meshes.add(mesh)),
-                    material.clone(),
-                    cap,
-                ))
-                .id()
-        };
-        let ground = patches.into_iter().map(patch).collect();
-        let line = LineMaterial {
-            uniform: LineUniform::new(globe, radius),
-        };
-        let lines = commands
-            .spawn((part("lines"), MeshMaterial3d(line_materials.add(line))))
-            .id();
-        let sphere = shell
-            .0
-            .get_or_insert_with(|| meshes.add(mesh::shell()))
-            .clone();
-        let air = AirMaterial {
-            uniform: AirUniform::new(globe),
-        };
-        let air = (part("air"), Mesh3d(sphere), MeshMaterial3d(airs.add(air)));
-        let air = commands.spawn(air).id();
-        commands.entity(planet).insert(Parts {
-            ground,
-            lines,
-            air,
+        let usages = RenderAssetUsages::RENDER_WORLD;
+        let samples = ShaderBuffer::with_size(built.samples.len(), usages);
+        let samples = assets.buffers.add(samples);
+        let uniforms = GlobeUniforms::new(globe, planet.radius, lattice.spacing());
+        let materials = GlobeMaterials::new(uniforms, &samples, &mut assets);
+        let patches = spawn_patches(
+            &mut commands,
+            entity,
+            patches,
+            &materials,
+            &mut assets.meshes,
+        );
+        let lines = (
+            part("lines", entity),
+            MeshMaterial3d(materials.lines.clone()),
+        );
+        let air = (
+            part("air", entity),
+            Mesh3d(shell.0.clone()),
+            MeshMaterial3d(materials.air.clone()),
+        );
+        let parts = GlobeParts {
+            patches,
+            lines: commands.spawn(lines).id(),
+            air: commands.spawn(air).id(),
             edges: None,
+            materials,
             samples,
-        });
+        };
+        commands.entity(entity).try_insert(parts);
     }
 }
 
-/// Hands finished pictures to the renderer.
-pub(super) fn show_pictures(
+fn spawn_patches(
+    commands: &mut Commands,
+    planet: Entity,
+    patches: Vec<GlobePatch>,
+    materials: &GlobeMaterials,
+    meshes: &mut Assets<Mesh>,
+) -> Vec<Entity> {
+    let mut spawn = |patch: GlobePatch| {
+        let mesh = Mesh3d(meshes.add(patch.mesh));
+        let material = MeshMaterial3d(materials.ground.clone());
+        let ground = (part("ground", planet), mesh, material, patch.cap);
+        commands.spawn(ground).id()
+    };
+    patches.into_iter().map(&mut spawn).collect()
+}
+
+/// Hands finished builds to the renderer.
+pub(super) fn upload_builds(
     mut commands: Commands,
-    mut globes: Query<(&mut Easel, &Parts)>,
-    mut meshes: ResMut<Assets<Mesh>>,
-    mut buffers: ResMut<Assets<ShaderBuffer>>,
+    mut globes: Query<(Entity, &mut GlobeTask, &GlobeParts)>,
+    mut assets: GlobeAssets,
 ) {
-    for (mut easel, parts) in &mut globes {
-        let Some(picture) = easel.finished.take() else {
+    for (planet, mut task, parts) in &mut globes {
+        let Some(built) = task.built.take() else {
             continue;
         };
-        if let Some(mut samples) = buffers.get_mut(&parts.samples) {
-            samples.data = Some(picture.columns);
+        if let Some(mut samples) = assets.buffers.get_mut(&parts.samples) {
+            samples.data = Some(built.samples);
         }
-        let seen = if picture.no_lines {
-            Visibility::Hidden
-        } else {
-            Visibility::Inherited
-        };
+        let lines = Mesh3d(assets.meshes.add(built.lines));
         commands
             .entity(parts.lines)
-            .insert((Mesh3d(meshes.add(picture.lines)), seen));
+            .try_insert((lines, visibility(built.has_lines)));
+        commands
+            .entity(planet)
+            .try_insert((built.drawn, built.picker));
     }
 }
 
-/// Tells the shaders what needs no painting, and makes or hides the edges of triangles.
-pub(super) fn shade(
-    mut commands: Commands,
-    mut globes: Query<
-        (Entity, &Planet, &Lattice, &Globe, &mut Parts),
-        Or<(Changed<Globe>, Changed<Parts>)>,
-    >,
-    handles: Query<(
-        Option<&MeshMaterial3d<GroundMaterial>>,
-        Option<&MeshMaterial3d<AirMaterial>>,
-        Option<&MeshMaterial3d<LineMaterial>>,
-    )>,
-    mut meshes: ResMut<Assets<Mesh>>,
-    (mut grounds, mut airs, mut lines): (
-        ResMut<Assets<GroundMaterial>>,
-        ResMut<Assets<AirMaterial>>,
-        ResMut<Assets<LineMaterial>>,
-    ),
-) {
-    for (planet, &Planet { radius, .. }, lattice, globe, mut parts) in &mut globes {
-        let wanted = globe.wireframe || globe.overlay == Overlay::Mesh;
-        if wanted && parts.edges.is_none() {
-            let material = GroundMaterial {
-                uniform: GroundUniform::new(globe, radius, lattice.spacing()),
-                samples: parts.samples.clone(),
-                wire: true,
-            };
-            let edges = (
-                Mesh3d(meshes.add(mesh::edges(lattice))),
-                MeshMaterial3d(grounds.add(material)),
-            );
-            let part = (
-                Name::new("edges"),
-                ChildOf(planet),
-                NoFrustumCulling,
-                NotShadowCaster,
-            );
-            parts.edges = Some(commands.spawn((part, edges)).id());
-        }
-        for part in parts.painted() {
-            let Ok((ground, air, line)) = handles.get(part) else {
-                continue;
-            };
-            if let Some(mut material) = ground.and_then(|m| grounds.get_mut(m)) {
-                material.uniform = GroundUniform::new(globe, radius, lattice.spacing());
-            }
-            if let Some(mut material) = air.and_then(|m| airs.get_mut(m)) {
-                material.uniform = AirUniform::new(globe);
-            }
-            if let Some(mut material) = line.and_then(|m| lines.get_mut(m)) {
-                material.uniform = LineUniform::new(globe, radius);
-            }
-        }
-        let visible = |on| {
-            if on {
-                Visibility::Inherited
-            } else {
-                Visibility::Hidden
-            }
-        };
-        commands.entity(parts.air).insert(visible(globe.air > 0.0));
-        if let Some(edges) = parts.edges {
-            commands.entity(edges).insert(visible(wanted));
-        }
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -1,4 +1,4 @@
-//! What a ray hits on a globe.
+//! Picking: where a ray meets a globe.
 //!
 //! Triangles of a lattice are ordered along a curve, so runs of 64 lie close together. obvhs keeps
 //! a tree over the boxes of such runs and only prunes; the triangles of a run are tested here in
@@ -8,7 +8,7 @@
 //! first. A ray that starts below the surface sees it from inside. A ray that is not finite hits
 //! nothing.
 
-use super::{from_bevy, to_bevy};
+use super::axes::{from_bevy, to_bevy};
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
@@ -20,14 +20,21 @@ use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ray::{Ray, RayHit};
 use std::sync::Arc;
 
-/// Triangles to a run.
-const RUN: usize = 64;
+/// Triangles in a run.
+const RUN_TRIANGLES: usize = 64;
 
 /// How much boxes are grown, in planet radii: more than f32 rounds.
-const SLACK: f32 = 2e-6;
+const BOX_MARGIN: f32 = 2e-6;
+
+/// How much farther than a hit, relatively, pruning in f32 still looks for a nearer one in f64.
+const PRUNING_MARGIN: f32 = 1e-5;
+
+/// Barycentric coordinate up to which a ray outside of a triangle hits it, so that none slips
+/// between two triangles.
+const EDGE_TOLERANCE: f64 = 1e-12;
 
 /// A ray in planet coordinates, lengths in planet radii, the planet's centre at the origin.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Reflect)]
 pub struct GlobeRay {
     /// Where it starts.
     pub origin: DVec3,
@@ -47,8 +54,8 @@ impl GlobeRay {
 }
 
 /// Where a ray meets a globe.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
+#[derive(Clone, Copy, Debug, PartialEq, Reflect)]
+pub struct GlobeHit {
     /// The sample nearest to the hit.
     pub sample: u32,
     /// Unit direction of the hit in planet coordinates.
@@ -57,14 +64,29 @@ pub struct Hit {
     pub distance: f64,
 }
 
-impl Hit {
+impl GlobeHit {
     /// The unit direction of the hit in the globe's Bevy axes.
     pub fn bevy_direction(&self) -> Vec3 {
         to_bevy(self.direction)
     }
 }
 
-/// Finds what a ray hits on a globe as it is drawn. On the planet's entity, kept by the painter.
+/// Finds where rays meet a globe as it is drawn. [`PangaeaRenderPlugin`](super::PangaeaRenderPlugin)
+/// puts one on the planet's entity and keeps it up to date.
+///
+/// ```
+/// use bevy::math::DVec3;
+/// use bevy_pangaea::render::{GlobePicker, GlobeRay};
+/// use bevy_pangaea::sphere::SphereMesh;
+/// use std::sync::Arc;
+///
+/// let mesh = Arc::new(SphereMesh::fibonacci(1000)?);
+/// let sphere = GlobePicker::new(mesh, vec![1.0; 1000]);
+/// let down = GlobeRay { origin: 3.0 * DVec3::Z, direction: -DVec3::Z };
+/// let hit = sphere.pick(down).ok_or("no hit")?;
+/// assert!((hit.distance - 2.0).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Component, Clone)]
 pub struct GlobePicker {
     mesh: Arc<SphereMesh>,
@@ -74,6 +96,7 @@ pub struct GlobePicker {
     highest: f64,
 }
 
+/// The box around a run of triangles.
 struct RunBox(Aabb);
 
 impl Boundable for RunBox {
@@ -91,7 +114,7 @@ impl GlobePicker {
         let highest = f64::from(radii.iter().copied().fold(0.0, f32::max)) + 1e-5;
         let boxes: Vec<_> = mesh
             .triangles()
-            .chunks(RUN)
+            .chunks(RUN_TRIANGLES)
             .map(|run| run_box(&mesh, &radii, run))
             .collect();
         let tree = build_bvh2(&boxes, BvhBuildParams::fastest_build(), &mut default());
@@ -103,8 +126,8 @@ impl GlobePicker {
         }
     }
 
-    /// What the ray hits first, if anything.
-    pub fn pick(&self, ray: GlobeRay) -> Option<Hit> {
+    /// Where the ray meets the globe first, if it does.
+    pub fn pick(&self, ray: GlobeRay) -> Option<GlobeHit> {
         let GlobeRay { origin, direction } = ray;
         let length = direction.length();
         if !(origin.is_finite() && length.is_finite() && length > 0.0) {
@@ -115,37 +138,53 @@ impl GlobePicker {
         let start = origin + entry * direction;
         let (distance, point) = self.nearest_triangle(start, direction)?;
         let up = point.normalize();
-        Some(Hit {
+        Some(GlobeHit {
             sample: self.mesh.nearest(up),
             direction: up,
             distance: entry + distance,
         })
     }
 
+    /// The nearest hit of a ray with a unit `direction`: its distance and place.
     fn nearest_triangle(&self, start: DVec3, direction: DVec3) -> Option<(f64, DVec3)> {
-        let single = |v: DVec3| v.as_vec3().to_array().into();
         let mut best = (f64::INFINITY, usize::MAX);
+        let single = |v: DVec3| v.as_vec3().to_array().into();
         let pruning = Ray::new_inf(single(start), single(direction));
-        self.tree
-            .ray_traverse(pruning, &mut RayHit::none(), |_, slot| {
-                let run = self.tree.primitive_indices[slot] as usize * RUN;
-                let triangles = &self.mesh.triangles()[run..];
-                for (k, triangle) in triangles.iter().take(RUN).enumerate() {
-                    let corners = triangle.map(|i| self.corner(i));
-                    if let Some(t) = hit_triangle(start, direction, corners)
-                        && (t, run + k) < best
-                    {
-                        best = (t, run + k);
-                    }
-                }
-                // A little beyond, so that pruning in f32 never hides what f64 would prefer.
-                best.0 as f32 * (1.0 + 1e-5) + SLACK
-            });
-        best.0
+        let mut no_hit = RayHit::none();
+        self.tree.ray_traverse(pruning, &mut no_hit, |_, slot| {
+            let run = self.tree.primitive_indices[slot] as usize;
+            best = self.nearest_in_run(run, start, direction, best);
+            // A little beyond, so that pruning in f32 never hides what f64 would prefer.
+            best.0 as f32 * (1.0 + PRUNING_MARGIN) + BOX_MARGIN
+        });
+        let (distance, _) = best;
+        distance
             .is_finite()
-            .then(|| (best.0, start + best.0 * direction))
+            .then(|| (distance, start + distance * direction))
     }
 
+    /// The better of `best` and the hits in a run, by distance and then by triangle.
+    fn nearest_in_run(
+        &self,
+        run: usize,
+        start: DVec3,
+        direction: DVec3,
+        mut best: (f64, usize),
+    ) -> (f64, usize) {
+        let first = run * RUN_TRIANGLES;
+        let triangles = self.mesh.triangles()[first..].iter().take(RUN_TRIANGLES);
+        for (k, triangle) in (first..).zip(triangles) {
+            let corners = triangle.map(|i| self.corner(i));
+            if let Some(t) = hit_triangle(start, direction, corners)
+                && (t, k) < best
+            {
+                best = (t, k);
+            }
+        }
+        best
+    }
+
+    /// Where a sample is drawn.
     fn corner(&self, i: u32) -> DVec3 {
         self.mesh.point(i) * f64::from(self.radii[i as usize])
     }
@@ -158,7 +197,10 @@ fn run_box(mesh: &SphereMesh, radii: &[f32], run: &[[u32; 3]]) -> RunBox {
         low = low.min(corner);
         high = high.max(corner);
     }
-    let (low, high) = (low - Vec3::splat(SLACK), high + Vec3::splat(SLACK));
+    let (low, high) = (
+        low - Vec3::splat(BOX_MARGIN),
+        high + Vec3::splat(BOX_MARGIN),
+    );
     RunBox(Aabb {
         min: low.to_array().into(),
         max: high.to_array().into(),
@@ -175,8 +217,6 @@ fn entry(origin: DVec3, direction: DVec3, radius: f64) -> Option<f64> {
 
 /// Distance at which the ray crosses a triangle, edges included (Möller and Trumbore 1997).
 fn hit_triangle(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f64> {
-    /// Keeps a ray from slipping between two triangles.
-    const EDGE: f64 = 1e-12;
     let (ab, ac) = (b - a, c - a);
     let p = direction.cross(ac);
     let det = ab.dot(p);
@@ -188,102 +228,9 @@ fn hit_triangle(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Optio
     let q = from.cross(ab);
     let v = direction.dot(q) / det;
     let t = ac.dot(q) / det;
-    (u >= -EDGE && v >= -EDGE && u + v <= 1.0 + EDGE && t >= 0.0).then_some(t)
+    (u >= -EDGE_TOLERANCE && v >= -EDGE_TOLERANCE && u + v <= 1.0 + EDGE_TOLERANCE && t >= 0.0)
+        .then_some(t)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::random::{Purpose, Stream};
-
-    fn bumpy() -> GlobePicker {
-        let mesh = Arc::new(SphereMesh::fibonacci(3000).unwrap());
-        let noise = Stream::new(3, Purpose::Relief, 0);
-        let radii = (0..mesh.len())
-            .map(|i| 1.0 + 0.1 * noise.unit(i as u64) as f32)
-            .collect();
-        GlobePicker::new(mesh, radii)
-    }
-
-    #[test]
-    fn rays_hit_what_brute_force_hits() {
-        let picker = bumpy();
-        let random = Stream::new(9, Purpose::Relief, 1);
-        let mut hits = 0;
-        for i in 0..400 {
-            let ray = GlobeRay {
-                origin: random.direction(2 * i) * random.range(i, 1.2, 40.0),
-                direction: random.direction(2 * i + 1),
-            };
-            let aimed = GlobeRay {
-                direction: 0.9 * ray.direction - ray.origin,
-                ..ray
-            };
-            let expected = picker.mesh.triangles().iter().filter_map(|t| {
-                hit_triangle(
-                    aimed.origin,
-                    aimed.direction.normalize(),
-                    t.map(|i| picker.corner(i)),
-                )
-            });
-            let expected = expected.fold(f64::INFINITY, f64::min);
-            match picker.pick(aimed) {
-                Some(hit) => {
-                    hits += 1;
-                    assert!(
-                        (hit.distance - expected).abs() < 1e-9,
-                        "{} {expected}",
-                        hit.distance
-                    );
-                    assert_eq!(hit.sample, picker.mesh.nearest(hit.direction));
-                }
-                None => assert!(expected.is_infinite()),
-            }
-        }
-        assert!(hits > 300, "{hits}");
-    }
-
-    #[test]
-    fn every_ray_to_the_centre_hits() {
-        let picker = bumpy();
-        for i in 0..3000 {
-            // Straight at corners and through edges: where a ray could slip through.
-            let p = picker.mesh.point(i);
-            let q = (p + picker.mesh.point(picker.mesh.ring(i)[0])).normalize();
-            for up in [p, q] {
-                let hit = picker
-                    .pick(GlobeRay {
-                        origin: 1e6 * up,
-                        direction: -up,
-                    })
-                    .unwrap();
-                assert!(hit.direction.dot(up) > 1.0 - 1e-12);
-            }
-        }
-    }
-
-    #[test]
-    fn rays_that_miss_or_mean_nothing_hit_nothing() {
-        let picker = bumpy();
-        let pick = |origin, direction| picker.pick(GlobeRay { origin, direction });
-        assert_eq!(pick(DVec3::X * 3.0, DVec3::X), None);
-        assert_eq!(pick(DVec3::X * 3.0, DVec3::Y), None);
-        assert_eq!(pick(DVec3::X * 3.0, DVec3::ZERO), None);
-        assert_eq!(pick(DVec3::NAN, -DVec3::X), None);
-        assert_eq!(
-            pick(DVec3::X * 3.0, DVec3::new(f64::INFINITY, 0.0, 0.0)),
-            None
-        );
-        assert!(pick(DVec3::ZERO, DVec3::X).is_some());
-    }
-
-    #[test]
-    fn world_rays_follow_the_planet() {
-        let planet =
-            GlobalTransform::from(Transform::from_xyz(5.0, 0.0, 0.0).with_scale(Vec3::splat(2.0)));
-        let ray = GlobeRay::from_world(Ray3d::new(Vec3::new(5.0, 8.0, 0.0), Dir3::NEG_Y), &planet);
-        let hit = bumpy().pick(ray).unwrap();
-        assert!((hit.direction - DVec3::Z).length() < 1e-6);
-        assert!((2.9..=3.0).contains(&hit.distance), "{}", hit.distance);
-    }
-}
+mod tests;

@@ -1,70 +1,51 @@
-//! A 16-bit grey PNG whose scale is in a sidecar NAME.json: `{"metres_per_pixel",
-//! "metres_per_unit"}` for real ground, or `{"metres_per_pixel", "min_m", "max_m"}` as `export`
-//! writes it.
+//! Grey PNGs of 8 or 16 bits; pictures of heights have 16, and their scale in a sidecar.
 
-use super::{Dem, DemError, check_size, filled};
-use png::{ColorType, Decoder, Limits};
+use super::error::{DemError, invalid};
+use super::tile::{Dem, check_size};
+use crate::io::sidecar::Sidecar;
+use png::{BitDepth, ColorType, Decoder, Limits, Reader};
 use std::io::Cursor;
 
-/// Scale and position of a picture of heights. A value v is `min_m + v / 65535 (max_m - min_m)`, or
-/// `v metres_per_unit`.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Sidecar {
-    /// Height of black in m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub min_m: Option<f64>,
-    /// Height of white in m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub max_m: Option<f64>,
-    /// Height of one step of grey in m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub metres_per_unit: Option<f64>,
-    /// Side of a pixel in m.
-    pub metres_per_pixel: f64,
-    /// Latitude of the middle in degrees.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub lat: Option<f64>,
-    /// Longitude of the middle in degrees.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub lon: Option<f64>,
+/// Memory that the decoder may take besides the pixels.
+const DECODER_BYTES: usize = 64 << 20;
+
+/// Reads the sidecar of a picture of heights.
+///
+/// # Errors
+/// [`DemError::Invalid`] for JSON that tells no finite scale.
+pub(super) fn parse_sidecar(text: &[u8]) -> Result<Sidecar, DemError> {
+    let sidecar = serde_json::from_slice(text).map_err(|error| invalid(error.to_string()))?;
+    GreyScale::of(&sidecar)?;
+    Ok(sidecar)
 }
 
-impl Sidecar {
-    /// Reads a sidecar.
-    ///
-    /// # Errors
-    /// [`DemError::Invalid`] for what is no such JSON.
-    pub fn parse(text: &[u8]) -> Result<Self, DemError> {
-        let sidecar: Self =
-            serde_json::from_slice(text).map_err(|error| DemError::Invalid(error.to_string()))?;
-        sidecar.scale()?;
-        Ok(sidecar)
-    }
+/// The heights that greys stand for.
+struct GreyScale {
+    /// Height of black in m.
+    black: f64,
+    /// Height of one step of grey in m.
+    step: f64,
+}
 
-    /// Height of black and of one step of grey in m.
-    fn scale(&self) -> Result<[f64; 2], DemError> {
-        let scale = match *self {
-            Self {
-                metres_per_unit: Some(unit),
-                ..
-            } => [0.0, unit],
-            Self {
-                min_m: Some(min),
-                max_m: Some(max),
-                ..
-            } => [min, (max - min) / 65_535.0],
+impl GreyScale {
+    fn of(sidecar: &Sidecar) -> Result<Self, DemError> {
+        let scale = match (sidecar.metres_per_unit, sidecar.min_m, sidecar.max_m) {
+            (Some(step), ..) => Self { black: 0.0, step },
+            (None, Some(min), Some(max)) => Self {
+                black: min,
+                step: (max - min) / 65_535.0,
+            },
             _ => {
-                return Err(DemError::Invalid(
-                    "the sidecar has neither metres_per_unit nor min_m and max_m".into(),
+                return Err(invalid(
+                    "the sidecar has neither metres_per_unit nor min_m and max_m",
                 ));
             }
         };
-        if scale.iter().all(|x| x.is_finite()) && self.metres_per_pixel.is_finite() {
+        let numbers = [scale.black, scale.step, sidecar.metres_per_pixel];
+        if numbers.into_iter().all(f64::is_finite) {
             Ok(scale)
         } else {
-            Err(DemError::Invalid(
-                "the sidecar's numbers are not finite".into(),
-            ))
+            Err(invalid("the sidecar's numbers are not finite"))
         }
     }
 }
@@ -85,63 +66,58 @@ impl Greys {
         bytes: &[u8],
         check: impl FnOnce(u32, u32) -> Result<(), E>,
     ) -> Result<Self, E> {
-        let refused = |error: png::DecodingError| DemError::Invalid(error.to_string());
-        let limits = Limits { bytes: 64 << 20 };
+        let limits = Limits {
+            bytes: DECODER_BYTES,
+        };
         let mut reader = Decoder::new_with_limits(Cursor::new(bytes), limits)
             .read_info()
             .map_err(refused)?;
         let info = reader.info();
-        let (size, depth) = ([info.width, info.height], info.bit_depth as u8);
+        let (size, depth) = ([info.width, info.height], info.bit_depth);
         check(size[0], size[1])?;
-        if info.color_type != ColorType::Grayscale || depth < 8 {
-            return Err(
-                DemError::Invalid("the picture is not of 8-bit or 16-bit grey".into()).into(),
-            );
+        if info.color_type != ColorType::Grayscale || (depth as u8) < 8 {
+            return Err(invalid("the picture is not of 8-bit or 16-bit grey").into());
         }
         if info.interlaced {
-            return Err(DemError::Invalid("interlaced pictures are not read".into()).into());
+            return Err(invalid("interlaced pictures are not read").into());
         }
-        // Row by row: a picture that is cut short never takes the memory that its header asks for.
-        let mut values = Vec::new();
-        while let Some(row) = reader.next_row().map_err(refused)? {
-            match depth {
-                8 => values.extend(row.data().iter().map(|&grey| u16::from_be_bytes([grey; 2]))),
-                _ => {
-                    let pairs = row.data().chunks_exact(2);
-                    values.extend(pairs.map(|pair| u16::from_be_bytes([pair[0], pair[1]])));
-                }
-            }
-        }
+        let values = read_rows(&mut reader, depth)?;
         Ok(Self {
             size,
-            depth,
+            depth: depth as u8,
             values,
         })
     }
 }
 
+/// Reads greys row by row: a picture that is cut short never takes the memory that its header asks
+/// for.
+fn read_rows(reader: &mut Reader<Cursor<&[u8]>>, depth: BitDepth) -> Result<Vec<u16>, DemError> {
+    let mut values = Vec::new();
+    while let Some(row) = reader.next_row().map_err(refused)? {
+        if depth == BitDepth::Eight {
+            values.extend(row.data().iter().map(|&grey| u16::from_be_bytes([grey; 2])));
+        } else {
+            let (pairs, _) = row.data().as_chunks();
+            values.extend(pairs.iter().map(|&pair| u16::from_be_bytes(pair)));
+        }
+    }
+    Ok(values)
+}
+
+fn refused(error: png::DecodingError) -> DemError {
+    invalid(error.to_string())
+}
+
 /// Reads a picture of heights.
 pub(super) fn read(bytes: &[u8], sidecar: &Sidecar) -> Result<Dem, DemError> {
-    let [black, step] = sidecar.scale()?;
-    let Greys {
-        size: [width, height],
-        depth,
-        values,
-    } = Greys::read(bytes, check_size)?;
-    if depth != 16 {
-        return Err(DemError::Invalid(
-            "the picture is not of 16-bit grey".into(),
-        ));
+    let GreyScale { black, step } = GreyScale::of(sidecar)?;
+    let picture = Greys::read(bytes, check_size)?;
+    if picture.depth != 16 {
+        return Err(invalid("the picture is not of 16-bit grey"));
     }
-    let heights = values
-        .iter()
-        .map(|&grey| (black + step * f64::from(grey)) as f32)
-        .collect();
-    filled(
-        width,
-        height,
-        heights,
-        [sidecar.metres_per_pixel; 2],
-        sidecar.lat.zip(sidecar.lon),
-    )
+    let height = |&grey: &u16| (black + step * f64::from(grey)) as f32;
+    let heights = picture.values.iter().map(height).collect();
+    let pixel_m = [sidecar.metres_per_pixel; 2];
+    Dem::new(picture.size, heights, pixel_m, sidecar.lat.zip(sidecar.lon))
 }

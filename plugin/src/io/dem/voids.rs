@@ -1,8 +1,7 @@
 //! Missing values, filled from their neighbours: ring after ring from the edge of a hole inwards,
 //! each value the mean of those of its eight neighbours that were known before the ring.
 
-/// Fills all values that are not a number in rows of `width`. Returns how many there were; `None`
-/// if there is nothing else.
+/// Fills all NaN in rows of `width`. Returns their number; `None` if there are no other values.
 pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
     let missing: Vec<usize> = (0..values.len()).filter(|&i| values[i].is_nan()).collect();
     if missing.len() == values.len() {

@@ -1,8 +1,8 @@
 //! A PNG of 16-bit grey from the lowest height, black, to the highest, white, and the sidecar that
 //! decodes it.
 
-use super::ExportError;
-use crate::io::dem::Sidecar;
+use super::error::{ExportError, cannot_encode};
+use crate::io::Sidecar;
 use crate::io::png::grey_png;
 use crate::query::{HeightGrid, Square};
 
@@ -21,8 +21,7 @@ pub(super) fn encode(
         .values
         .iter()
         .map(|&z| ((f64::from(z) - low) * scale + 0.5) as u16);
-    let picture = grey_png(grid.width as u32, greys)
-        .map_err(|error| ExportError::Encode(error.to_string()))?;
+    let picture = grey_png(grid.width as u32, greys).map_err(cannot_encode)?;
     let (lat, lon) = square.projection().lat_lon();
     let sidecar = Sidecar {
         min_m: Some(low),
@@ -32,8 +31,7 @@ pub(super) fn encode(
         lat: Some(lat),
         lon: Some(lon),
     };
-    let mut text = serde_json::to_vec_pretty(&sidecar)
-        .map_err(|error| ExportError::Encode(error.to_string()))?;
+    let mut text = serde_json::to_vec_pretty(&sidecar).map_err(cannot_encode)?;
     text.push(b'\n');
     Ok((picture, text))
 }

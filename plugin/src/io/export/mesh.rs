@@ -5,11 +5,11 @@
 //! the planet is. The origin is the middle of the square at sea level; +x is east, +y up, -z north,
 //! as glTF has it. Lengths are in m.
 
-use super::ExportError;
+use super::error::{ExportError, cannot_encode};
 use crate::query::{HeightGrid, Square, grid_triangles};
 use bevy::math::{DVec3, Vec3};
 use rayon::prelude::*;
-use serde_json::json;
+use serde_json::{Value, json};
 
 /// Numbers of glTF: f32 and u32 components, vertex and index buffers.
 const FLOAT: u32 = 5126;
@@ -17,58 +17,74 @@ const UNSIGNED_INT: u32 = 5125;
 const ARRAY_BUFFER: u32 = 34_962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34_963;
 
+/// The file of a square.
 pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
     let positions = positions(square, grid);
     let normals = normals(square.pixels(), &positions);
     let triangles = grid_triangles(square.pixels());
-    let (vertices, corners) = (positions.len(), 3 * triangles.len());
-    let bounds = |best: fn(Vec3, Vec3) -> Vec3| {
-        positions
-            .iter()
-            .copied()
-            .reduce(best)
-            .unwrap_or_default()
-            .to_array()
-    };
-    let (low, high) = (bounds(Vec3::min), bounds(Vec3::max));
-    let view = |offset: usize, length: usize, target: u32| json!({ "buffer": 0, "byteOffset": offset, "byteLength": length, "target": target });
-    let json = json!({
+    let json = scene(&positions, 3 * triangles.len()).to_string();
+    let vectors = [&positions, &normals].into_iter().flatten();
+    let floats = vectors
+        .flat_map(|v| v.to_array())
+        .flat_map(f32::to_le_bytes);
+    let indices = triangles.iter().flatten().flat_map(|i| i.to_le_bytes());
+    let mut binary = Vec::with_capacity(24 * positions.len() + 12 * triangles.len());
+    binary.extend(floats.chain(indices));
+    glb(json.into_bytes(), &binary)
+}
+
+/// The scene: one mesh with a buffer of positions, then normals, then the indices of its `corners`.
+fn scene(positions: &[Vec3], corners: usize) -> Value {
+    let vertices = positions.len();
+    let low = bound(positions, Vec3::min);
+    let high = bound(positions, Vec3::max);
+    json!({
         "asset": { "version": "2.0", "generator": "Pangaea" },
         "scene": 0,
         "scenes": [{ "nodes": [0] }],
         "nodes": [{ "mesh": 0, "name": "ground" }],
-        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "NORMAL": 1 }, "indices": 2, "material": 0 }] }],
-        "materials": [{ "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 1.0 } }],
+        "meshes": [{ "primitives": [{
+            "attributes": { "POSITION": 0, "NORMAL": 1 }, "indices": 2, "material": 0
+        }] }],
+        "materials": [{
+            "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 1.0 }
+        }],
         "accessors": [
-            { "bufferView": 0, "componentType": FLOAT, "count": vertices, "type": "VEC3", "min": low, "max": high },
+            {
+                "bufferView": 0, "componentType": FLOAT, "count": vertices, "type": "VEC3",
+                "min": low, "max": high
+            },
             { "bufferView": 1, "componentType": FLOAT, "count": vertices, "type": "VEC3" },
-            { "bufferView": 2, "componentType": UNSIGNED_INT, "count": corners, "type": "SCALAR" },
+            {
+                "bufferView": 2, "componentType": UNSIGNED_INT, "count": corners,
+                "type": "SCALAR"
+            },
         ],
         "bufferViews": [
-            view(0, 12 * vertices, ARRAY_BUFFER),
-            view(12 * vertices, 12 * vertices, ARRAY_BUFFER),
-            view(24 * vertices, 4 * corners, ELEMENT_ARRAY_BUFFER),
+            buffer_view(0, 12 * vertices, ARRAY_BUFFER),
+            buffer_view(12 * vertices, 12 * vertices, ARRAY_BUFFER),
+            buffer_view(24 * vertices, 4 * corners, ELEMENT_ARRAY_BUFFER),
         ],
         "buffers": [{ "byteLength": 24 * vertices + 4 * corners }],
-    });
-    let mut binary = Vec::with_capacity(24 * vertices + 4 * corners);
-    for column in [&positions, &normals] {
-        binary.extend(
-            column
-                .iter()
-                .flat_map(|v| v.to_array())
-                .flat_map(f32::to_le_bytes),
-        );
-    }
-    binary.extend(triangles.iter().flatten().flat_map(|i| i.to_le_bytes()));
-    glb(json.to_string().into_bytes(), &binary)
+    })
+}
+
+/// A corner of the box around the positions.
+fn bound(positions: &[Vec3], best: fn(Vec3, Vec3) -> Vec3) -> [f32; 3] {
+    let corner = positions.iter().copied().reduce(best);
+    corner.unwrap_or_default().to_array()
+}
+
+/// A part of the buffer.
+fn buffer_view(offset: usize, length: usize, target: u32) -> Value {
+    json!({ "buffer": 0, "byteOffset": offset, "byteLength": length, "target": target })
 }
 
 /// A header and two chunks, each a multiple of four bytes long.
 fn glb(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, ExportError> {
     json.resize(json.len().next_multiple_of(4), b' ');
     let total = u32::try_from(12 + 8 + json.len() + 8 + binary.len())
-        .map_err(|_| ExportError::Encode("the mesh does not fit into a .glb file".into()))?;
+        .map_err(|_| cannot_encode("the mesh does not fit into a .glb file"))?;
     let mut bytes = Vec::with_capacity(total as usize);
     bytes.extend(b"glTF");
     bytes.extend([2, total].into_iter().flat_map(u32::to_le_bytes));
@@ -80,6 +96,7 @@ fn glb(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, ExportError> {
     Ok(bytes)
 }
 
+/// Where the centre of each pixel is.
 fn positions(square: &Square, grid: &HeightGrid) -> Vec<Vec3> {
     let projection = square.projection();
     let (up, (east, north)) = (projection.centre(), projection.axes());

@@ -8,108 +8,23 @@
 //!
 //! All show the same: an azimuthal equidistant square, north up, values at the centres of pixels.
 
+mod error;
+
+mod format;
+
 mod geotiff;
 
 mod grey;
 
 mod mesh;
 
-use super::{IoError, write_all_atomically};
-use crate::query::{Ground, GroundError, HeightGrid, Square};
+pub use error::ExportError;
+pub use format::ExportFormat;
+
+use super::write_all_atomically;
+use crate::query::{Ground, HeightGrid, Square};
+use error::cannot_encode;
 use std::path::{Path, PathBuf};
-use thiserror::Error;
-
-/// Why a square was not exported.
-#[derive(Debug, Error)]
-pub enum ExportError {
-    /// The name's extension is none of those that are written.
-    #[error("cannot write {}: the file must end in .tif, .png or .glb", .0.display())]
-    Extension(PathBuf),
-    /// More pixels than the format takes.
-    #[error("{format} takes at most {most} pixels to a side, not {pixels}")]
-    Pixels {
-        /// The format's extension.
-        format: &'static str,
-        /// Most pixels to a side.
-        most: usize,
-        /// Pixels asked for.
-        pixels: usize,
-    },
-    /// The ground could not be asked.
-    #[error(transparent)]
-    Ground(#[from] GroundError),
-    /// The file could not be encoded.
-    #[error("cannot encode the file: {0}")]
-    Encode(String),
-    /// The file could not be written.
-    #[error(transparent)]
-    Io(#[from] IoError),
-}
-
-/// The formats that squares are written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// GeoTIFF, `.tif`.
-    GeoTiff,
-    /// 16-bit grey PNG with a sidecar, `.png`.
-    Grey,
-    /// Binary glTF, `.glb`.
-    Mesh,
-}
-
-impl Format {
-    /// The format that a file's extension asks for.
-    ///
-    /// # Errors
-    /// [`ExportError::Extension`]
-    pub fn of(path: &Path) -> Result<Self, ExportError> {
-        match path
-            .extension()
-            .unwrap_or_default()
-            .to_ascii_lowercase()
-            .to_str()
-        {
-            Some("tif" | "tiff") => Ok(Self::GeoTiff),
-            Some("png") => Ok(Self::Grey),
-            Some("glb") => Ok(Self::Mesh),
-            _ => Err(ExportError::Extension(path.to_path_buf())),
-        }
-    }
-
-    /// The extension.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::GeoTiff => ".tif",
-            Self::Grey => ".png",
-            Self::Mesh => ".glb",
-        }
-    }
-
-    /// Most pixels to a side: a mesh of more would not fit into a file of four gigabytes.
-    pub fn max_pixels(self) -> usize {
-        match self {
-            Self::GeoTiff | Self::Grey => Square::MAX_PIXELS,
-            Self::Mesh => 8192,
-        }
-    }
-
-    /// Refuses more pixels to a side than the format takes.
-    ///
-    /// # Errors
-    /// [`ExportError::Pixels`]
-    pub fn check(self, pixels: usize) -> Result<(), ExportError> {
-        let most = self.max_pixels();
-        if pixels <= most {
-            Ok(())
-        } else {
-            Err(ExportError::Pixels {
-                format: self.name(),
-                most,
-                pixels,
-            })
-        }
-    }
-}
 
 /// The files that show `grid`, the heights of `square`: the one at `path`, and a sidecar beside a
 /// picture.
@@ -121,30 +36,54 @@ pub fn encode(
     grid: &HeightGrid,
     path: &Path,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, ExportError> {
-    let format = Format::of(path)?;
+    let format = ExportFormat::of(path)?;
     format.check(square.pixels())?;
     if grid.width != square.pixels()
         || grid.height != square.pixels()
         || !grid.values.iter().all(|z| z.is_finite())
     {
-        return Err(ExportError::Encode(
-            "the heights are not those of the square".into(),
-        ));
+        return Err(cannot_encode("the heights are not those of the square"));
     }
     let path = path.to_path_buf();
     match format {
-        Format::GeoTiff => Ok(vec![(path, geotiff::encode(square, grid)?)]),
-        Format::Grey => {
+        ExportFormat::GeoTiff => Ok(vec![(path, geotiff::encode(square, grid)?)]),
+        ExportFormat::Grey => {
             let sidecar = path.with_extension("json");
             let (picture, text) = grey::encode(square, grid)?;
             Ok(vec![(path, picture), (sidecar, text)])
         }
-        Format::Mesh => Ok(vec![(path, mesh::encode(square, grid)?)]),
+        ExportFormat::Mesh => Ok(vec![(path, mesh::encode(square, grid)?)]),
     }
 }
 
 /// Writes a square of the ground at the level that its pixels ask for; the extension of `path` says
 /// in which format. Returns the files, which are written all or none.
+///
+/// ```
+/// use bevy::math::DVec3;
+/// use bevy_pangaea::io::export;
+/// use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, Square};
+///
+/// /// Hills on a small planet.
+/// struct Hills;
+///
+/// impl Ground for Hills {
+///     fn radius_m(&self) -> f64 {
+///         100_000.0
+///     }
+///
+///     fn height(&self, direction: DVec3, _level: u8) -> Result<f32, GroundError> {
+///         Ok((100.0 * (20.0 * direction.x).sin()) as f32)
+///     }
+/// }
+///
+/// # let folder = tempfile::tempdir()?;
+/// let place = AzimuthalEquidistant::new(45.0, 7.0, Hills.radius_m())?;
+/// let square = Square::new(place, 1000.0, 16)?;
+/// let files = export(&Hills, &square, &folder.path().join("hills.png"))?;
+/// assert_eq!(files.len(), 2, "a picture and its sidecar");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`ExportError`]; nothing is written then.
@@ -154,7 +93,7 @@ pub fn export(
     path: &Path,
 ) -> Result<Vec<PathBuf>, ExportError> {
     // Refused before the ground is asked a million times.
-    Format::of(path)?.check(square.pixels())?;
+    ExportFormat::of(path)?.check(square.pixels())?;
     let grid = square.heights(ground, square.level())?;
     let files = encode(square, &grid, path)?;
     write_all_atomically(&files)?;

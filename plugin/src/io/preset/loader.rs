@@ -1,6 +1,7 @@
 //! Presets as assets.
 
-use super::text::{TextError, parse_recipe};
+use super::text::parse_recipe;
+use crate::io::TextError;
 use crate::planet::PlanetRecipe;
 use bevy::asset::io::Reader;
 use bevy::asset::{AssetLoader, LoadContext};

@@ -28,9 +28,7 @@ mod follow;
 
 pub use follow::PlanetPreset;
 pub use loader::{PlanetRecipeLoader, RecipeLoadError};
-pub use text::{TextError, load_preset, parse_recipe};
-
-pub(super) use text::parse;
+pub use text::{load_preset, parse_recipe};
 
 use crate::planet::PlanetRecipe;
 use bevy::prelude::*;

@@ -1,49 +1,23 @@
 //! From a text to a recipe, or to the line of the mistake.
 
-use crate::io::{IoError, read_text};
+use crate::io::IoError;
+use crate::io::text::{TextError, parse, read_text};
 use crate::params::ParamError;
 use crate::planet::{PlanetError, PlanetRecipe};
-use ron::extensions::Extensions;
-use serde::de::DeserializeOwned;
 use std::path::Path;
 
-/// A mistake in a text, and the line that it is in.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("line {line}: {problem}")]
-pub struct TextError {
-    /// Line from 1; 0 where none can be named.
-    pub line: usize,
-    /// What is wrong.
-    pub problem: String,
-}
-
-impl TextError {
-    pub(in crate::io) fn in_file(self, path: &Path) -> IoError {
-        IoError::Text {
-            path: path.to_path_buf(),
-            line: self.line,
-            problem: self.problem,
-        }
-    }
-}
-
-/// Reads RON in which `Some(..)` may be left out.
-pub(in crate::io) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, TextError> {
-    ron::Options::default()
-        .with_default_extension(Extensions::IMPLICIT_SOME)
-        .from_str(text)
-        .map_err(|error| TextError {
-            line: error.span.start.line,
-            // The parser quotes the text it met; a message stays on one line.
-            problem: on_one_line(&error.code.to_string()),
-        })
-}
-
-fn on_one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 /// Reads and checks a recipe.
+///
+/// ```
+/// use bevy_pangaea::io::preset::parse_recipe;
+///
+/// let recipe = parse_recipe("(seed: 7, land: 0.4, params: (erosion: 0.05))")?;
+/// assert_eq!((recipe.seed, recipe.params.erosion), (7, 0.05));
+///
+/// let refused = parse_recipe("(\n    land: 2,\n)").unwrap_err();
+/// assert_eq!(refused.line, 2);
+/// # Ok::<(), bevy_pangaea::io::TextError>(())
+/// ```
 ///
 /// # Errors
 /// [`TextError`] names the line of what is refused.

@@ -3,11 +3,11 @@
 use crate::authoring::{Recording, Scenario, TimedCommand};
 use crate::crust::ledger::Amount;
 use crate::crust::{Cause, Ledger};
+use crate::io::SaveError;
 use crate::io::codec::{Decoder, Encoder, invalid};
-use crate::io::save::SaveError;
 use crate::spawn::PlanetState;
 
-pub(super) fn ledger(state: &PlanetState) -> Vec<u8> {
+pub(super) fn write_ledger(state: &PlanetState) -> Vec<u8> {
     let mut out = Encoder::default();
     let ledger = &state.ledger;
     out.u32(ledger.booked.len() as u32);
@@ -42,7 +42,7 @@ pub(super) fn read_ledger(bytes: &[u8]) -> Result<Ledger, SaveError> {
     Ok(ledger)
 }
 
-pub(super) fn recording(state: &PlanetState) -> Vec<u8> {
+pub(super) fn write_recording(state: &PlanetState) -> Vec<u8> {
     commands(&state.recording.0)
 }
 
@@ -54,7 +54,7 @@ pub(super) fn read_recording(bytes: &[u8]) -> Result<Recording, SaveError> {
     Ok(Recording(commands))
 }
 
-pub(super) fn pending(state: &PlanetState) -> Vec<u8> {
+pub(super) fn write_pending(state: &PlanetState) -> Vec<u8> {
     commands(&state.pending.0)
 }
 
@@ -62,11 +62,13 @@ pub(super) fn read_pending(bytes: &[u8]) -> Result<Scenario, SaveError> {
     read_commands(bytes, "list of commands to come").map(Scenario)
 }
 
+/// Commands as RON, as in a scenario.
 fn commands(list: &[TimedCommand]) -> Vec<u8> {
     // Plain lists of numbers and names always have a text.
     ron::to_string(list).unwrap_or_default().into_bytes()
 }
 
+/// Reads commands; `what` list they are is said in errors.
 fn read_commands(bytes: &[u8], what: &str) -> Result<Vec<TimedCommand>, SaveError> {
     let text =
         core::str::from_utf8(bytes).map_err(|_| invalid(format!("the {what} is no UTF-8")))?;

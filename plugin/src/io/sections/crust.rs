@@ -1,9 +1,8 @@
 //! Samples and the columns of the crust.
 
-use super::unit;
-use crate::crust::{Crust, CrustKind, Frames, Orogeny};
-use crate::io::codec::{Decoder, Encoder, invalid, read_floats, read_vectors};
-use crate::io::save::SaveError;
+use crate::crust::{Crust, Frames};
+use crate::io::SaveError;
+use crate::io::codec::{Decoder, Encoder, invalid, unit};
 use crate::planet::Lattice;
 use crate::plate::{PlateId, PlateMotion};
 use crate::spawn::PlanetState;
@@ -14,12 +13,32 @@ use std::sync::Arc;
 const FIBONACCI: u8 = 0;
 const POINTS: u8 = 1;
 
-/// What crust can be: km, km, My.
-const THICKNESS: (f32, f32) = (-1.0, 1000.0);
-const ELEVATION: (f32, f32) = (-100.0, 100.0);
-const AGE: (f32, f32) = (0.0, 1e6);
+/// Samples lie in frames that exist, and their frames on plates that exist. Until the next resample
+/// there may be frames of plates that are gone, but without samples.
+pub(super) fn check_frames(
+    crust: &Crust,
+    frames: &Frames,
+    plates: &[(PlateId, PlateMotion, f64)],
+) -> Result<(), SaveError> {
+    let is_plate = |id| plates.binary_search_by_key(&id, |&(id, ..)| id).is_ok();
+    let carried: Vec<bool> = frames.iter().map(|frame| is_plate(frame.plate)).collect();
+    for &f in &crust.frame {
+        match carried.get(usize::from(f)) {
+            Some(true) => {}
+            Some(false) => {
+                let problem = format!("a sample lies in frame {f}, whose plate does not exist");
+                return Err(invalid(problem));
+            }
+            None => {
+                let problem = format!("a sample lies in frame {f} of {}", carried.len());
+                return Err(invalid(problem));
+            }
+        }
+    }
+    Ok(())
+}
 
-pub(super) fn mesh(state: &PlanetState) -> Vec<u8> {
+pub(super) fn write_mesh(state: &PlanetState) -> Vec<u8> {
     let mesh = &state.lattice.0;
     let mut out = Encoder::default();
     let fibonacci = mesh.is_fibonacci();
@@ -31,6 +50,12 @@ pub(super) fn mesh(state: &PlanetState) -> Vec<u8> {
     out.0
 }
 
+/// The number of samples that a mesh says it has.
+pub(super) fn sample_count(bytes: &[u8]) -> Result<u32, SaveError> {
+    Decoder(bytes.get(1..).unwrap_or(&[])).u32()
+}
+
+/// Makes the mesh.
 pub(super) fn read_mesh(bytes: &[u8]) -> Result<Lattice, SaveError> {
     let mut read = Decoder(bytes);
     let refused = |error: crate::sphere::SphereError| invalid(error.to_string());
@@ -50,70 +75,4 @@ pub(super) fn read_mesh(bytes: &[u8]) -> Result<Lattice, SaveError> {
         other => return Err(invalid(format!("unknown kind {other} of mesh"))),
     };
     Ok(Lattice(Arc::new(mesh)))
-}
-
-pub(super) fn read_crust(columns: &[&[u8]], n: usize, frames: usize) -> Result<Crust, SaveError> {
-    let &[
-        frame,
-        kind,
-        thickness,
-        elevation,
-        ocean_age,
-        ridge,
-        orogeny_age,
-        orogeny,
-        fold,
-    ] = columns
-    else {
-        return Err(SaveError::Truncated);
-    };
-    if frame.len() != 2 * n || kind.len() != n || orogeny.len() != n {
-        return Err(invalid("the columns have not one entry per sample".into()));
-    }
-    let frame: Vec<u16> = frame
-        .as_chunks::<2>()
-        .0
-        .iter()
-        .map(|&b| u16::from_le_bytes(b))
-        .collect();
-    if let Some(f) = frame.iter().find(|&&f| usize::from(f) >= frames) {
-        return Err(invalid(format!("a sample lies in frame {f} of {frames}")));
-    }
-    let unknown = |what: &str| invalid(format!("unknown {what} of a sample"));
-    let kind: Option<Vec<_>> = kind.iter().map(|&k| CrustKind::from_u8(k)).collect();
-    let orogeny: Option<Vec<_>> = orogeny.iter().map(|&o| Orogeny::from_u8(o)).collect();
-    Ok(Crust {
-        frame,
-        kind: kind.ok_or_else(|| unknown("crust type"))?,
-        thickness: read_floats(thickness, n, "thickness", THICKNESS)?,
-        elevation: read_floats(elevation, n, "elevation", ELEVATION)?,
-        ocean_age: read_floats(ocean_age, n, "ocean age", AGE)?,
-        ridge: read_vectors(ridge, n, "ridge direction")?,
-        orogeny_age: read_floats(orogeny_age, n, "orogeny age", AGE)?,
-        orogeny: orogeny.ok_or_else(|| unknown("orogeny"))?,
-        fold: read_vectors(fold, n, "fold direction")?,
-    })
-}
-
-/// Crust lies on plates that exist. Until the next resample there may be frames of plates that are
-/// gone, but without samples.
-pub(super) fn carried(
-    crust: &Crust,
-    frames: &Frames,
-    plates: &[(PlateId, PlateMotion, f64)],
-) -> Result<(), SaveError> {
-    let gone: Vec<bool> = frames
-        .iter()
-        .map(|frame| {
-            plates
-                .binary_search_by_key(&frame.plate, |&(id, ..)| id)
-                .is_err()
-        })
-        .collect();
-    match crust.frame.iter().find(|&&f| gone[usize::from(f)]) {
-        Some(f) => Err(invalid(format!(
-            "a sample lies in frame {f}, whose plate does not exist"
-        ))),
-        None => Ok(()),
-    }
 }

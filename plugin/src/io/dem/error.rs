@@ -1,0 +1,40 @@
+//! Why bytes are no elevation model.
+
+use thiserror::Error;
+
+/// Most pixels to a side.
+pub(super) const MAX_SIDE: u32 = 10_000;
+
+/// Size of the largest file that is read.
+pub(super) const MAX_BYTES: u64 = 1 << 30;
+
+/// Why bytes are no elevation model.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum DemError {
+    /// Files with the name's extension are not read.
+    #[error("elevation models are .hgt, .tif, .tiff or .png files")]
+    Extension,
+    /// The file is larger than any that is read.
+    #[error("the file is larger than {MAX_BYTES} bytes")]
+    TooLarge,
+    /// An .hgt file of another size than 1201² or 3601² values.
+    #[error("an .hgt file has 1201 x 1201 or 3601 x 3601 values of two bytes, not {0} bytes")]
+    HgtSize(usize),
+    /// An .hgt file whose name is no corner.
+    #[error("an .hgt file is named by its south west corner, like N44W072.hgt")]
+    HgtName,
+    /// More, or fewer, pixels than are read.
+    #[error("the picture has {0} x {1} pixels; it must have from 2 to {MAX_SIDE} a side")]
+    Size(u32, u32),
+    /// The file's content makes no sense.
+    #[error("{0}")]
+    Invalid(String),
+    /// The file has no heights, only voids.
+    #[error("the file has no heights, only voids")]
+    OnlyVoids,
+}
+
+/// The error of content that makes no sense.
+pub(super) fn invalid(problem: impl Into<String>) -> DemError {
+    DemError::Invalid(problem.into())
+}

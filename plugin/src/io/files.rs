@@ -1,0 +1,131 @@
+//! Files that are there whole or not at all.
+
+use super::IoError;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a file whole or not at all: into a hidden file beside it, which is flushed to the disk
+/// and then renamed. Devices and pipes are written directly.
+///
+/// # Errors
+/// [`IoError::Write`]; the file is as it was before.
+pub fn write_atomically(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), IoError> {
+    let target = target_of(path);
+    let result = match fs::metadata(&target) {
+        Ok(meta) if meta.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        Ok(meta) if !meta.is_file() => {
+            File::create(&target).and_then(|file| fill(file, content, false))
+        }
+        _ => replace(&target, content),
+    };
+    result.map_err(|source| IoError::write(path, source))
+}
+
+/// Writes several files of given content, all or none: all of them under hidden names first.
+///
+/// # Errors
+/// [`IoError::Write`]; the files are as they were before, but if a rename fails half way through.
+pub fn write_all_atomically(files: &[(PathBuf, Vec<u8>)]) -> Result<(), IoError> {
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
+        return Err(IoError::write(path, io::ErrorKind::IsADirectory.into()));
+    }
+    // A device is written directly: there is nothing to rename.
+    if let [(path, content)] = files
+        && is_device(path)
+    {
+        return write_atomically(path, |out| out.write_all(content));
+    }
+    let mut hidden = Vec::with_capacity(files.len());
+    let result = write_hidden(files, &mut hidden).and_then(|()| reveal(files, &hidden));
+    if result.is_err() {
+        for file in &hidden {
+            // What cannot be removed was never written, or is renamed already.
+            let _ = fs::remove_file(&file.part);
+        }
+    }
+    result
+}
+
+/// A file under its hidden name.
+struct HiddenFile {
+    part: PathBuf,
+    target: PathBuf,
+}
+
+/// Writes all files under hidden names, which `hidden` takes in even on an error.
+fn write_hidden(files: &[(PathBuf, Vec<u8>)], hidden: &mut Vec<HiddenFile>) -> Result<(), IoError> {
+    for (path, content) in files {
+        let failed = |source| IoError::write(path, source);
+        let target = target_of(path);
+        let part = hidden_beside(&target).map_err(failed)?;
+        hidden.push(HiddenFile {
+            part: part.clone(),
+            target,
+        });
+        File::create(&part)
+            .and_then(|file| fill(file, |out| out.write_all(content), true))
+            .map_err(failed)?;
+    }
+    Ok(())
+}
+
+/// Gives all files their names.
+fn reveal(files: &[(PathBuf, Vec<u8>)], hidden: &[HiddenFile]) -> Result<(), IoError> {
+    for (file, (path, _)) in hidden.iter().zip(files) {
+        fs::rename(&file.part, &file.target).map_err(|source| IoError::write(path, source))?;
+    }
+    Ok(())
+}
+
+/// The file that is replaced: a link stays a link.
+fn target_of(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
+}
+
+fn is_device(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|meta| !meta.is_file() && !meta.is_dir())
+}
+
+/// The hidden name that a file has while it is written.
+fn hidden_beside(target: &Path) -> io::Result<PathBuf> {
+    let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+    Ok(target.with_file_name(format!(
+        ".{}.{}.part",
+        name.to_string_lossy(),
+        std::process::id()
+    )))
+}
+
+/// Writes a hidden file and renames it.
+fn replace(
+    target: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let part = hidden_beside(target)?;
+    let result = File::create(&part)
+        .and_then(|file| fill(file, content, true))
+        .and_then(|()| fs::rename(&part, target));
+    if result.is_err() {
+        // The error of the write is the one to report.
+        let _ = fs::remove_file(&part);
+    }
+    result
+}
+
+/// Writes the content of a file, and flushes it to the disk if `sync` says so.
+fn fill(
+    file: File,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    sync: bool,
+) -> io::Result<()> {
+    let mut writer = BufWriter::new(file);
+    content(&mut writer)?;
+    let file = writer
+        .into_inner()
+        .map_err(io::IntoInnerError::into_error)?;
+    if sync { file.sync_all() } else { Ok(()) }
+}

@@ -1,0 +1,35 @@
+//! Why a file is no map.
+
+use crate::climate::MapError;
+use crate::io::dem::DemError;
+use thiserror::Error;
+
+/// Why a file is no map.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum MapFileError {
+    /// Files with the name's extension are not read.
+    #[error("maps are .tif, .tiff or .png files")]
+    Extension,
+    /// The file cannot be decoded.
+    #[error(transparent)]
+    Raster(#[from] DemError),
+    /// The map shows a part of the planet, or begins at another meridian.
+    #[error(
+        "the map reaches from {} to {} °E and from {} to {} °N; \
+         it must reach from -180 to 180 and from -90 to 90",
+        .0[0], .0[1], .0[2], .0[3]
+    )]
+    Extent([f64; 4]),
+    /// A picture without the values of black and white.
+    #[error(
+        "a grey picture needs a sidecar {0} with the values of black and white, \
+         {{\"min\": .., \"max\": ..}}"
+    )]
+    NoScale(String),
+    /// A sidecar that does not hold the values of black and white.
+    #[error("the sidecar must be {{\"min\": .., \"max\": ..}}, two different finite numbers")]
+    Sidecar,
+    /// The size or a value is not one of a map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+}

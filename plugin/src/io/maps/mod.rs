@@ -1,0 +1,112 @@
+//! Maps of the whole planet, as a user gives them: equirectangular, north up, longitude -180 at the
+//! left edge.
+//!
+//! A GeoTIFF of one band holds the values themselves. A grey PNG of 8 or 16 bits holds greys: what
+//! black and white stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by the
+//! caller; values between are linear.
+
+mod error;
+
+pub use error::MapFileError;
+
+use super::IoError;
+use super::dem::geotiff::Band;
+use super::dem::grey::Greys;
+use super::dem::read_limited;
+use crate::climate::EquirectMap;
+use std::path::Path;
+
+/// Reads a map; its extension says of which kind. `grey` are the values of black and white of a
+/// picture that has no sidecar.
+///
+/// ```
+/// use bevy_pangaea::io::{load_map, png::grey_png};
+///
+/// # let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("rain.png");
+/// let greys = [0, 65_535, 0, 65_535, 0, 0, 0, 0];
+/// std::fs::write(&path, grey_png(4, greys.into_iter())?)?;
+///
+/// let rain = load_map(&path, Some([0.0, 2000.0]))?;
+/// assert_eq!(rain.size(), [4, 2]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`IoError::Read`] if the file cannot be read, [`IoError::Map`] if it is no map of a whole
+/// planet.
+pub fn load_map(path: &Path, grey: Option<[f32; 2]>) -> Result<EquirectMap, IoError> {
+    let refused = |source| IoError::map(path, source);
+    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+    match extension.to_str() {
+        Some("tif" | "tiff") => geotiff(&read_limited(path)?).map_err(refused),
+        Some("png") => {
+            let bytes = read_limited(path)?;
+            picture(&bytes, black_and_white(path, grey)?).map_err(refused)
+        }
+        _ => Err(refused(MapFileError::Extension)),
+    }
+}
+
+/// The values of black and white of a picture: those of its sidecar, which knows best, or the
+/// caller's.
+fn black_and_white(picture: &Path, grey: Option<[f32; 2]>) -> Result<[f32; 2], IoError> {
+    let sidecar = picture.with_extension("json");
+    if sidecar.exists() {
+        return MapSidecar::load(&sidecar);
+    }
+    let missing = || MapFileError::NoScale(sidecar.display().to_string());
+    grey.ok_or_else(|| IoError::map(picture, missing()))
+}
+
+/// Values of black and white.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MapSidecar {
+    min: f32,
+    max: f32,
+}
+
+impl MapSidecar {
+    /// The values of black and white in a sidecar.
+    fn load(path: &Path) -> Result<[f32; 2], IoError> {
+        let scale: Option<Self> = serde_json::from_slice(&read_limited(path)?).ok();
+        scale
+            .filter(|s| s.min.is_finite() && s.max.is_finite() && s.min != s.max)
+            .map(|s| [s.min, s.max])
+            .ok_or_else(|| IoError::map(path, MapFileError::Sidecar))
+    }
+}
+
+fn check_size(width: u32, height: u32) -> Result<(), MapFileError> {
+    Ok(EquirectMap::check_size(width, height)?)
+}
+
+/// Reads a raster of values.
+fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
+    let mut band = Band::read(bytes, check_size)?;
+    // Climate data often begins at Greenwich: half a planet off is worse than no map.
+    if let Some(extent) = band.extent_deg() {
+        let pixel = 360.0 / f64::from(band.size[0]);
+        let whole = [-180.0, 180.0, -90.0, 90.0];
+        let mut ends = extent.iter().zip(whole);
+        if !ends.all(|(x, end)| (x - end).abs() <= pixel) {
+            return Err(MapFileError::Extent(extent));
+        }
+    }
+    Ok(EquirectMap::new(band.size[0], band.size[1], band.values)?)
+}
+
+/// Reads a picture with these values of black and white.
+fn picture(bytes: &[u8], [black, white]: [f32; 2]) -> Result<EquirectMap, MapFileError> {
+    let greys = Greys::read(bytes, check_size)?;
+    let value = |&grey: &u16| {
+        let share = f64::from(grey) / 65_535.0;
+        (f64::from(black) * (1.0 - share) + f64::from(white) * share) as f32
+    };
+    let values = greys.values.iter().map(value).collect();
+    Ok(EquirectMap::new(greys.size[0], greys.size[1], values)?)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,177 @@
+use super::*;
+use crate::math;
+use std::fs;
+use std::io::Cursor;
+use std::path::PathBuf;
+use tempfile::TempDir;
+use tiff::TiffResult;
+use tiff::encoder::colortype::{self, ColorType};
+use tiff::encoder::{TiffEncoder, TiffValue};
+use tiff::tags::Tag;
+
+/// Writes `bytes` to a file of that name.
+fn file(folder: &TempDir, name: &str, bytes: &[u8]) -> PathBuf {
+    let path = folder.path().join(name);
+    fs::write(&path, bytes).unwrap();
+    path
+}
+
+/// A grey picture of `depth` bits.
+fn png(width: u32, depth: png::BitDepth, data: &[u8]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let height = (data.len() * 8 / depth as usize) as u32 / width;
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(depth);
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(data)
+        .unwrap();
+    bytes
+}
+
+/// A GeoTIFF of 4 x 2 pixels of 90 degrees, whose north west corner lies at `lon` and 90° N.
+fn geotiff(values: [f32; 8], float: bool, lon: Option<f64>) -> Vec<u8> {
+    let written = if float {
+        geotiff_of::<colortype::Gray32Float>(&values, lon)
+    } else {
+        geotiff_of::<colortype::GrayI16>(&values.map(|value| value as i16), lon)
+    };
+    written.unwrap()
+}
+
+fn geotiff_of<C>(values: &[C::Inner], lon: Option<f64>) -> TiffResult<Vec<u8>>
+where
+    C: ColorType,
+    [C::Inner]: TiffValue,
+{
+    let mut bytes = Cursor::new(Vec::new());
+    let mut encoder = TiffEncoder::new(&mut bytes)?;
+    let mut image = encoder.new_image::<C>(4, 2)?;
+    if let Some(lon) = lon {
+        let tie = [0.0, 0.0, 0.0, lon, 90.0, 0.0];
+        let keys = [1_u16, 1, 0, 1, 1024, 0, 1, 2];
+        let tags = image.encoder();
+        tags.write_tag(Tag::ModelPixelScaleTag, &[90.0, 90.0, 0.0][..])?;
+        tags.write_tag(Tag::ModelTiepointTag, &tie[..])?;
+        tags.write_tag(Tag::GeoKeyDirectoryTag, &keys[..])?;
+    }
+    image.write_data(values)?;
+    Ok(bytes.into_inner())
+}
+
+/// The value in the middle of pixel (`x`, `y`) of a map of 4 x 2.
+fn at(map: &EquirectMap, x: u32, y: u32) -> f32 {
+    map.at(math::direction(
+        45.0 - 90.0 * f64::from(y),
+        90.0 * f64::from(x) - 135.0,
+    ))
+}
+
+#[test]
+fn geotiffs_hold_values() {
+    let folder = TempDir::new().unwrap();
+    let values = [0.0, 250.0, 500.0, 750.0, 1000.0, 2000.0, 3000.0, -4000.0];
+    for (float, lon) in [
+        (true, None),
+        (false, None),
+        (true, Some(-180.0)),
+        (false, Some(-180.0)),
+    ] {
+        let map = load_map(&file(&folder, "a.tif", &geotiff(values, float, lon)), None).unwrap();
+        assert_eq!(map.size(), [4, 2]);
+        for i in 0..8 {
+            assert_eq!(at(&map, i % 4, i / 4), values[i as usize]);
+        }
+    }
+}
+
+#[test]
+fn greys_lie_between_the_values_of_black_and_white() {
+    let folder = TempDir::new().unwrap();
+    let eight = png(
+        4,
+        png::BitDepth::Eight,
+        &[0, 51, 102, 153, 204, 255, 0, 255],
+    );
+    let sixteen: Vec<u8> = [0_u16, 13_107, 26_214, 39_321, 52_428, 65_535, 0, 65_535]
+        .into_iter()
+        .flat_map(u16::to_be_bytes)
+        .collect();
+    for bytes in [eight, png(4, png::BitDepth::Sixteen, &sixteen)] {
+        let path = file(&folder, "a.png", &bytes);
+        let map = load_map(&path, Some([-50.0, 50.0])).unwrap();
+        let row: Vec<f32> = (0..4).map(|x| at(&map, x, 0)).collect();
+        assert_eq!(
+            (row, at(&map, 1, 1)),
+            (vec![-50.0, -30.0, -10.0, 10.0], 50.0)
+        );
+        // A sidecar knows better, and white may stand for less than black.
+        let sidecar = file(&folder, "a.json", br#"{"min": 1000, "max": 0}"#);
+        assert_eq!(
+            at(&load_map(&path, Some([-50.0, 50.0])).unwrap(), 1, 0),
+            800.0
+        );
+        fs::remove_file(sidecar).unwrap();
+    }
+}
+
+/// Why a file of that name and content is refused, in one line that names it.
+fn refusal(name: &str, bytes: &[u8], grey: Option<[f32; 2]>) -> String {
+    let folder = TempDir::new().unwrap();
+    let error = load_map(&file(&folder, name, bytes), grey).unwrap_err();
+    let text = error.to_string();
+    assert!(text.contains(name) && !text.contains('\n'), "{text}");
+    text
+}
+
+#[test]
+fn rasters_that_are_no_maps_are_refused() {
+    let good = geotiff([1.0; 8], true, None);
+    let void = geotiff([1.0, 2.0, f32::NAN, 4.0, 5.0, 6.0, 7.0, 8.0], true, None);
+    let from_greenwich = geotiff([1.0; 8], true, Some(0.0));
+    assert!(refusal("a.jpg", &good, None).contains(".tif, .tiff or .png"));
+    assert!(refusal("a.tif", b"nonsense", None).contains("no TIFF"));
+    refusal("a.tif", &good[..good.len() / 2], None);
+    assert!(refusal("a.tif", &void, None).contains("pixel 2"));
+    assert!(refusal("a.tif", &from_greenwich, None).contains("from 0 to 360 °E"));
+}
+
+#[test]
+fn pictures_that_are_no_maps_are_refused() {
+    let scale = Some([0.0, 1.0]);
+    let good = png(4, png::BitDepth::Eight, &[7; 8]);
+    let square = png(4, png::BitDepth::Eight, &[7; 12]);
+    let shallow = png(8, png::BitDepth::Four, &[7; 16]);
+    assert!(refusal("a.png", &square, scale).contains("not twice as wide as high"));
+    refusal("a.png", &good[..good.len() - 14], scale);
+    refusal("a.png", b"nonsense", scale);
+    assert!(refusal("a.png", &shallow, scale).contains("8-bit or 16-bit grey"));
+    assert!(refusal("a.png", &good, None).contains("a.json"));
+}
+
+#[test]
+fn sidecars_without_two_numbers_are_refused() {
+    let folder = TempDir::new().unwrap();
+    let path = file(&folder, "a.png", &png(4, png::BitDepth::Eight, &[7; 8]));
+    for bad in [
+        "{}",
+        "[]",
+        r#"{"min": 1, "max": 1}"#,
+        r#"{"min": 0, "max": 1e99}"#,
+        r#"{"min": 0, "peak": 1}"#,
+    ] {
+        file(&folder, "a.json", bad.as_bytes());
+        let error = load_map(&path, Some([0.0, 1.0])).unwrap_err().to_string();
+        let named = error.contains("a.json") && error.contains("finite numbers");
+        assert!(named, "{bad}: {error}");
+    }
+}
+
+#[test]
+fn a_missing_file_cannot_be_read() {
+    let folder = TempDir::new().unwrap();
+    let missing = load_map(&folder.path().join("missing.tif"), None);
+    assert!(matches!(missing, Err(IoError::Read { .. })));
+}
