@@ -68,8 +68,8 @@ impl PlanetState {
             radius: recipe.radius,
             seed: recipe.seed,
         };
-        let (motions, owner) = crate::plate::partition::initial_plates(recipe, &mesh);
-        let mut crust = crate::plate::continents::initial_crust(recipe, &mesh, &owner);
+        let (motions, owner) = crate::plate::initial_plates(recipe, &mesh);
+        let mut crust = crate::plate::initial_crust(recipe, &mesh, &owner);
         crust.frame.clone_from(&owner);
         let plates: Vec<_> = motions
             .into_iter()

@@ -10,7 +10,7 @@ use crate::math;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
 use crate::plate::front::FrontField;
-use crate::plate::polarity::{PolarityMemory, Segment};
+use crate::plate::polarity::{FrontSegment, PolarityMemory};
 use crate::plate::{PlateId, PlateMotion, PlateStats};
 use crate::random::{Purpose, Stream};
 use crate::schedule::run_steps;
@@ -114,7 +114,7 @@ fn state() -> PlanetState {
             step: 40,
             command: paint,
         }]),
-        polarity: PolarityMemory(vec![Segment {
+        polarity: PolarityMemory(vec![FrontSegment {
             pair: (PlateId(0), PlateId(1)),
             bin: 17,
             first_under: true,

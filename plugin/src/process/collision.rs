@@ -31,7 +31,7 @@ use crate::plate::{PlateId, PlateTable};
 use crate::process::saturating_rise;
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
-use crate::sphere::nearest_source::{Reached, Scratch, spread};
+use crate::sphere::nearest_source::{ReachedSamples, SourceScratch, nearest_sources};
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
@@ -105,7 +105,7 @@ pub fn collision(
         trigger,
     };
     let mut moved = MovedSamples::default();
-    let mut scratch = Scratch::default();
+    let mut scratch = SourceScratch::default();
     for at in scene.overlaps(&meeting, &crust, &frames) {
         let found = scene.collide(at, &mut crust, &mut frames, &mut ledger, &mut scratch);
         if let Some((mut event, frame, terrane)) = found {
@@ -193,7 +193,7 @@ impl Scene<'_> {
         crust: &mut Crust,
         frames: &mut Frames,
         ledger: &mut Ledger,
-        scratch: &mut Scratch,
+        scratch: &mut SourceScratch,
     ) -> Option<(TerraneCollided, FrameId, Vec<u32>)> {
         let contact = self.contacts.0[at];
         let above = self.rim.samples[at];
@@ -294,10 +294,10 @@ impl Scene<'_> {
         id: FrameId,
         seeds: &[u32],
         reach: f64,
-        scratch: &mut Scratch,
-    ) -> Reached {
+        scratch: &mut SourceScratch,
+    ) -> ReachedSamples {
         let seeds: Vec<_> = seeds.iter().map(|&i| (i, self.mesh.point(i))).collect();
-        spread(self.mesh, scratch, &seeds, reach, |_, to| {
+        nearest_sources(self.mesh, scratch, &seeds, reach, |_, to| {
             crust.frame[to as usize] == id && crust.is_continental(to as usize)
         })
     }
@@ -341,7 +341,13 @@ impl Surge {
 
     /// Raises what was reached, around the centroid `q`. Returns the gain of volume in km per
     /// steradian.
-    fn raise(&self, mesh: &SphereMesh, crust: &mut Crust, reached: &Reached, q: DVec3) -> f64 {
+    fn raise(
+        &self,
+        mesh: &SphereMesh,
+        crust: &mut Crust,
+        reached: &ReachedSamples,
+        q: DVec3,
+    ) -> f64 {
         let mut volume = 0.0;
         for (&i, &d) in reached.samples.iter().zip(&reached.distance) {
             let (n, i) = (mesh.point(i), i as usize);

@@ -7,7 +7,7 @@
 use crate::crust::Surface;
 use crate::plate::PlateId;
 use crate::sphere::SphereMesh;
-use crate::sphere::components::Components;
+use crate::sphere::components::{Components, largest_of_label};
 
 /// Pieces of a plate with a larger share of the sphere keep their owner: 1,000,000 km² on Earth.
 pub const LARGEST_STRAY: f64 = 0.002;
@@ -52,19 +52,12 @@ fn strays(mesh: &SphereMesh, plate: &[PlateId]) -> Vec<Vec<u32>> {
         piece.0 = plate[i];
         piece.1 += mesh.areas()[i];
     }
-    let mut largest: Vec<(PlateId, usize)> = Vec::new();
-    for (k, &(plate, area)) in pieces.iter().enumerate() {
-        match largest.iter_mut().find(|(other, _)| *other == plate) {
-            Some((_, best)) if pieces[*best].1 < area => *best = k,
-            Some(_) => {}
-            None => largest.push((plate, k)),
-        }
-    }
+    let is_largest = largest_of_label(&pieces);
     let limit = LARGEST_STRAY * 4.0 * crate::math::PI;
     let mut slot = vec![usize::MAX; pieces.len()];
     let mut count = 0;
     for (k, &(_, area)) in pieces.iter().enumerate() {
-        if area <= limit && largest.iter().all(|&(_, best)| best != k) {
+        if area <= limit && !is_largest[k] {
             slot[k] = count;
             count += 1;
         }

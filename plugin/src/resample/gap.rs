@@ -27,8 +27,9 @@ use crate::params::TectonicParams;
 use crate::plate::PlateTable;
 use crate::resample::project::{Notes, Row};
 use crate::sphere::SphereMesh;
+use crate::sphere::angle_of_chord;
 use crate::sphere::components::Components;
-use crate::sphere::nearest_source::{SourceField, UNREACHED, angle_of_chord, spread_on};
+use crate::sphere::nearest_source::{SourceField, UNREACHED, extend_nearest_sources};
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
@@ -140,7 +141,7 @@ fn nearest_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, inside: imp
                 .map(|&i| (i, rim)),
         );
     }
-    spread_on(
+    extend_nearest_sources(
         mesh,
         first,
         &start,
@@ -174,7 +175,7 @@ fn second_rims(
         }
     }
     let same = |from: u32, to: u32| plate(to).is_some() && plate(from) == plate(to);
-    spread_on(mesh, second, &start, 2.0, |rim| mesh.point(rim), same);
+    extend_nearest_sources(mesh, second, &start, 2.0, |rim| mesh.point(rim), same);
 }
 
 /// Crust that fills sample `i` of a gap that is not opening.

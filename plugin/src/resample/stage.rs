@@ -20,7 +20,7 @@ use crate::plate::{PlateId, PlateTable};
 use crate::schedule::{
     CurrentPlanet, Stage, StageTimings, StepCursor, TectonicStep, TectonicSystems,
 };
-use crate::sphere::nearest_source::Scratch;
+use crate::sphere::nearest_source::SourceScratch;
 use bevy::prelude::*;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -47,7 +47,7 @@ pub struct Resampling {
     next: Surface,
     notes: Notes,
     rims: Rims,
-    scratch: Scratch,
+    scratch: SourceScratch,
     new_ocean: usize,
     /// Whether this step has resampled the crust.
     pub done: bool,

@@ -10,7 +10,7 @@ use crate::params::TectonicParams;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, Role};
 use crate::sphere::SphereMesh;
-use crate::sphere::nearest_source::{Scratch, spread};
+use crate::sphere::nearest_source::{SourceScratch, nearest_sources};
 use bevy::math::DVec3;
 
 /// Plates that converge at this speed in km/My or faster have the deepest trenches.
@@ -26,7 +26,7 @@ pub fn bend(
     params: &TectonicParams,
     radius: f64,
     surface: &mut Surface,
-    scratch: &mut Scratch,
+    scratch: &mut SourceScratch,
 ) {
     let mut fronts = Vec::new();
     let mut seeds: Vec<(u32, DVec3)> = Vec::new();
@@ -50,7 +50,7 @@ pub fn bend(
         kind[to as usize] == CrustKind::Oceanic
             && goes_under.get(usize::from(top[to as usize])) == Some(&true)
     };
-    let reached = spread(mesh, scratch, &seeds, width + near, bends);
+    let reached = nearest_sources(mesh, scratch, &seeds, width + near, bends);
     for ((&i, &source), &d) in reached
         .samples
         .iter()

@@ -4,8 +4,8 @@ use super::{flag, unit};
 use crate::crust::{Frame, Frames};
 use crate::io::codec::{Decoder, Encoder, invalid};
 use crate::io::save::SaveError;
-use crate::plate::front::{FrontField, HOLD};
-use crate::plate::polarity::{PolarityMemory, Segment};
+use crate::plate::front::{FrontField, STEPS_ON_FRONT};
+use crate::plate::polarity::{FrontSegment, PolarityMemory};
 use crate::plate::{PlateId, PlateMotion, PlateStats};
 use crate::spawn::PlanetState;
 use crate::sphere::SphereMesh;
@@ -120,16 +120,16 @@ pub(super) fn polarity(state: &PlanetState) -> Vec<u8> {
 pub(super) fn read_polarity(bytes: &[u8]) -> Result<PolarityMemory, SaveError> {
     let mut read = Decoder(bytes);
     let count = read.count(13)?;
-    let mut segments: Vec<Segment> = Vec::with_capacity(count);
+    let mut segments: Vec<FrontSegment> = Vec::with_capacity(count);
     for _ in 0..count {
         let pair = (PlateId(read.u32()?), PlateId(read.u32()?));
-        let segment = Segment {
+        let segment = FrontSegment {
             pair,
             bin: read.u16()?,
             first_under: flag(read.u8()?)?,
             held: read.u16()?,
         };
-        let key = |s: &Segment| (s.pair, s.bin);
+        let key = |s: &FrontSegment| (s.pair, s.bin);
         if pair.0 >= pair.1
             || segments
                 .last()
@@ -173,7 +173,9 @@ pub(super) fn read_fronts(bytes: &[u8], samples: u32) -> Result<SavedFronts, Sav
     let mut front: Vec<(u32, u8)> = Vec::with_capacity(count);
     for _ in 0..count {
         let (sample, age) = (read.u32()?, read.u8()?);
-        if sample >= samples || age >= HOLD || front.last().is_some_and(|&(last, _)| last >= sample)
+        if sample >= samples
+            || age >= STEPS_ON_FRONT
+            || front.last().is_some_and(|&(last, _)| last >= sample)
         {
             return Err(invalid("a front is out of order".into()));
         }
