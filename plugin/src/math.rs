@@ -1,9 +1,11 @@
 //! The only door to transcendental functions.
 //!
-//! The platform's `sin`, `exp` or `pow` differ in their last bits between machines and
-//! compiler versions; those of `libm` are the same everywhere, and the same seed must give
-//! the same planet everywhere. `clippy.toml` bans the methods of `f32` and `f64`.
-//! Addition, multiplication, division and square roots are exact by IEEE 754 and are used directly.
+//! The platform's `sin`, `exp` or `pow` differ in their last bits between machines and compiler
+//! versions; those of `libm` are the same everywhere, and the same seed must give the same planet
+//! everywhere. `clippy.toml` bans the methods of `f32` and `f64`. Addition, multiplication, division
+//! and square roots are exact by IEEE 754 and are used directly.
+//!
+//! Directions are unit vectors with +z at the north pole and +x at 0° N 0° E.
 
 use bevy::math::{DQuat, DVec3};
 
@@ -84,7 +86,14 @@ pub fn smoothstep(x: f64) -> f64 {
 
 /// Rotation by `angle` radians about the unit vector `axis`.
 ///
-/// `DQuat::from_axis_angle` calls the platform's sine.
+/// `DQuat::from_axis_angle` would call the platform's sine.
+///
+/// ```
+/// # use bevy_pangaea::math;
+/// # use bevy::math::DVec3;
+/// let quarter = math::rotation(DVec3::Z, 0.25 * math::TAU);
+/// assert!((quarter * DVec3::X - DVec3::Y).length() < 1e-15);
+/// ```
 pub fn rotation(axis: DVec3, angle: f64) -> DQuat {
     let (s, c) = sin_cos(0.5 * angle);
     let v = axis * s;
@@ -97,22 +106,25 @@ pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
 }
 
 /// Unit vector at `latitude` and `longitude` in degrees; +z is the north pole, +x is 0° E.
+///
+/// ```
+/// # use bevy_pangaea::math;
+/// let zurich = math::direction(47.4, 8.5);
+/// let (latitude, longitude) = math::lat_lon(zurich);
+/// assert!((latitude - 47.4).abs() < 1e-9 && (longitude - 8.5).abs() < 1e-9);
+/// ```
 pub fn direction(latitude: f64, longitude: f64) -> DVec3 {
     let (sin_lat, cos_lat) = sin_cos(latitude.to_radians());
     let (sin_lon, cos_lon) = sin_cos(longitude.to_radians());
     DVec3::new(cos_lat * cos_lon, cos_lat * sin_lon, sin_lat)
 }
 
-/// Latitude and longitude in degrees of a direction, the inverse of [`direction`].
+/// Latitude and longitude in degrees of a direction of any length, the inverse of [`direction`].
 pub fn lat_lon(direction: DVec3) -> (f64, f64) {
-    let lat = atan2(
-        direction.z,
-        (direction.x * direction.x + direction.y * direction.y).sqrt(),
-    );
-    (
-        lat.to_degrees(),
-        atan2(direction.y, direction.x).to_degrees(),
-    )
+    let across = (direction.x * direction.x + direction.y * direction.y).sqrt();
+    let latitude = atan2(direction.z, across);
+    let longitude = atan2(direction.y, direction.x);
+    (latitude.to_degrees(), longitude.to_degrees())
 }
 
 /// A unit vector perpendicular to the unit vector `n`.
@@ -124,6 +136,7 @@ pub fn any_tangent(n: DVec3) -> DVec3 {
 /// East and north at the unit direction `p`. At both poles east is that of the meridian 0.
 pub fn east_north(p: DVec3) -> (DVec3, DVec3) {
     let across = DVec3::new(-p.y, p.x, 0.0);
+    // Within 1e-12 rad of a pole rounding alone would say where east is.
     let east = if across.length_squared() > 1e-24 {
         across.normalize()
     } else {
@@ -169,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_turn_returns() {
+    fn a_full_turn_leads_back() {
         let p = DVec3::new(0.3, -0.5, 0.81).normalize();
         let q = rotation(DVec3::new(1.0, 2.0, 3.0).normalize(), TAU) * p;
         assert!((p - q).length() < 1e-14);

@@ -1,7 +1,7 @@
 //! Parallel sweeps with fixed chunks.
 //!
-//! Work is cut by sample number, never by thread count, and partial results are joined in
-//! sample order: the bits of a sum do not depend on how many threads took part.
+//! Work is cut by sample number, never by thread count, and partial results are joined in sample
+//! order: the bits of a sum do not depend on how many threads took part.
 
 use core::ops::Range;
 use rayon::ThreadPool;
@@ -25,6 +25,11 @@ pub fn map_chunks<T: Send>(n: usize, work: impl Fn(Range<usize>) -> T + Sync + S
 }
 
 /// `value(i)` for every `i` below `n`, in order.
+///
+/// ```
+/// # use bevy_pangaea::parallel;
+/// assert_eq!(parallel::map(5, |i| i * i), [0, 1, 4, 9, 16]);
+/// ```
 pub fn map<T: Send>(n: usize, value: impl Fn(u32) -> T + Sync + Send) -> Vec<T> {
     let parts = map_chunks(n, |range| {
         range.map(|i| value(i as u32)).collect::<Vec<T>>()
@@ -32,8 +37,13 @@ pub fn map<T: Send>(n: usize, value: impl Fn(u32) -> T + Sync + Send) -> Vec<T> 
     parts.into_iter().flatten().collect()
 }
 
-/// The sum of `value(sample)` over `n` samples, added in sample order within chunks and then over
-/// chunks.
+/// The sum of `value(i)` over all `i` below `n`, added in order within chunks and then over chunks:
+/// the same bits on any number of threads.
+///
+/// ```
+/// # use bevy_pangaea::parallel;
+/// assert_eq!(parallel::sum(100_000, |i| i as f64), 4_999_950_000.0);
+/// ```
 pub fn sum(n: usize, value: impl Fn(usize) -> f64 + Sync + Send) -> f64 {
     map_chunks(n, |range| range.map(&value).sum::<f64>())
         .into_iter()

@@ -6,9 +6,10 @@
 
 use crate::math::{TAU, sin_cos};
 use bevy::math::DVec3;
+use bevy::reflect::Reflect;
 
-/// What a random number is for. Each purpose has a stream of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The use of a random number. Each purpose has a stream of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
 #[repr(u64)]
 pub enum Purpose {
     /// Centroids of the initial plates (paper 000 §3).
@@ -42,7 +43,15 @@ pub enum Purpose {
 }
 
 /// A stream of random numbers addressed by a counter.
-#[derive(Clone, Copy, Debug)]
+///
+/// ```
+/// # use bevy_pangaea::random::{Purpose, Stream};
+/// let stream = Stream::new(7, Purpose::RiftTrigger, 3);
+/// assert!((0.0..1.0).contains(&stream.unit(0)));
+/// // The tenth number does not depend on whether the first nine were drawn.
+/// assert_eq!(stream.unit(9), Stream::new(7, Purpose::RiftTrigger, 3).unit(9));
+/// ```
+#[derive(Clone, Copy, Debug, Reflect)]
 pub struct Stream {
     key: u64,
 }
@@ -64,6 +73,7 @@ impl Stream {
     /// A number in 0..1 (1 excluded).
     #[inline]
     pub fn unit(&self, counter: u64) -> f64 {
+        // An f64 has 53 bits of precision.
         (self.bits(counter) >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
     }
 
@@ -75,6 +85,7 @@ impl Stream {
 
     /// A direction, uniform on the sphere; uses the counters `2 counter` and `2 counter + 1`.
     pub fn direction(&self, counter: u64) -> DVec3 {
+        // Slices of a sphere of equal height have equal areas (Archimedes).
         let z = self.range(2 * counter, -1.0, 1.0);
         let (s, c) = sin_cos(TAU * self.unit(2 * counter + 1));
         let r = (1.0 - z * z).sqrt();

@@ -1,6 +1,8 @@
 //! The rims of frames: samples with a neighbour on another plate.
 
 use crate::crust::{FrameId, Frames};
+use crate::ids::PlateId;
+use crate::math;
 use crate::parallel;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
@@ -8,17 +10,18 @@ use bevy::prelude::*;
 use rayon::prelude::*;
 
 /// Entry of [`Rim::index`] for samples that are on no rim.
-pub const INTERIOR: u32 = u32::MAX;
+pub const NOT_ON_RIM: u32 = u32::MAX;
 
 /// The samples on the rims of all frames, in sample order, with what never changes while no frame
 /// gains or loses samples. Vectors are in lattice coordinates.
-#[derive(Component, Clone, Debug, Default)]
+#[derive(Component, Clone, Debug, Default, Reflect)]
+#[reflect(Component)]
 pub struct Rim {
     /// The samples.
     pub samples: Vec<u32>,
     /// Unit tangent vector that points out of the frame.
     pub normal: Vec<DVec3>,
-    /// Position of every sample in `samples`; [`INTERIOR`] for those that are on no rim.
+    /// Position of every sample of the lattice in `samples`, or [`NOT_ON_RIM`].
     pub index: Vec<u32>,
     /// Length of front in radians that one sample stands for.
     pub length: f64,
@@ -27,35 +30,27 @@ pub struct Rim {
 impl Rim {
     /// Finds the rims.
     pub fn new(mesh: &SphereMesh, frame: &[FrameId], frames: &Frames) -> Self {
-        let plate: Vec<_> = frames.iter().map(|frame| frame.plate).collect();
-        let parts: Vec<(Vec<u32>, Vec<DVec3>)> = parallel::chunks(mesh.len())
-            .map(|range| {
-                let mut part = (Vec::new(), Vec::new());
-                for i in range {
-                    if let Some(normal) = outward(mesh, frame, &plate, i as u32) {
-                        part.0.push(i as u32);
-                        part.1.push(normal);
-                    }
-                }
-                part
-            })
-            .collect();
+        let owners = Owners::new(mesh, frame, frames);
+        let parts = parallel::map_chunks(mesh.len(), |range| {
+            let on_rim = |i: usize| Some((i as u32, owners.outward(i as u32)?));
+            range.filter_map(on_rim).collect::<Vec<_>>()
+        });
         let mut rim = Self {
+            index: vec![NOT_ON_RIM; mesh.len()],
             length: mesh.spacing(),
             ..default()
         };
-        for (samples, normal) in parts {
-            rim.samples.extend(samples);
-            rim.normal.extend(normal);
+        for (i, normal) in parts.into_iter().flatten() {
+            rim.push(i, normal);
         }
-        rim.index = vec![INTERIOR; mesh.len()];
-        for (k, &i) in rim.samples.iter().enumerate() {
-            rim.index[i as usize] = k as u32;
-        }
+        rim.number();
         rim
     }
 
-    /// Renews the rims after the samples `changed`, in order, have gone to other frames.
+    /// Updates the rims after the samples `changed`, in order, have gone to other frames.
+    ///
+    /// Only samples that changed and their neighbours can have come to a rim, left it, or got
+    /// another normal. They are looked at anew and merged with the others, both in sample order.
     pub fn update(
         &mut self,
         mesh: &SphereMesh,
@@ -63,32 +58,32 @@ impl Rim {
         frames: &Frames,
         changed: &[u32],
     ) {
-        let plate: Vec<_> = frames.iter().map(|frame| frame.plate).collect();
+        let owners = Owners::new(mesh, frame, frames);
         // Amid others that went to the same frame nothing can change.
-        let amid = |i: u32| {
-            mesh.ring(i)
-                .iter()
-                .all(|&j| frame[j as usize] == frame[i as usize])
-        };
-        let at_edge = changed
-            .iter()
-            .filter(|&&i| self.index[i as usize] != INTERIOR || !amid(i));
-        let mut near: Vec<u32> = at_edge
+        let at_edge = |i: &&u32| self.index[**i as usize] != NOT_ON_RIM || !owners.is_amid_own(**i);
+        let edge = changed.iter().filter(at_edge);
+        let mut near: Vec<u32> = edge
             .flat_map(|&i| mesh.ring(i).iter().copied().chain([i]))
             .collect();
         near.par_sort_unstable();
         near.dedup();
         let fresh = parallel::map_chunks(near.len(), |range| {
-            let normal = |&i: &u32| Some((i, outward(mesh, frame, &plate, i)?));
-            near[range].iter().filter_map(normal).collect::<Vec<_>>()
+            let on_rim = |&i: &u32| Some((i, owners.outward(i)?));
+            near[range].iter().filter_map(on_rim).collect::<Vec<_>>()
         });
-        let mut fresh = fresh.into_iter().flatten().peekable();
-        let old = core::mem::take(&mut self.samples)
-            .into_iter()
-            .zip(core::mem::take(&mut self.normal));
-        let mut near = near.into_iter().peekable();
-        for (i, normal) in old {
-            self.index[i as usize] = INTERIOR;
+        self.replace(&near, fresh.concat());
+        self.number();
+    }
+
+    /// Replaces what is known of the samples `near` by `fresh`, both in sample order.
+    fn replace(&mut self, near: &[u32], fresh: Vec<(u32, DVec3)>) {
+        let samples = core::mem::take(&mut self.samples);
+        let normals = core::mem::take(&mut self.normal);
+        let mut fresh = fresh.into_iter().peekable();
+        let mut near = near.iter().copied().peekable();
+        for (i, normal) in samples.into_iter().zip(normals) {
+            self.index[i as usize] = NOT_ON_RIM;
+            // Both lists catch up with the old rim before one of its samples is kept.
             while near.next_if(|&k| k < i).is_some() {}
             while let Some((k, normal)) = fresh.next_if(|&(k, _)| k <= i) {
                 self.push(k, normal);
@@ -98,14 +93,18 @@ impl Rim {
             }
         }
         fresh.for_each(|(k, normal)| self.push(k, normal));
-        for (k, &i) in self.samples.iter().enumerate() {
-            self.index[i as usize] = k as u32;
-        }
     }
 
     fn push(&mut self, sample: u32, normal: DVec3) {
         self.samples.push(sample);
         self.normal.push(normal);
+    }
+
+    /// Writes the positions of all samples on rims.
+    fn number(&mut self) {
+        for (k, &i) in (0..).zip(&self.samples) {
+            self.index[i as usize] = k;
+        }
     }
 
     /// Number of samples on rims.
@@ -119,56 +118,73 @@ impl Rim {
     }
 }
 
-/// The outward normal of sample `i`, if it has a neighbour on another plate.
-fn outward(
-    mesh: &SphereMesh,
-    frame: &[FrameId],
-    plate: &[super::PlateId],
-    i: u32,
-) -> Option<DVec3> {
-    let frame_of = |j: u32| frame[j as usize];
-    if mesh.ring(i).iter().all(|&j| frame_of(j) == frame_of(i)) {
-        return None;
-    }
-    let own = plate[usize::from(frame_of(i))];
-    let p = mesh.point(i);
-    let mut sum = DVec3::ZERO;
-    let mut found = false;
-    for &j in mesh.ring(i) {
-        if plate[usize::from(frame_of(j))] != own {
-            sum += mesh.point(j) - p;
-            found = true;
+/// Who owns the samples.
+struct Owners<'a> {
+    mesh: &'a SphereMesh,
+    frame: &'a [FrameId],
+    /// The plate of every frame.
+    plate: Vec<PlateId>,
+}
+
+impl<'a> Owners<'a> {
+    fn new(mesh: &'a SphereMesh, frame: &'a [FrameId], frames: &Frames) -> Self {
+        Self {
+            mesh,
+            frame,
+            plate: frames.iter().map(|frame| frame.plate).collect(),
         }
     }
-    let tangent = sum - p * sum.dot(p);
-    // A sample alone among strangers has no outside: any direction serves.
-    found.then(|| {
-        tangent
-            .try_normalize()
-            .unwrap_or_else(|| crate::math::any_tangent(p))
-    })
+
+    fn plate(&self, i: u32) -> PlateId {
+        self.plate[usize::from(self.frame[i as usize])]
+    }
+
+    /// Whether all neighbours of sample `i` are on its own frame.
+    fn is_amid_own(&self, i: u32) -> bool {
+        let own = self.frame[i as usize];
+        let mut ring = self.mesh.ring(i).iter();
+        ring.all(|&j| self.frame[j as usize] == own)
+    }
+
+    /// The outward normal of sample `i`, if it has a neighbour on another plate: the tangential part
+    /// of the sum of all edges to those.
+    fn outward(&self, i: u32) -> Option<DVec3> {
+        // Frames are compared first, as most samples are amid their own.
+        if self.is_amid_own(i) {
+            return None;
+        }
+        let own = self.plate(i);
+        let p = self.mesh.point(i);
+        let mut sum = DVec3::ZERO;
+        let mut found = false;
+        for &j in self.mesh.ring(i) {
+            if self.plate(j) != own {
+                sum += self.mesh.point(j) - p;
+                found = true;
+            }
+        }
+        let tangent = sum - p * sum.dot(p);
+        // A sample alone among strangers has no outside: any direction serves.
+        let normal = tangent.try_normalize();
+        found.then(|| normal.unwrap_or_else(|| math::any_tangent(p)))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::crust::Frame;
-    use crate::plate::PlateId;
 
     #[test]
     fn updated_rims_are_those_found_anew() {
         let mesh = SphereMesh::fibonacci(3000).unwrap();
-        let frame_of = |p: DVec3| u16::from(p.x > 0.2) + 2 * u16::from(p.y > 0.1);
-        let mut frame: Vec<FrameId> = mesh.points().iter().map(|&p| frame_of(p)).collect();
+        let frame_of = |p: &DVec3| u16::from(p.x > 0.2) + 2 * u16::from(p.y > 0.1);
+        let mut frame: Vec<FrameId> = mesh.points().iter().map(frame_of).collect();
         // Two frames of one plate: a sample between them is on no rim until one changes plate.
         let mut frames = Frames([0, 1, 2, 1].map(|id| Frame::at_rest(PlateId(id))).to_vec());
         let mut rim = Rim::new(&mesh, &frame, &frames);
-        for (at, to) in [
-            (DVec3::X, 0),
-            (DVec3::new(0.2, 0.1, 0.95), 5),
-            (-DVec3::Y, 1),
-            (DVec3::X, 1),
-        ] {
+        let between = DVec3::new(0.2, 0.1, 0.95);
+        for (at, to) in [(DVec3::X, 0), (between, 5), (-DVec3::Y, 1), (DVec3::X, 1)] {
             let id = frames.len() as FrameId;
             frames.push(Frame::at_rest(PlateId(to)));
             let disc = |i: &u32| mesh.point(*i).distance(at) < 0.3;
@@ -176,10 +192,9 @@ mod tests {
             changed.iter().for_each(|&i| frame[i as usize] = id);
             rim.update(&mesh, &frame, &frames, &changed);
             let anew = Rim::new(&mesh, &frame, &frames);
-            assert_eq!(
-                (&rim.samples, &rim.normal, &rim.index),
-                (&anew.samples, &anew.normal, &anew.index)
-            );
+            assert_eq!(rim.samples, anew.samples);
+            assert_eq!(rim.normal, anew.normal);
+            assert_eq!(rim.index, anew.index);
         }
     }
 }

@@ -10,25 +10,32 @@
 //! each rim sample meets one plate, so each part of the junction has one polarity.
 
 use super::boundary::Rim;
-use super::polarity::{Evidence, Pair, PolarityMemory, bin, pair};
+use super::overlap::OverlapIndex;
+use super::polarity::{Evidence, FrontKey, PolarityMemory, bin, pair};
 use super::{PlateId, PlateTable};
-use crate::crust::{Crust, CrustKind, Frame, Frames};
+use crate::crust::{Crust, Frame, Frames};
 use crate::parallel;
-use crate::plate::overlap::OverlapIndex;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Slower than this in km/My plates neither converge nor diverge.
-pub const SLIDING: f64 = 2.0;
+/// Speed along the normal in km/My below which plates neither converge nor diverge: a tenth of the
+/// speed of a slow ridge.
+pub const SLIDING_SPEED: f64 = 2.0;
+
+/// Length of a probe in spacings: beyond half way to the next sample, short of that sample.
+const PROBE_LENGTH: f64 = 0.75;
+
+/// Rim samples per unit of parallel work.
+const SAMPLES_PER_TASK: usize = 256;
 
 /// Weight in My with which an ocean that goes under a continent speaks for the polarity of its
 /// segment: an island that arrives there goes the same way.
 const OCEAN_UNDER_CONTINENT: f64 = 200.0;
 
-/// What a rim sample does.
+/// The part that a rim sample plays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
 #[repr(u8)]
 pub enum Role {
@@ -46,9 +53,9 @@ pub enum Role {
 }
 
 /// The meeting of one rim sample with another plate.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Reflect)]
 pub struct Contact {
-    /// What the sample does.
+    /// The part that the sample plays.
     pub role: Role,
     /// The plate that it meets.
     pub other: PlateId,
@@ -68,10 +75,11 @@ pub struct Contact {
 }
 
 /// All meetings of one step, parallel to [`Rim::samples`].
-#[derive(Component, Clone, Debug, Default)]
+#[derive(Component, Clone, Debug, Default, Reflect)]
+#[reflect(Component)]
 pub struct Contacts(pub Vec<Contact>);
 
-/// What finding contacts reads.
+/// The state that contacts are found from.
 pub struct ContactInput<'a> {
     /// Samples and triangles.
     pub mesh: &'a SphereMesh,
@@ -87,162 +95,146 @@ pub struct ContactInput<'a> {
     pub radius: f64,
 }
 
-/// Finds all contacts and takes new evidence into the memory of polarity.
+/// Finds all contacts and takes new evidence into the memory of polarity. `hysteresis` is in My, see
+/// [`PolarityMemory::update`].
 pub fn find_contacts(
     input: &ContactInput,
     rim: &Rim,
     polarity: &mut PolarityMemory,
     hysteresis: f64,
 ) -> Contacts {
-    let spins: Vec<DVec3> = input
-        .frames
-        .iter()
+    let frames = input.frames.iter();
+    let spins: Vec<DVec3> = frames
         .map(|frame| input.plates.angular_velocity(frame.plate))
         .collect();
-    let meet = |k| meet(input, rim, &spins, polarity, k);
     let mut contacts: Vec<Contact> = (0..rim.len())
         .into_par_iter()
-        .with_min_len(256)
-        .map(meet)
+        .with_min_len(SAMPLES_PER_TASK)
+        .map(|k| input.meet(rim, &spins, polarity, k))
         .collect();
-    polarity.update(&evidence(input, rim, &contacts), hysteresis);
+    polarity.update(&input.evidence(rim, &contacts), hysteresis);
     contacts
         .par_iter_mut()
         .enumerate()
-        .with_min_len(256)
-        .for_each(|(k, contact)| decide(input, rim, polarity, k, contact));
+        .with_min_len(SAMPLES_PER_TASK)
+        .filter(|(_, contact)| contact.role == Role::Overriding)
+        .for_each(|(k, contact)| {
+            if input.goes_under(polarity, rim.samples[k], contact) {
+                contact.role = Role::Subducting;
+            }
+        });
     Contacts(contacts)
 }
 
-/// What rim sample `k` meets; the role of converging plates is still open ([`Role::Overriding`]
-/// stands for both). `spins` are the frames' angular velocities in the world.
-fn meet(
-    input: &ContactInput,
-    rim: &Rim,
-    spins: &[DVec3],
-    polarity: &PolarityMemory,
-    k: usize,
-) -> Contact {
-    let &ContactInput {
-        mesh,
-        crust,
-        frames,
-        overlap,
-        radius,
-        ..
-    } = input;
-    let sample = rim.samples[k];
-    let id = crust.frame[sample as usize];
-    let frame = &frames[usize::from(id)];
-    let local = mesh.point(sample);
-    // The normal is a unit tangent: every probe has the same length before it is put on the sphere.
-    let reach = 0.75 * mesh.spacing();
-    let probe = (local + rim.normal[k] * reach) * (1.0 / (1.0 + reach * reach).sqrt());
-    let p = frame.to_world(probe);
-    let foreign = |other: &Frame| other.plate != frame.plate;
-    let Some(hit) = overlap.top_if(mesh, crust, frames, polarity, p, foreign) else {
-        return Contact::default();
-    };
-    let other = frames.plate(hit.frame);
-    let relative = overlap.to_lattice(id, spins[usize::from(id)] - spins[usize::from(hit.frame)]);
-    let approach = relative.cross(local).dot(rim.normal[k]) * radius;
-    let met = hit.sample as usize;
-    let role = if approach > SLIDING {
-        Role::Overriding
-    } else if approach < -SLIDING {
-        Role::Diverging
-    } else {
-        Role::Sliding
-    };
-    Contact {
-        role,
-        other,
-        frame: hit.frame,
-        sample: hit.sample,
-        other_continental: crust.is_continental(met),
-        other_elevation: crust.elevation[met],
-        approach: approach as f32,
-        relative,
+impl Role {
+    /// The role at a speed of approach in km/My. Of converging plates it is still open which goes
+    /// under: [`Role::Overriding`] stands for both.
+    fn of_approach(approach: f64) -> Self {
+        if approach > SLIDING_SPEED {
+            Self::Overriding
+        } else if approach < -SLIDING_SPEED {
+            Self::Diverging
+        } else {
+            Self::Sliding
+        }
     }
 }
 
-/// Ages of ocean floors that meet, by pair and segment, summed in the order of the rim.
-fn evidence(input: &ContactInput, rim: &Rim, contacts: &[Contact]) -> Vec<((Pair, u16), Evidence)> {
-    let &ContactInput {
-        mesh,
-        crust,
-        frames,
-        ..
-    } = input;
-    let seen = parallel::map_chunks(contacts.len(), |range| {
-        let meeting = |k: usize| {
-            let (i, contact) = (rim.samples[k] as usize, &contacts[k]);
-            let frame = &frames[usize::from(crust.frame[i])];
-            let (pair, swapped) = pair(frame.plate, contact.other);
-            let age = match (crust.is_continental(i), contact.other_continental) {
-                (true, true) => [0.0; 2],
-                (true, false) => [0.0, OCEAN_UNDER_CONTINENT],
-                (false, true) => [OCEAN_UNDER_CONTINENT, 0.0],
-                (false, false) => [
-                    f64::from(crust.ocean_age[i]),
-                    f64::from(crust.ocean_age[contact.sample as usize]),
-                ],
-            };
-            let age = if swapped { [age[1], age[0]] } else { age };
-            ((pair, bin(frame.to_world(mesh.points()[i]))), age)
+impl ContactInput<'_> {
+    /// The frame of a sample.
+    fn frame_of(&self, i: u32) -> &Frame {
+        &self.frames[usize::from(self.crust.frame[i as usize])]
+    }
+
+    /// The contact of rim sample `k`, with an open role where plates converge. `spins` are the
+    /// frames' angular velocities in the world.
+    fn meet(&self, rim: &Rim, spins: &[DVec3], polarity: &PolarityMemory, k: usize) -> Contact {
+        let sample = rim.samples[k];
+        let normal = rim.normal[k];
+        let frame = self.frame_of(sample);
+        let local = self.mesh.point(sample);
+        let p = frame.to_world(self.probe(local, normal));
+        let foreign = |other: &Frame| other.plate != frame.plate;
+        let (mesh, crust, frames) = (self.mesh, self.crust, self.frames);
+        let hit = self
+            .overlap
+            .top_if(mesh, crust, frames, polarity, p, foreign);
+        let Some(hit) = hit else {
+            return Contact::default();
         };
-        range
-            .filter(|&k| contacts[k].role == Role::Overriding)
-            .map(meeting)
-            .collect::<Vec<_>>()
-    });
-    let mut found: BTreeMap<(Pair, u16), Evidence> = BTreeMap::new();
-    let seen: Vec<_> = seen.concat();
-    // Neighbours on the rim mostly belong to one segment: one search serves them all.
-    for run in seen.chunk_by(|a, b| a.0 == b.0) {
-        let sum = found.entry(run[0].0).or_default();
-        for (_, age) in run {
-            sum.age[0] += age[0];
-            sum.age[1] += age[1];
-            sum.count += 1;
+        let id = crust.frame[sample as usize];
+        let spin = spins[usize::from(id)] - spins[usize::from(hit.frame)];
+        let relative = self.overlap.to_lattice(id, spin);
+        let approach = relative.cross(local).dot(normal) * self.radius;
+        let met = hit.sample as usize;
+        Contact {
+            role: Role::of_approach(approach),
+            other: frames.plate(hit.frame),
+            frame: hit.frame,
+            sample: hit.sample,
+            other_continental: crust.is_continental(met),
+            other_elevation: crust.elevation[met],
+            approach: approach as f32,
+            relative,
         }
     }
-    found.into_iter().collect()
-}
 
-/// Decides which of two converging plates goes under.
-fn decide(
-    input: &ContactInput,
-    rim: &Rim,
-    polarity: &PolarityMemory,
-    k: usize,
-    contact: &mut Contact,
-) {
-    if contact.role != Role::Overriding {
-        return;
+    /// The unit direction that a rim sample probes, in lattice coordinates.
+    fn probe(&self, local: DVec3, normal: DVec3) -> DVec3 {
+        let reach = PROBE_LENGTH * self.mesh.spacing();
+        // The normal is a unit tangent: every probe has the same length before it is put on the
+        // sphere.
+        (local + normal * reach) * (1.0 / (1.0 + reach * reach).sqrt())
     }
-    let &ContactInput {
-        mesh,
-        crust,
-        frames,
-        ..
-    } = input;
-    let i = rim.samples[k] as usize;
-    let own = if crust.is_continental(i) {
-        CrustKind::Continental
-    } else {
-        CrustKind::Oceanic
-    };
-    let frame = &frames[usize::from(crust.frame[i])];
-    let goes_under = match (own, contact.other_continental) {
-        (CrustKind::Continental, false) => false,
-        (CrustKind::Oceanic, true) => true,
-        _ => {
-            let p = frame.to_world(mesh.points()[i]);
-            polarity.under(frame.plate, contact.other, p) == Some(frame.plate)
+
+    /// Ages of ocean floors that meet, by pair and segment, summed in the order of the rim.
+    fn evidence(&self, rim: &Rim, contacts: &[Contact]) -> Vec<(FrontKey, Evidence)> {
+        let seen = parallel::map_chunks(contacts.len(), |range| {
+            range
+                .filter(|&k| contacts[k].role == Role::Overriding)
+                .map(|k| self.meeting_ages(rim.samples[k], &contacts[k]))
+                .collect::<Vec<_>>()
+        });
+        let mut found: BTreeMap<FrontKey, Evidence> = BTreeMap::new();
+        // Neighbours on the rim mostly belong to one segment: one search serves them all.
+        for run in seen.concat().chunk_by(|a, b| a.0 == b.0) {
+            let sum = found.entry(run[0].0).or_default();
+            for (_, age) in run {
+                sum.age[0] += age[0];
+                sum.age[1] += age[1];
+                sum.count += 1;
+            }
         }
-    };
-    if goes_under {
-        contact.role = Role::Subducting;
+        found.into_iter().collect()
+    }
+
+    /// The segment of a meeting, and the ages in My that speak for the polarity, in the order of the
+    /// pair.
+    fn meeting_ages(&self, sample: u32, contact: &Contact) -> (FrontKey, [f64; 2]) {
+        let i = sample as usize;
+        let frame = self.frame_of(sample);
+        let (pair, swapped) = pair(frame.plate, contact.other);
+        let mut ages = match (self.crust.is_continental(i), contact.other_continental) {
+            (true, true) => [0.0; 2],
+            (true, false) => [0.0, OCEAN_UNDER_CONTINENT],
+            (false, true) => [OCEAN_UNDER_CONTINENT, 0.0],
+            (false, false) => [i, contact.sample as usize].map(|i| self.crust.ocean_age[i].into()),
+        };
+        if swapped {
+            ages.swap(0, 1);
+        }
+        let bin = bin(frame.to_world(self.mesh.point(sample)));
+        ((pair, bin), ages)
+    }
+
+    /// Whether the plate of a rim sample goes under that which it converges with.
+    fn goes_under(&self, polarity: &PolarityMemory, sample: u32, contact: &Contact) -> bool {
+        let own_continental = self.crust.is_continental(sample as usize);
+        if own_continental != contact.other_continental {
+            return contact.other_continental;
+        }
+        let frame = self.frame_of(sample);
+        let p = frame.to_world(self.mesh.point(sample));
+        polarity.under(frame.plate, contact.other, p) == Some(frame.plate)
     }
 }

@@ -4,9 +4,9 @@
 //! ```text
 //! lobes      which plates carry continents, and discs that make their rough shapes
 //! field      "continentality" of every sample: distance into the lobes, with fractal noise
-//! land       the level of the field that gives the wanted share of land; no specks, no puddles
-//! distance   distance to the coast, and to the ridges
-//! relief     profile from the interior over coast and shelf to the abyss; old belts
+//! land       the level of the field that gives the wanted share of land; no specks, no ponds
+//! heights    profile from the interior over coast and shelf to the abyss
+//! belts      old mountain belts
 //! seafloor   age and ridge direction of the ocean floor
 //! ```
 //!
@@ -20,51 +20,67 @@
 //! - Distances are in km, but shrink with planets smaller than Earth, and are never so short that
 //!   samples could not show them.
 
-mod distance;
+mod belts;
 mod field;
 mod heights;
 mod land;
 mod lobes;
 mod seafloor;
 
-pub(in crate::plate) use lobes::Continents;
-
-use super::partition::sites;
+use super::motion::PlateMotion;
+use super::partition::{motions, sites};
 use crate::crust::isostasy::Isostasy;
 use crate::crust::{Crust, CrustKind, FrameId, Orogeny};
+use crate::parallel::map_chunks;
 use crate::planet::PlanetRecipe;
 use crate::sphere::SphereMesh;
+use belts::FOLDED_STRENGTH;
 use heights::Heights;
+use land::Land;
+use lobes::Continents;
 
 /// Area of continental crust, shelves included, relative to the area of land; 1.3 on Earth.
-pub const CONTINENTAL_PER_LAND: f64 = 1.25;
+const CONTINENTAL_PER_LAND: f64 = 1.25;
 
-/// Deepest continental crust relative to the depth of the abyss: continents end on their slope.
+/// Deepest continental crust relative to the depth of the abyss: continents end half way down their
+/// slope.
 const DEEPEST_CONTINENT: f32 = 0.5;
 
+/// Motions of the initial plates: as given, or random, slower for plates that carry continents.
+pub(super) fn initial_motions(recipe: &PlanetRecipe) -> Vec<PlateMotion> {
+    let sites = sites(recipe);
+    let continents = Continents::new(recipe, &sites);
+    motions(recipe, &sites, |site| continents.cover(site))
+}
+
 /// The crust of a new planet. `recipe` is valid, `owner` is the plate of every sample of `mesh`.
+///
+/// ```
+/// # use bevy_pangaea::{planet::PlanetRecipe, plate, sphere::SphereMesh};
+/// let recipe = PlanetRecipe { seed: 7, land: 0.3, ..Default::default() };
+/// let mesh = SphereMesh::fibonacci(4000)?;
+/// let (_, owner) = plate::initial_plates(&recipe, &mesh);
+/// let crust = plate::initial_crust(&recipe, &mesh, &owner);
+/// let land = (0..mesh.len()).filter(|&i| crust.elevation[i] > 0.0).count();
+/// assert!((land as f64 / 4000.0 - 0.3).abs() < 0.01);
+/// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
+/// ```
 pub fn initial_crust(recipe: &PlanetRecipe, mesh: &SphereMesh, owner: &[FrameId]) -> Crust {
     let continents = Continents::new(recipe, &sites(recipe));
     let field = field::continentality(recipe, mesh, &continents);
     let share = recipe.continents.is_empty().then_some(recipe.land);
     let land = land::land(mesh, field, share);
     let coast = land.coast_distance(mesh);
-    let relief = Heights::new(recipe, mesh);
-    let passive = |i: usize| coast[i] * recipe.radius > relief.shelf_width(mesh.point(i as u32));
-    let floor = seafloor::seafloor(recipe, mesh, owner, passive);
+    let heights = Heights::new(recipe, mesh);
+    let motions = initial_motions(recipe);
+    let passive = |i: usize| coast[i] * recipe.radius > heights.shelf_width(mesh.point(i as u32));
+    let floor = seafloor::seafloor(recipe, mesh, owner, &motions, passive);
     let mut crust = Crust::ocean(mesh.len(), &recipe.params);
     crust.frame.copy_from_slice(owner);
-    crust.elevation = relief.elevation(mesh, &land.mask, &coast, &floor.elevation);
-    let share = land.area(mesh) * (CONTINENTAL_PER_LAND - 1.0);
-    let deepest = DEEPEST_CONTINENT * recipe.params.abyss_elevation as f32;
-    for i in land::shelf(mesh, &land.mask, &crust.elevation, share, deepest) {
-        crust.kind[i as usize] = CrustKind::Continental;
-    }
+    crust.elevation = heights.elevation(mesh, &land.mask, &coast, &floor.elevation);
+    mark_continents(recipe, mesh, &land, &mut crust);
     let law = Isostasy::new(&recipe.params);
     for i in 0..crust.len() {
-        if land.mask[i] {
-            crust.kind[i] = CrustKind::Continental;
-        }
         if crust.is_continental(i) {
             crust.thickness[i] = law.thickness(crust.elevation[i]);
         } else {
@@ -72,19 +88,31 @@ pub fn initial_crust(recipe: &PlanetRecipe, mesh: &SphereMesh, owner: &[FrameId]
             crust.ridge[i] = floor.ridge[i];
         }
     }
-    fold_belts(&mut crust, mesh, &relief, &coast);
+    fold_belts(&mut crust, mesh, &heights, &coast);
     crust
 }
 
+/// Makes land and shelves continental.
+fn mark_continents(recipe: &PlanetRecipe, mesh: &SphereMesh, land: &Land, crust: &mut Crust) {
+    let area = land.area(mesh) * (CONTINENTAL_PER_LAND - 1.0);
+    let deepest = DEEPEST_CONTINENT * recipe.params.abyss_elevation as f32;
+    for i in land::shelf(mesh, &land.mask, &crust.elevation, area, deepest) {
+        crust.kind[i as usize] = CrustKind::Continental;
+    }
+    for (kind, &is_land) in crust.kind.iter_mut().zip(&land.mask) {
+        if is_land {
+            *kind = CrustKind::Continental;
+        }
+    }
+}
+
 /// Writes type, age and fold direction of the old belts.
-fn fold_belts(crust: &mut Crust, mesh: &SphereMesh, relief: &Heights, coast: &[f64]) {
-    let belts = crate::parallel::map_chunks(mesh.len(), |range| {
-        let belt = |i: usize| {
-            let folded = crust.elevation[i] > 0.0;
-            let belt = folded.then(|| relief.belt(mesh.point(i as u32), coast[i]))?;
-            (belt.strength > heights::FOLDED).then_some((i, belt))
-        };
-        range.filter_map(belt).collect::<Vec<_>>()
+fn fold_belts(crust: &mut Crust, mesh: &SphereMesh, heights: &Heights, coast: &[f64]) {
+    let belts = map_chunks(mesh.len(), |range| {
+        let land = range.filter(|&i| crust.elevation[i] > 0.0);
+        let belts = land.map(|i| (i, heights.belts.at(mesh.point(i as u32), coast[i])));
+        let folded = belts.filter(|(_, belt)| belt.strength > FOLDED_STRENGTH);
+        folded.collect::<Vec<_>>()
     });
     for (i, belt) in belts.into_iter().flatten() {
         crust.orogeny[i] = if belt.collision {

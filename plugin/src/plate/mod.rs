@@ -4,9 +4,11 @@
 
 pub mod motion;
 
-pub mod partition;
+mod partition;
 
-pub mod continents;
+mod continents;
+
+mod initial;
 
 pub mod boundary;
 
@@ -27,6 +29,8 @@ pub mod table;
 pub mod caches;
 
 pub use crate::ids::PlateId;
+pub use continents::initial_crust;
+pub use initial::initial_plates;
 pub use motion::PlateMotion;
 pub use table::{PlateAccess, PlateRow, PlateTable, plate_table};
 pub use terrane::{Terrane, TerraneOf, Terranes};

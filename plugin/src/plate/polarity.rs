@@ -6,26 +6,29 @@
 //! segments of the pair decided; the first decides by age: the older ocean floor goes under, and
 //! between continents the plate with the smaller number overrides. A segment turns over when its
 //! mean ages speak against it by more than
-//! [`TectonicParams::polarity_hysteresis`](crate::params::TectonicParams), and not within [`HOLD`]
-//! steps of the last turn.
+//! [`TectonicParams::polarity_hysteresis`](crate::params::TectonicParams), and not within
+//! [`LEAST_STEPS_BETWEEN_TURNS`] steps of the last turn.
 
 use super::PlateId;
-use crate::sphere::bins::CubeGrid;
+use crate::sphere::cube::CubeGrid;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 
-/// Edge of the bins: 6 x 8 x 8 of them.
-const BINS: usize = 8;
+/// Bins along the edge of a face: 6 x 8 x 8 of them, about 1000 km across on Earth.
+const BINS_PER_EDGE: usize = 8;
 
-/// A decision stands for so many steps at least.
-pub const HOLD: u16 = 10;
+/// A decision stands for so many steps at least: 20 My with the default step.
+pub const LEAST_STEPS_BETWEEN_TURNS: u16 = 10;
 
 /// A pair of plates in the order of their numbers.
 pub type Pair = (PlateId, PlateId);
 
-/// What is remembered of one segment of a front.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Segment {
+/// A segment of a front: the pair of plates and the bin of the world.
+pub type FrontKey = (Pair, u16);
+
+/// The memory of one segment of a front.
+#[derive(Clone, Copy, Debug, PartialEq, Reflect)]
+pub struct FrontSegment {
     /// The plates.
     pub pair: Pair,
     /// The bin of the world.
@@ -37,21 +40,41 @@ pub struct Segment {
 }
 
 /// Decisions about all segments, ordered by pair and bin.
-#[derive(Component, Clone, Debug, Default, PartialEq)]
-pub struct PolarityMemory(pub Vec<Segment>);
+#[derive(Component, Clone, Debug, Default, PartialEq, Reflect)]
+#[reflect(Component)]
+pub struct PolarityMemory(pub Vec<FrontSegment>);
 
-/// What speaks for one or the other polarity in a segment: mean ages of the ocean floors that meet.
-#[derive(Clone, Copy, Debug, Default)]
+/// Evidence for one or the other polarity in a segment: ages of the ocean floors that meet.
+#[derive(Clone, Copy, Debug, Default, Reflect)]
 pub struct Evidence {
-    /// Sum of ages of the first and of the second plate in My.
+    /// Sums of ages of the first and of the second plate in My.
     pub age: [f64; 2],
     /// Number of meetings summed.
     pub count: u32,
 }
 
+impl Evidence {
+    /// Mean age in My by which the floor of the first plate is older.
+    fn excess(&self) -> f64 {
+        (self.age[0] - self.age[1]) / f64::from(self.count.max(1))
+    }
+}
+
+impl FrontSegment {
+    /// Hears evidence of one more step, and turns over if that speaks clearly against the decision.
+    fn hear(&mut self, excess: f64, hysteresis: f64) {
+        self.held = self.held.saturating_add(1);
+        let against = if self.first_under { -excess } else { excess };
+        if against > hysteresis && self.held >= LEAST_STEPS_BETWEEN_TURNS {
+            self.first_under = !self.first_under;
+            self.held = 0;
+        }
+    }
+}
+
 /// The bin of the world that holds `p`.
 pub fn bin(p: DVec3) -> u16 {
-    CubeGrid::new(BINS).cell(p) as u16
+    CubeGrid::new(BINS_PER_EDGE).cell(p) as u16
 }
 
 /// The pair of two plates, and whether the first argument is its second member.
@@ -67,20 +90,20 @@ impl PolarityMemory {
     /// The plate of the two that goes under at `p`, if a front of theirs was ever seen.
     pub fn under(&self, a: PlateId, b: PlateId, p: DVec3) -> Option<PlateId> {
         let (pair, _) = pair(a, b);
-        let first_under = self.segment(pair, bin(p)).or_else(|| self.majority(pair))?;
+        let first_under = match self.find(pair, bin(p)) {
+            Some(at) => self.0[at].first_under,
+            None => self.majority(pair)?,
+        };
         Some(if first_under { pair.0 } else { pair.1 })
     }
 
-    /// The decision about one segment.
-    fn segment(&self, pair: Pair, bin: u16) -> Option<bool> {
-        let at = self
-            .0
-            .binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin))
-            .ok()?;
-        Some(self.0[at].first_under)
+    /// Place of a segment in the memory, if it was ever seen.
+    fn find(&self, pair: Pair, bin: u16) -> Option<usize> {
+        let key = |segment: &FrontSegment| (segment.pair, segment.bin);
+        self.0.binary_search_by_key(&(pair, bin), key).ok()
     }
 
-    /// What most segments of a pair decided; a tie goes to the first plate.
+    /// The decision of most segments of a pair; a tie goes to the first plate.
     fn majority(&self, pair: Pair) -> Option<bool> {
         let start = self.0.partition_point(|s| s.pair < pair);
         let mut count = [0; 2];
@@ -90,36 +113,23 @@ impl PolarityMemory {
         (count != [0; 2]).then_some(count[1] >= count[0])
     }
 
-    /// Takes in the evidence of one step, ordered by pair and bin.
-    pub fn update(&mut self, evidence: &[((Pair, u16), Evidence)], hysteresis: f64) {
+    /// Takes in the evidence of one step, ordered by pair and bin. `hysteresis` is the difference of
+    /// mean ages in My that turns a decision over.
+    pub fn update(&mut self, evidence: &[(FrontKey, Evidence)], hysteresis: f64) {
         let mut fresh = Vec::new();
         for &((pair, bin), seen) in evidence {
-            let count = f64::from(seen.count.max(1));
-            let excess = (seen.age[0] - seen.age[1]) / count;
-            match self
-                .0
-                .binary_search_by_key(&(pair, bin), |s| (s.pair, s.bin))
-            {
-                Ok(at) => {
-                    let segment = &mut self.0[at];
-                    segment.held = segment.held.saturating_add(1);
-                    let against = if segment.first_under { -excess } else { excess };
-                    if against > hysteresis && segment.held >= HOLD {
-                        segment.first_under = !segment.first_under;
-                        segment.held = 0;
-                    }
-                }
-                Err(_) => {
-                    let first_under = self.majority(pair).unwrap_or(excess > 0.0);
-                    fresh.push(Segment {
-                        pair,
-                        bin,
-                        first_under,
-                        held: 0,
-                    });
-                }
+            let excess = seen.excess();
+            match self.find(pair, bin) {
+                Some(at) => self.0[at].hear(excess, hysteresis),
+                None => fresh.push(FrontSegment {
+                    pair,
+                    bin,
+                    first_under: self.majority(pair).unwrap_or(excess > 0.0),
+                    held: 0,
+                }),
             }
         }
+        // New segments wait until all are known: those of one step do not follow each other.
         if !fresh.is_empty() {
             self.0.extend(fresh);
             self.0.sort_by_key(|s| (s.pair, s.bin));
@@ -145,26 +155,17 @@ mod tests {
         let key = ((PlateId(1), PlateId(4)), bin(DVec3::X));
         let mut memory = PolarityMemory::default();
         assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), None);
-        memory.update(&[(key, seen([80.0, 60.0]))], 15.0);
-        assert_eq!(
-            memory.under(PlateId(4), PlateId(1), DVec3::X),
-            Some(PlateId(1))
-        );
-        for flicker in [50.0, 100.0, 46.0, 74.0] {
-            memory.update(&[(key, seen([flicker, 60.0]))], 15.0);
-            assert_eq!(
-                memory.under(PlateId(1), PlateId(4), DVec3::X),
-                Some(PlateId(1)),
-                "{flicker}"
-            );
+        let mut under_after = |age: f64| {
+            memory.update(&[(key, seen([age, 60.0]))], 15.0);
+            memory.under(PlateId(4), PlateId(1), DVec3::X)
+        };
+        for flicker in [80.0, 50.0, 100.0, 46.0, 74.0] {
+            assert_eq!(under_after(flicker), Some(PlateId(1)), "{flicker}");
         }
-        for _ in 0..HOLD {
-            memory.update(&[(key, seen([44.0, 60.0]))], 15.0);
+        for _ in 1..LEAST_STEPS_BETWEEN_TURNS {
+            under_after(44.0);
         }
-        assert_eq!(
-            memory.under(PlateId(1), PlateId(4), DVec3::X),
-            Some(PlateId(4))
-        );
+        assert_eq!(under_after(44.0), Some(PlateId(4)));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::crust::Surface;
 use crate::ids::{FrameId, PlateId};
 use crate::math::PI;
 use crate::sphere::SphereMesh;
-use crate::sphere::components::Components;
+use crate::sphere::components::{Components, largest_of_label};
 
 /// Pieces of a plate with a larger share of the sphere keep their owner: 1,000,000 km² on Earth.
 const LARGEST_EXCLAVE: f64 = 0.002;
@@ -68,13 +68,13 @@ fn exclaves(mesh: &SphereMesh, plate: &[PlateId]) -> Vec<Vec<u32>> {
         size.0 = plate[i];
         size.1 += mesh.areas()[i];
     }
-    let largest = largest_pieces(&sizes);
+    let is_largest = largest_of_label(&sizes);
     let limit = LARGEST_EXCLAVE * 4.0 * PI;
     // Position of each piece in the list that is returned.
     let mut slot = vec![None; pieces.count];
     let mut count = 0;
     for (k, &(_, area)) in sizes.iter().enumerate() {
-        if area <= limit && !largest.contains(&k) {
+        if area <= limit && !is_largest[k] {
             slot[k] = Some(count);
             count += 1;
         }
@@ -86,17 +86,4 @@ fn exclaves(mesh: &SphereMesh, plate: &[PlateId]) -> Vec<Vec<u32>> {
         }
     }
     exclaves
-}
-
-/// The largest piece of every plate; of equals the first.
-fn largest_pieces(sizes: &[(PlateId, f64)]) -> Vec<usize> {
-    let mut largest: Vec<usize> = Vec::new();
-    for (k, &(plate, area)) in sizes.iter().enumerate() {
-        match largest.iter_mut().find(|best| sizes[**best].0 == plate) {
-            Some(best) if sizes[*best].1 < area => *best = k,
-            Some(_) => {}
-            None => largest.push(k),
-        }
-    }
-    largest
 }

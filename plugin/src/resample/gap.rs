@@ -16,8 +16,9 @@ use crate::ids::PlateId;
 use crate::parallel;
 use crate::plate::PlateTable;
 use crate::sphere::SphereMesh;
+use crate::sphere::angle_of_chord;
 use crate::sphere::components::Components;
-use crate::sphere::nearest_source::{SourceField, UNREACHED, angle_of_chord, spread_on};
+use crate::sphere::nearest_source::{SourceField, UNREACHED, extend_nearest_sources};
 use crate::view::PlanetView;
 use rayon::prelude::*;
 
@@ -136,7 +137,7 @@ fn nearest_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, inside: imp
         let beside = mesh.ring(rim).iter().filter(|&&i| inside(i));
         start.extend(beside.map(|&i| (i, rim)));
     }
-    spread_on(
+    extend_nearest_sources(
         mesh,
         first,
         &start,
@@ -165,7 +166,7 @@ fn second_rims(mesh: &SphereMesh, gap: &[u32], surface: &Surface, rims: &GapRims
             }
         }
     }
-    spread_on(
+    extend_nearest_sources(
         mesh,
         &rims.second,
         &start,

@@ -17,7 +17,7 @@ use super::gap::GapInput;
 use crate::crust::{CrustKind, CrustRow, Orogeny, Surface};
 use crate::math::exp2;
 use crate::params::TectonicParams;
-use crate::sphere::nearest_source::angle_of_chord;
+use crate::sphere::angle_of_chord;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 

@@ -9,7 +9,7 @@ use crate::ids::PlateId;
 use crate::math::smoothstep;
 use crate::plate::boundary::Rim;
 use crate::plate::contact::{Contacts, Role};
-use crate::sphere::nearest_source::{Scratch, spread};
+use crate::sphere::nearest_source::{SourceScratch, nearest_sources};
 use crate::view::PlanetView;
 use bevy::math::DVec3;
 
@@ -39,7 +39,7 @@ struct SinkingFront {
 }
 
 /// Bends the oceanic crust of `surface` that goes under.
-pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut Scratch) {
+pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut SourceScratch) {
     let mesh = input.planet.mesh;
     let (fronts, seeds) = sinking_fronts(input);
     let goes_under: Vec<bool> = input
@@ -51,7 +51,7 @@ pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut Scr
     let behind = 0.5 * mesh.spacing();
     let width = input.planet.params.trench_width / input.planet.radius;
     let (kind, top) = (&surface.crust.kind, &surface.crust.frame);
-    let reached = spread(mesh, scratch, &seeds, width + behind, |_, to| {
+    let reached = nearest_sources(mesh, scratch, &seeds, width + behind, |_, to| {
         kind[to as usize] == CrustKind::Oceanic
             && goes_under.get(usize::from(top[to as usize])) == Some(&true)
     });

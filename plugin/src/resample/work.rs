@@ -19,7 +19,7 @@ use crate::plate::overlap::OverlapIndex;
 use crate::plate::polarity::PolarityMemory;
 use crate::plate::{PlateTable, plate_table};
 use crate::schedule::StepCursor;
-use crate::sphere::nearest_source::Scratch;
+use crate::sphere::nearest_source::SourceScratch;
 use crate::view::PlanetQuery;
 use bevy::prelude::*;
 use rayon::prelude::*;
@@ -40,7 +40,7 @@ pub struct Resampling {
     next: Surface,
     notes: ProjectNotes,
     rims: GapRims,
-    scratch: Scratch,
+    scratch: SourceScratch,
     /// Samples that became new ocean floor.
     new_ocean: usize,
     /// Whether the last step resampled the crust.

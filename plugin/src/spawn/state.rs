@@ -8,7 +8,7 @@ use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe, PlateNumbers};
 use crate::plate::front::FrontField;
 use crate::plate::polarity::PolarityMemory;
-use crate::plate::{PlateId, PlateMotion, PlateStats, continents, partition, stats};
+use crate::plate::{PlateId, PlateMotion, PlateStats, initial_crust, initial_plates, stats};
 use crate::sphere::SphereMesh;
 use bevy::prelude::*;
 use std::sync::Arc;
@@ -72,8 +72,8 @@ impl PlanetState {
     /// As [`PlanetState::new`].
     pub fn on(recipe: &PlanetRecipe, mesh: Arc<SphereMesh>) -> Result<Self, PlanetError> {
         recipe.validate()?;
-        let (motions, owner) = partition::initial_plates(recipe, &mesh);
-        let mut crust = continents::initial_crust(recipe, &mesh, &owner);
+        let (motions, owner) = initial_plates(recipe, &mesh);
+        let mut crust = initial_crust(recipe, &mesh, &owner);
         crust.frame.clone_from(&owner);
         let mut numbers = PlateNumbers::default();
         let plates: Vec<_> = motions

@@ -7,13 +7,13 @@
 //! and a single arc tangent. A Voronoi cell is smaller than a hemisphere, so that angle stays below
 //! π.
 
-use super::rings::Rings;
+use super::rings::NeighbourRings;
 use crate::{math, parallel::CHUNK};
 use bevy::math::DVec3;
 use rayon::prelude::*;
 
 /// Area in steradian of every sample's cell; the areas sum to 4π.
-pub(super) fn voronoi_areas(points: &[DVec3], rings: &Rings) -> Vec<f64> {
+pub(super) fn voronoi_areas(points: &[DVec3], rings: &NeighbourRings) -> Vec<f64> {
     let cells = (0..points.len() as u32).into_par_iter().with_min_len(CHUNK);
     cells
         .map(|i| cell_area(points, rings.of(i), points[i as usize]))

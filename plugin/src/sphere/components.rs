@@ -6,7 +6,9 @@
 
 use super::SphereMesh;
 use crate::parallel::CHUNK;
+use bevy::reflect::Reflect;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// The number of a sample that is in no component.
 pub const OUTSIDE: u32 = u32::MAX;
@@ -15,7 +17,19 @@ pub const OUTSIDE: u32 = u32::MAX;
 const BLOCK: usize = 8 * CHUNK;
 
 /// Which samples are connected.
-#[derive(Clone, Debug, Default, PartialEq)]
+///
+/// ```
+/// # use bevy_pangaea::sphere::{SphereMesh, components::{Components, OUTSIDE}};
+/// let mesh = SphereMesh::fibonacci(2000)?;
+/// // Two caps around the poles.
+/// let polar = |i: u32| mesh.point(i).z.abs() > 0.8;
+/// let caps = Components::new(&mesh, polar, |_, _| true);
+/// assert_eq!(caps.count, 2);
+/// assert!(caps.samples(0).iter().all(|&i| polar(i)));
+/// assert_eq!(caps.of[mesh.nearest(bevy::math::DVec3::X) as usize], OUTSIDE);
+/// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Reflect)]
 pub struct Components {
     /// The component of every sample of the mesh, or [`OUTSIDE`].
     pub of: Vec<u32>,
@@ -31,30 +45,14 @@ impl Components {
         together: impl Fn(u32, u32) -> bool + Sync,
     ) -> Self {
         let mut parent = vec![OUTSIDE; mesh.len()];
-        let blocks = parent
+        let crossing: Vec<Vec<(u32, u32)>> = parent
             .par_chunks_mut(BLOCK)
             .enumerate()
             .map(|(block, parent)| {
                 let start = (block * BLOCK) as u32;
-                let mut crossing = Vec::new();
-                for i in start..start + parent.len() as u32 {
-                    if !member(i) {
-                        continue;
-                    }
-                    parent[(i - start) as usize] = i;
-                    for &j in mesh.ring(i).iter().filter(|&&j| j < i) {
-                        if j < start {
-                            if member(j) && together(j, i) {
-                                crossing.push((j, i));
-                            }
-                        } else if parent[(j - start) as usize] != OUTSIDE && together(j, i) {
-                            join(parent, start, j, i);
-                        }
-                    }
-                }
-                crossing
-            });
-        let crossing: Vec<_> = blocks.collect();
+                join_block(mesh, start, parent, &member, &together)
+            })
+            .collect();
         for (i, j) in crossing.into_iter().flatten() {
             join(&mut parent, 0, i, j);
         }
@@ -64,6 +62,7 @@ impl Components {
     /// Turns parents, which are never higher than their children, into numbers.
     fn numbered(mut parent: Vec<u32>) -> Self {
         let mut count = 0;
+        // Parents come first, so those of later samples are numbers already.
         for i in 0..parent.len() {
             let above = parent[i];
             if above == i as u32 {
@@ -91,12 +90,58 @@ impl Components {
     }
 }
 
+/// Builds the forest of one block of samples, the first of which is `start`. Returns the links to
+/// samples of earlier blocks.
+fn join_block(
+    mesh: &SphereMesh,
+    start: u32,
+    parent: &mut [u32],
+    member: impl Fn(u32) -> bool,
+    together: impl Fn(u32, u32) -> bool,
+) -> Vec<(u32, u32)> {
+    let mut crossing = Vec::new();
+    for i in start..start + parent.len() as u32 {
+        if !member(i) {
+            continue;
+        }
+        parent[(i - start) as usize] = i;
+        // Links to later samples are found from those.
+        for &j in mesh.ring(i).iter().filter(|&&j| j < i) {
+            if j < start {
+                if member(j) && together(j, i) {
+                    crossing.push((j, i));
+                }
+            } else if parent[(j - start) as usize] != OUTSIDE && together(j, i) {
+                join(parent, start, j, i);
+            }
+        }
+    }
+    crossing
+}
+
+/// For each of some pieces, given by label and size: whether it is the largest of its label, the
+/// first among equals.
+pub(crate) fn largest_of_label<L: Ord, S: PartialOrd>(pieces: &[(L, S)]) -> Vec<bool> {
+    let mut largest: BTreeMap<&L, usize> = BTreeMap::new();
+    for (k, (label, size)) in pieces.iter().enumerate() {
+        let best = largest.entry(label).or_insert(k);
+        if pieces[*best].1 < *size {
+            *best = k;
+        }
+    }
+    let mut is_largest = vec![false; pieces.len()];
+    largest.into_values().for_each(|k| is_largest[k] = true);
+    is_largest
+}
+
 /// Joins two trees of a forest whose first entry is the sample `start`: the lower root stays.
 fn join(parent: &mut [u32], start: u32, i: u32, j: u32) {
     let (a, b) = (root(parent, start, i), root(parent, start, j));
     parent[(a.max(b) - start) as usize] = a.min(b);
 }
 
+/// The root of the tree of sample `i`. Entries on the way are hung one step higher, so that later
+/// ways are short.
 fn root(parent: &mut [u32], start: u32, mut i: u32) -> u32 {
     loop {
         let above = parent[(i - start) as usize];
@@ -136,15 +181,27 @@ mod tests {
         found
     }
 
+    /// Labels 0..=3 in a pattern of waves with `scale` and `fine` as wave numbers.
+    fn labels(mesh: &SphereMesh, scale: f64, fine: f64) -> Vec<u8> {
+        let wave = |x: f64| crate::math::sin(scale * x) + crate::math::sin(fine * x * x);
+        let height = |p: &bevy::math::DVec3| wave(p.x) + wave(p.y) * wave(p.z) + 2.0;
+        let points = mesh.points().iter();
+        points
+            .map(|p| (height(p) as i32).clamp(0, 3) as u8)
+            .collect()
+    }
+
+    #[test]
+    fn the_first_of_the_largest_pieces_stays() {
+        let pieces = [('a', 3), ('b', 1), ('a', 5), ('b', 1), ('a', 5)];
+        assert_eq!(largest_of_label(&pieces), [false, true, true, false, false]);
+    }
+
     #[test]
     fn equals_a_flood() {
         let mesh = SphereMesh::fibonacci(40_000).unwrap();
         for (scale, fine) in [(3.0, 0.0), (9.0, 2.0), (40.0, 0.0), (200.0, 30.0)] {
-            let wave = |x: f64| crate::math::sin(scale * x) + crate::math::sin(fine * x * x);
-            let label = |p: &bevy::math::DVec3| {
-                ((wave(p.x) + wave(p.y) * wave(p.z) + 2.0) as i32).clamp(0, 3) as u8
-            };
-            let label: Vec<u8> = mesh.points().iter().map(label).collect();
+            let label = labels(&mesh, scale, fine);
             let found = Components::new(
                 &mesh,
                 |i| label[i as usize] != 0,

@@ -8,42 +8,100 @@ use super::SphereMesh;
 use crate::math::east_north;
 use bevy::math::DVec3;
 
+/// Determinant below which a ring is a line, relative to the square of its size: no slope across it
+/// can be known.
+const LEAST_DETERMINANT: f64 = 1e-12;
+
+/// Scatter of squared distances about their plane below which all neighbours are equally far, as
+/// for four in a square: the curvature cannot be told from the plane.
+const LEAST_SCATTER: f64 = 1e-6;
+
 /// Gradient of `value` at sample `i`, per radian, and its Laplacian, per square radian.
+///
+/// Both are 0 where the neighbours of a sample lie on a line.
+///
+/// ```
+/// # use bevy_pangaea::sphere::{SphereMesh, gradient};
+/// # use bevy::math::DVec3;
+/// let mesh = SphereMesh::fibonacci(2000)?;
+/// let i = mesh.nearest(DVec3::X);
+/// // The height above the equator: up along the meridian, and a harmonic of degree 1.
+/// let (slope, laplacian) = gradient::fit(&mesh, i, |j| mesh.point(j).z);
+/// assert!((slope - DVec3::Z).length() < 0.05);
+/// assert!((laplacian + 2.0 * mesh.point(i).z).abs() < 1e-9);
+/// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
+/// ```
 pub fn fit(mesh: &SphereMesh, i: u32, value: impl Fn(u32) -> f64) -> (DVec3, f64) {
     let p = mesh.point(i);
     let (east, north) = east_north(p);
-    // Sums of products of x, y, r² and z over the ring.
-    let (mut xx, mut xy, mut yy, mut xz, mut yz) = (0.0, 0.0, 0.0, 0.0, 0.0);
-    let (mut xr, mut yr, mut rr, mut rz) = (0.0, 0.0, 0.0, 0.0);
+    let mut sums = RingSums::default();
     for &j in mesh.ring(i) {
         let d = mesh.point(j) - p;
-        let (x, y, r, z) = (
-            d.dot(east),
-            d.dot(north),
-            d.length_squared(),
-            value(j) - value(i),
-        );
-        (xx, xy, yy) = (xx + x * x, xy + x * y, yy + y * y);
-        (xz, yz, rz) = (xz + x * z, yz + y * z, rz + r * z);
-        (xr, yr, rr) = (xr + x * r, yr + y * r, rr + r * r);
+        let z = value(j) - value(i);
+        sums.add(d.dot(east), d.dot(north), d.length_squared(), z);
     }
-    let det = xx * yy - xy * xy;
-    if det <= 1e-12 * (xx + yy) * (xx + yy) {
+    let Some(det) = sums.determinant() else {
         return (DVec3::ZERO, 0.0);
-    }
-    let plane = |xs: f64, ys: f64| ((yy * xs - xy * ys) / det, (xx * ys - xy * xs) / det);
-    let (gx, gy) = plane(xz, yz);
-    let (hx, hy) = plane(xr, yr);
-    let spread = rr - xr * hx - yr * hy;
-    let curve = if spread > 1e-6 * rr {
-        (rz - xr * gx - yr * gy) / spread
+    };
+    let (gx, gy) = sums.plane(det, sums.xz, sums.yz);
+    // The squared distance has a plane of its own in a ring that is not centred; only what it
+    // scatters about that plane tells the curvature.
+    let (hx, hy) = sums.plane(det, sums.xr, sums.yr);
+    let scatter = sums.rr - sums.xr * hx - sums.yr * hy;
+    let curve = if scatter > LEAST_SCATTER * sums.rr {
+        (sums.rz - sums.xr * gx - sums.yr * gy) / scatter
     } else {
         0.0
     };
-    (
-        east * (gx - curve * hx) + north * (gy - curve * hy),
-        4.0 * curve,
-    )
+    let gradient = east * (gx - curve * hx) + north * (gy - curve * hy);
+    (gradient, 4.0 * curve)
+}
+
+/// Sums over a ring of the products of x, y (to the east and north), r (squared distance) and z
+/// (difference of the value).
+#[derive(Default)]
+struct RingSums {
+    xx: f64,
+    xy: f64,
+    yy: f64,
+    xz: f64,
+    yz: f64,
+    rz: f64,
+    xr: f64,
+    yr: f64,
+    rr: f64,
+}
+
+impl RingSums {
+    #[inline]
+    fn add(&mut self, x: f64, y: f64, r: f64, z: f64) {
+        self.xx += x * x;
+        self.xy += x * y;
+        self.yy += y * y;
+        self.xz += x * z;
+        self.yz += y * z;
+        self.rz += r * z;
+        self.xr += x * r;
+        self.yr += y * r;
+        self.rr += r * r;
+    }
+
+    /// Determinant of the normal equations of a plane; `None` if the ring is a line.
+    #[inline]
+    fn determinant(&self) -> Option<f64> {
+        let det = self.xx * self.yy - self.xy * self.xy;
+        let size = self.xx + self.yy;
+        (det > LEAST_DETERMINANT * size * size).then_some(det)
+    }
+
+    /// Slopes of the plane whose products with x and y sum to `xs` and `ys`.
+    #[inline]
+    fn plane(&self, det: f64, xs: f64, ys: f64) -> (f64, f64) {
+        (
+            (self.yy * xs - self.xy * ys) / det,
+            (self.xx * ys - self.xy * xs) / det,
+        )
+    }
 }
 
 #[cfg(test)]
@@ -80,13 +138,13 @@ mod tests {
             let one = fit(&mesh, i, |j| mesh.point(j).z).1;
             assert!((one + 2.0 * p.z).abs() < 1e-9, "{i}: {one} {}", -2.0 * p.z);
         }
-        let at = |x: f64| 3.0 * x * x - 1.0;
-        let mean: f64 = (0..mesh.len() as u32)
-            .map(|i| fit(&mesh, i, |j| at(mesh.point(j).z)).1 * at(mesh.point(i).z) * mesh.area(i))
+        let two = |i: u32| 3.0 * mesh.point(i).z * mesh.point(i).z - 1.0;
+        let samples = 0..mesh.len() as u32;
+        let mean: f64 = samples
+            .clone()
+            .map(|i| fit(&mesh, i, two).1 * two(i) * mesh.area(i))
             .sum();
-        let norm: f64 = (0..mesh.len() as u32)
-            .map(|i| at(mesh.point(i).z) * at(mesh.point(i).z) * mesh.area(i))
-            .sum();
+        let norm: f64 = samples.map(|i| two(i) * two(i) * mesh.area(i)).sum();
         assert!((mean / norm + 6.0).abs() < 1.0, "{}", mean / norm);
     }
 }

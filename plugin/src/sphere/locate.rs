@@ -9,9 +9,10 @@
 
 use super::SphereMesh;
 use bevy::math::DVec3;
+use bevy::reflect::Reflect;
 
 /// Where a direction lies in a [`SphereMesh`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Reflect)]
 pub struct Location {
     /// The nearest sample; mostly, but not always, a corner of the triangle.
     pub nearest: u32,
@@ -22,6 +23,15 @@ pub struct Location {
 }
 
 impl Location {
+    /// All weight on the sample `nearest`, in the triangle of it and its neighbours `b` and `c`.
+    fn at_sample(nearest: u32, b: u32, c: u32) -> Self {
+        Self {
+            nearest,
+            vertices: [nearest, b, c],
+            weights: [1.0, 0.0, 0.0],
+        }
+    }
+
     /// The weighted mean of a quantity given at the samples.
     #[inline]
     pub fn interpolate(&self, value: impl Fn(u32) -> f64) -> f64 {
@@ -37,6 +47,16 @@ const MAX_CROSSINGS: usize = 4096;
 
 impl SphereMesh {
     /// The triangle that contains the unit vector `p`.
+    ///
+    /// ```
+    /// # use bevy_pangaea::{math, sphere::SphereMesh};
+    /// let mesh = SphereMesh::fibonacci(2000)?;
+    /// let p = math::direction(47.0, 8.0);
+    /// let here = mesh.locate(p);
+    /// let height = here.interpolate(|i| mesh.point(i).z);
+    /// assert!((height - p.z).abs() < 0.01);
+    /// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
+    /// ```
     #[inline]
     pub fn locate(&self, p: DVec3) -> Location {
         self.locate_from(p, self.nearest(p))
@@ -48,11 +68,7 @@ impl SphereMesh {
     pub fn locate_from(&self, p: DVec3, nearest: u32) -> Location {
         let ring = self.ring(nearest);
         if self.point(nearest) == p {
-            return Location {
-                nearest,
-                vertices: [nearest, ring[0], ring[1]],
-                weights: [1.0, 0.0, 0.0],
-            };
+            return Location::at_sample(nearest, ring[0], ring[1]);
         }
         let mut vertices = self.facing_triangle(p, nearest);
         let mut weights = self.determinants(p, vertices);
@@ -69,11 +85,7 @@ impl SphereMesh {
                 vertices,
                 weights,
             },
-            None => Location {
-                nearest,
-                vertices: [nearest, ring[0], ring[1]],
-                weights: [1.0, 0.0, 0.0],
-            },
+            None => Location::at_sample(nearest, ring[0], ring[1]),
         }
     }
 
@@ -86,6 +98,7 @@ impl SphereMesh {
         let lies_left = |j: u32| (self.point(j) - origin).dot(normal) >= 0.0;
         let mut previous = ring[ring.len() - 1];
         let mut was_left = lies_left(previous);
+        // The wedge lies between the last edge that has `p` on its left and the first that has not.
         for &j in ring {
             let is_left = lies_left(j);
             if was_left && !is_left {
@@ -127,7 +140,7 @@ fn most_negative(weights: [f64; 3]) -> Option<usize> {
     (weights[least] < 0.0).then_some(least)
 }
 
-/// Weights without negative ones, of sum 1; `None` where no weight is left.
+/// Weights cut off at 0 and scaled to the sum 1; `None` if that sum is 0 or not finite.
 #[inline]
 fn normalised(weights: [f64; 3]) -> Option<[f64; 3]> {
     let weights = weights.map(|w| w.max(0.0));

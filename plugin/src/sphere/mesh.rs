@@ -1,9 +1,9 @@
 //! The immutable lattice of samples that a planet's crust is stored on.
 
-use super::nearest::Grid;
-use super::rings::Rings;
+use super::nearest::{SeedGrid, Walk, clearance};
+use super::rings::NeighbourRings;
 use super::triangulation::triangulate;
-use super::{SphereError, area, chord_squared, sampling};
+use super::{SphereError, area, sampling};
 use crate::{math, parallel::CHUNK};
 use bevy::math::DVec3;
 use rayon::prelude::*;
@@ -14,13 +14,25 @@ use std::fmt;
 ///
 /// Takes about 100 bytes per sample. Indices are `u32`; methods that take the index of a sample
 /// panic, like a slice, if there is no such sample.
+///
+/// ```
+/// # use bevy_pangaea::{math, sphere::{SphereError, SphereMesh}};
+/// let mesh = SphereMesh::fibonacci(2000)?;
+/// let p = math::direction(47.0, 8.0);
+/// let nearest = mesh.nearest(p);
+/// assert!(math::angle_between(mesh.point(nearest), p) < mesh.spacing());
+///
+/// // Around every sample its neighbours lie in order; all cells together cover the sphere.
+/// assert!((3..12).contains(&mesh.ring(nearest).len()));
+/// assert!((mesh.areas().iter().sum::<f64>() - 4.0 * math::PI).abs() < 1e-9);
+/// # Ok::<(), SphereError>(())
+/// ```
 #[derive(Clone)]
 pub struct SphereMesh {
-    pub(super) points: Vec<DVec3>,
-    pub(super) rings: Rings,
-    pub(super) grid: Grid,
-    /// A point whose squared chord to a sample is below this has no nearer sample.
-    pub(super) clearance: f64,
+    points: Vec<DVec3>,
+    rings: NeighbourRings,
+    seeds: SeedGrid,
+    clearance: f64,
     triangles: Vec<[u32; 3]>,
     areas: Vec<f64>,
     is_fibonacci: bool,
@@ -52,8 +64,21 @@ impl SphereMesh {
     /// Points need not have length 1; those that have it keep their bits.
     ///
     /// # Errors
-    /// For fewer than 4 or more than 2,000,000 points, for points that are zero, infinite or not a
-    /// number, for points that coincide, and for points that leave a hemisphere empty.
+    /// [`SphereError`] for fewer than 4 or more than 2,000,000 points, for points that are zero,
+    /// infinite or NaN, for points that coincide, and for points that leave a hemisphere empty.
+    ///
+    /// ```
+    /// # use bevy::math::DVec3;
+    /// # use bevy_pangaea::sphere::{SphereError, SphereMesh};
+    /// let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
+    /// let octahedron = SphereMesh::from_points(axes.to_vec())?;
+    /// assert_eq!(octahedron.ring(0), [1, 2, 4, 5]);
+    /// assert_eq!(octahedron.triangles().len(), 8);
+    ///
+    /// let half = axes[..5].to_vec();
+    /// assert_eq!(SphereMesh::from_points(half).unwrap_err(), SphereError::EmptyHemisphere);
+    /// # Ok::<(), SphereError>(())
+    /// ```
     pub fn from_points(mut points: Vec<DVec3>) -> Result<Self, SphereError> {
         if points.len() < 4 || points.len() > Self::MAX_SAMPLES as usize {
             return Err(SphereError::PointCount(points.len()));
@@ -66,7 +91,7 @@ impl SphereMesh {
 
     fn build(points: Vec<DVec3>) -> Result<Self, SphereError> {
         let soup = triangulate(&points)?;
-        let rings = Rings::new(points.len(), &soup).ok_or(SphereError::EmptyHemisphere)?;
+        let rings = NeighbourRings::new(points.len(), &soup).ok_or(SphereError::EmptyHemisphere)?;
         drop(soup);
         let triangles = rings.triangles();
         if !surrounds_centre(&points, &triangles) {
@@ -74,17 +99,45 @@ impl SphereMesh {
         }
         let areas = area::voronoi_areas(&points, &rings);
         let clearance = clearance(&points, &rings);
-        let mut mesh = Self {
+        let seeds = SeedGrid::new(Walk {
+            points: &points,
+            rings: &rings,
+            clearance,
+        });
+        Ok(Self {
             points,
             rings,
-            grid: Grid::default(),
+            seeds,
             clearance,
             triangles,
             areas,
             is_fibonacci: false,
-        };
-        mesh.grid = Grid::new(&mesh);
-        Ok(mesh)
+        })
+    }
+
+    #[inline(always)]
+    fn walk(&self) -> Walk<'_> {
+        Walk {
+            points: &self.points,
+            rings: &self.rings,
+            clearance: self.clearance,
+        }
+    }
+
+    /// The sample nearest to the unit vector `p`; of several, the one with the lowest index.
+    #[inline]
+    pub fn nearest(&self, p: DVec3) -> u32 {
+        self.walk().nearest(p, self.seeds.seed(p))
+    }
+
+    /// The sample nearest to the unit vector `p`, searched from the sample `hint`.
+    ///
+    /// Gives what [`nearest`](Self::nearest) gives. Cheaper than that if `hint` is next to `p`; the
+    /// cost grows with the number of samples between.
+    #[inline]
+    pub fn nearest_from(&self, p: DVec3, hint: u32) -> u32 {
+        self.walk()
+            .nearest(p, hint.min(self.points.len() as u32 - 1))
     }
 
     /// Number of samples.
@@ -159,7 +212,8 @@ impl fmt::Debug for SphereMesh {
     }
 }
 
-/// The direction of `p`, the same bits if it is a unit vector already; `None` if it has none.
+/// The direction of `p`, the same bits if it is a unit vector already; `None` if `p` is zero or not
+/// finite.
 fn normalised(p: DVec3) -> Option<DVec3> {
     if (p.length_squared() - 1.0).abs() < 1e-15 {
         return Some(p);
@@ -175,22 +229,6 @@ fn surrounds_centre(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
         let [a, b, c] = t.map(|i| points[i as usize]);
         a.dot((b - a).cross(c - a)) > 0.0
     })
-}
-
-/// A quarter of the smallest squared chord between neighbours: half way between the closest two
-/// samples.
-fn clearance(points: &[DVec3], rings: &Rings) -> f64 {
-    let closest = |i: u32| {
-        let chords = rings
-            .of(i)
-            .iter()
-            .map(|&j| chord_squared(points[i as usize], points[j as usize]));
-        chords.fold(f64::INFINITY, f64::min)
-    };
-    let samples = (0..points.len() as u32).into_par_iter().with_min_len(CHUNK);
-    let smallest = samples.map(closest).reduce(|| f64::INFINITY, f64::min);
-    // The margin is far above rounding errors of either chord.
-    0.25 * smallest * (1.0 - 1e-6)
 }
 
 #[cfg(test)]

@@ -42,20 +42,17 @@ fn bad_points_are_errors() {
     }
 }
 
+/// Twelve points on the circle at height `z`.
+fn circle(z: f64) -> Vec<DVec3> {
+    let turn = |i| math::sin_cos(math::TAU * f64::from(i) / 12.0);
+    let points = (0..12).map(turn);
+    points.map(|(s, c)| DVec3::new(c, s, z)).collect()
+}
+
 #[test]
 fn points_of_one_hemisphere_are_an_error() {
-    let upper = |mut p: DVec3| {
-        p.z = p.z.abs() + 1e-3;
-        p
-    };
+    let upper = |p: DVec3| DVec3::new(p.x, p.y, p.z.abs() + 1e-3);
     let half: Vec<DVec3> = random_points(200).into_iter().map(upper).collect();
-    let circle = |z: f64| {
-        let turn = move |i| math::sin_cos(math::TAU * f64::from(i) / 12.0);
-        (0..12)
-            .map(turn)
-            .map(|(s, c)| DVec3::new(c, s, z))
-            .collect::<Vec<_>>()
-    };
     for points in [half, circle(0.0), circle(0.5)] {
         assert!(SphereMesh::from_points(points).is_err());
     }
@@ -117,7 +114,9 @@ fn rings_are_the_fans_of_the_triangles() {
 fn neighbours_are_close_in_memory() {
     let n = 50_000;
     let mesh = SphereMesh::fibonacci(n).unwrap();
-    let (mut sum, mut near, mut count) = (0.0, 0, 0);
+    let mut sum = 0.0;
+    let mut near = 0;
+    let mut count = 0;
     for i in 0..n {
         for &j in mesh.ring(i) {
             sum += f64::from(i.abs_diff(j));
@@ -150,16 +149,15 @@ fn spacing_is_the_mean_length_of_an_edge() {
     );
 }
 
+fn build_on(threads: usize) -> SphereMesh {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    let build = || SphereMesh::fibonacci(30_000).unwrap();
+    pool.build().unwrap().install(build)
+}
+
 #[test]
 fn the_number_of_threads_changes_no_bit() {
-    let build = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| SphereMesh::fibonacci(30_000).unwrap())
-    };
-    let (one, many) = (build(1), build(5));
+    let (one, many) = (build_on(1), build_on(5));
     assert_eq!(one.points(), many.points());
     assert_eq!(one.triangles(), many.triangles());
     assert!(
@@ -168,5 +166,5 @@ fn the_number_of_threads_changes_no_bit() {
             .zip(many.areas())
             .all(|(a, b)| a.to_bits() == b.to_bits())
     );
-    assert_eq!(one.grid.seeds(), many.grid.seeds());
+    assert_eq!(one.seeds.seeds(), many.seeds.seeds());
 }

@@ -2,14 +2,15 @@
 //! them.
 //!
 //! ```text
-//! cube            the sphere as six squares: order along a curve, cells of a grid
-//! bins            a cube of equal cells around the sphere, for coarse look-ups
+//! chord           chords and their angles
+//! cube            the sphere as six squares: coarse bins, cells of a grid, order along a curve
 //! sampling        Fibonacci points, ordered along a space-filling curve
 //! poisson         Poisson-disk points, for the base mesh of the ground
 //! triangulation   spherical Delaunay triangulation (planar Delaunay of a stereographic projection)
 //! rings           neighbours of every sample, in order around it
 //! area            spherical Voronoi cells
 //! nearest         nearest sample of a direction: a cube-map grid, then a walk over neighbours
+//! mesh            the SphereMesh that holds them all
 //! locate          containing triangle and barycentric weights of a direction
 //! components      connected components of samples
 //! gradient        gradient and Laplacian of a column
@@ -26,9 +27,9 @@
 //! - A direction on an edge belongs to either triangle of that edge; the weights are the same.
 
 mod area;
-pub mod bins;
+mod chord;
 pub mod components;
-mod cube;
+pub(crate) mod cube;
 pub mod gradient;
 mod locate;
 mod mesh;
@@ -39,6 +40,7 @@ mod rings;
 mod sampling;
 mod triangulation;
 
+pub(crate) use chord::{angle_of_chord, angle_of_long_chord};
 pub use locate::Location;
 pub use mesh::SphereMesh;
 pub use poisson::poisson_disk;
@@ -53,7 +55,7 @@ pub enum SphereError {
     /// Too few or too many points were given.
     #[error("{0} points given; a mesh needs 4 to {max}", max = SphereMesh::MAX_SAMPLES)]
     PointCount(usize),
-    /// The point with this index has no direction: it is zero, infinite or not a number.
+    /// The point with this index has no direction: it is zero, infinite or NaN.
     #[error("point {0} is zero or not finite")]
     NotADirection(usize),
     /// Two points are equal, or too close to be told apart.
@@ -62,13 +64,4 @@ pub enum SphereError {
     /// The points do not surround the centre: some hemisphere holds none of them.
     #[error("the points leave a whole hemisphere empty")]
     EmptyHemisphere,
-}
-
-/// Squared length of the chord between two points.
-///
-/// Points are compared by chord, not by dot product: near a sample the dot product is 1 minus half
-/// the squared distance and has lost all digits below 1e-8 rad.
-#[inline(always)]
-fn chord_squared(a: bevy::math::DVec3, b: bevy::math::DVec3) -> f64 {
-    (a - b).length_squared()
 }

@@ -7,7 +7,10 @@
 //! Tie policy: the least (distance, index) wins. Where four or more samples lie on one circle not
 //! all of them are neighbours, so at a near tie all samples as near as that are looked at.
 
-use super::{SphereMesh, chord_squared, cube};
+use super::chord::chord_squared;
+use super::cube;
+use super::rings::NeighbourRings;
+use crate::parallel::CHUNK;
 use bevy::math::DVec3;
 use rayon::prelude::*;
 
@@ -21,74 +24,21 @@ const NEAR_TIE: f64 = 1e-6;
 const MAX_TIED: usize = 1024;
 
 /// Rows of cells per unit of parallel work.
-const ROWS: usize = 16;
+const ROWS_PER_TASK: usize = 16;
 
-/// A start sample for every cell of the six faces.
-#[derive(Clone, Default)]
-pub(super) struct Grid {
-    side: u32,
-    seeds: Vec<u32>,
+/// Walks over the neighbours of samples towards a direction.
+#[derive(Clone, Copy)]
+pub(super) struct Walk<'a> {
+    pub(super) points: &'a [DVec3],
+    pub(super) rings: &'a NeighbourRings,
+    /// A point whose squared chord to a sample is below this has no nearer sample.
+    pub(super) clearance: f64,
 }
 
-impl Grid {
-    /// The grid over `mesh`, whose own grid may still be empty.
-    pub(super) fn new(mesh: &SphereMesh) -> Self {
-        let side = ((mesh.len() as f64 / 3.0).sqrt() as u32).max(1);
-        let width = side as usize;
-        let centre = |k: usize| (2.0 * k as f64 + 1.0) / f64::from(side) - 1.0;
-        let axis: Vec<f64> = (0..width).map(|k| cube::unstretch(centre(k))).collect();
-        let mut seeds = vec![0; 6 * width * width];
-        seeds
-            .par_chunks_mut(ROWS * width)
-            .enumerate()
-            .for_each(|(chunk, cells)| {
-                let mut row_seed = 0;
-                for (r, row) in cells.chunks_mut(width).enumerate() {
-                    let row_index = chunk * ROWS + r;
-                    let mut seed = row_seed;
-                    for (column, cell) in row.iter_mut().enumerate() {
-                        let face = (row_index / width) as u32;
-                        let p = cube::unproject(face, axis[column], axis[row_index % width]);
-                        seed = mesh.nearest_from(p.normalize(), seed);
-                        *cell = seed;
-                    }
-                    row_seed = row.first().copied().unwrap_or(0);
-                }
-            });
-        Self { side, seeds }
-    }
-
-    #[cfg(test)]
-    pub(super) fn seeds(&self) -> &[u32] {
-        &self.seeds
-    }
-
+impl Walk<'_> {
+    /// The sample nearest to the unit vector `p`, searched from the sample `start`.
     #[inline(always)]
-    fn seed(&self, p: DVec3) -> u32 {
-        let (face, u, v) = cube::project(p);
-        let row = face * self.side + cube::cell(v, self.side);
-        self.seeds[(row * self.side + cube::cell(u, self.side)) as usize]
-    }
-}
-
-impl SphereMesh {
-    /// The sample nearest to the unit vector `p`; of several, the one with the lowest index.
-    #[inline]
-    pub fn nearest(&self, p: DVec3) -> u32 {
-        self.walk(p, self.grid.seed(p))
-    }
-
-    /// The sample nearest to the unit vector `p`, searched from the sample `hint`.
-    ///
-    /// Gives what [`nearest`](Self::nearest) gives. Cheaper than that if `hint` is next to `p`; the
-    /// cost grows with the number of samples between.
-    #[inline]
-    pub fn nearest_from(&self, p: DVec3, hint: u32) -> u32 {
-        self.walk(p, hint.min(self.points.len() as u32 - 1))
-    }
-
-    #[inline(always)]
-    fn walk(&self, p: DVec3, start: u32) -> u32 {
+    pub(super) fn nearest(self, p: DVec3, start: u32) -> u32 {
         let mut at = start;
         let mut distance = chord_squared(p, self.points[at as usize]);
         while distance >= self.clearance {
@@ -117,7 +67,7 @@ impl SphereMesh {
     /// A sample of less (distance, index) than `at` among those about as near and connected to it.
     #[cold]
     #[inline(never)]
-    fn better_of_tied(&self, p: DVec3, at: u32, distance: f64) -> Option<u32> {
+    fn better_of_tied(self, p: DVec3, at: u32, distance: f64) -> Option<u32> {
         let limit = distance * (1.0 + NEAR_TIE);
         let mut tied = vec![at];
         let mut visited = 0;
@@ -134,6 +84,77 @@ impl SphereMesh {
             visited += 1;
         }
         None
+    }
+}
+
+/// A quarter of the smallest squared chord between neighbours: half way between the closest two
+/// samples.
+pub(super) fn clearance(points: &[DVec3], rings: &NeighbourRings) -> f64 {
+    let samples = (0..points.len() as u32).into_par_iter().with_min_len(CHUNK);
+    let smallest = samples
+        .map(|i| nearest_neighbour(points, rings, i))
+        .reduce(|| f64::INFINITY, f64::min);
+    // The margin is far above rounding errors of either chord.
+    0.25 * smallest * (1.0 - 1e-6)
+}
+
+/// Squared chord from sample `i` to the nearest of its neighbours.
+fn nearest_neighbour(points: &[DVec3], rings: &NeighbourRings, i: u32) -> f64 {
+    let chord = |&j: &u32| chord_squared(points[i as usize], points[j as usize]);
+    rings.of(i).iter().map(chord).fold(f64::INFINITY, f64::min)
+}
+
+/// A sample to start a walk from, for every cell of the six faces.
+#[derive(Clone)]
+pub(super) struct SeedGrid {
+    side: u32,
+    seeds: Vec<u32>,
+}
+
+impl SeedGrid {
+    /// The grid over the samples of `walk`.
+    pub(super) fn new(walk: Walk) -> Self {
+        let side = ((walk.points.len() as f64 / 3.0).sqrt() as u32).max(1);
+        let centre = |k: u32| (2.0 * f64::from(k) + 1.0) / f64::from(side) - 1.0;
+        let axis: Vec<f64> = (0..side).map(|k| cube::unstretch(centre(k))).collect();
+        let width = axis.len();
+        let mut seeds = vec![0; 6 * width * width];
+        seeds
+            .par_chunks_mut(ROWS_PER_TASK * width)
+            .enumerate()
+            .for_each(|(task, cells)| {
+                let mut start = 0;
+                for (row, cells) in (task * ROWS_PER_TASK..).zip(cells.chunks_mut(width)) {
+                    seed_row(walk, &axis, row, start, cells);
+                    start = cells.first().copied().unwrap_or(0);
+                }
+            });
+        Self { side, seeds }
+    }
+
+    #[cfg(test)]
+    pub(super) fn seeds(&self) -> &[u32] {
+        &self.seeds
+    }
+
+    /// A sample near the direction `p`.
+    #[inline(always)]
+    pub(super) fn seed(&self, p: DVec3) -> u32 {
+        let at = cube::stretched_project(p);
+        let row = at.face * self.side + cube::stretched_cell(at.v, self.side);
+        self.seeds[(row * self.side + cube::stretched_cell(at.u, self.side)) as usize]
+    }
+}
+
+/// Finds the samples of one row of cells. Each search begins where the one before it ended, the
+/// first at the sample `start`. `axis` holds the coordinates of the cells' centres.
+fn seed_row(walk: Walk, axis: &[f64], row: usize, start: u32, cells: &mut [u32]) {
+    let face = (row / axis.len()) as u32;
+    let v = axis[row % axis.len()];
+    let mut seed = start;
+    for (cell, &u) in cells.iter_mut().zip(axis) {
+        seed = walk.nearest(cube::unproject(face, u, v).normalize(), seed);
+        *cell = seed;
     }
 }
 

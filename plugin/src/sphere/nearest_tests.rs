@@ -1,8 +1,9 @@
 //! The nearest sample against brute force.
 
-use super::*;
 use crate::math;
 use crate::random::{Purpose, Stream};
+use crate::sphere::SphereMesh;
+use bevy::math::DVec3;
 
 fn random_mesh(n: u64) -> SphereMesh {
     let stream = Stream::new(41, Purpose::Relief, 0);
@@ -164,7 +165,7 @@ fn close_samples_are_told_apart() {
 }
 
 #[test]
-fn directions_that_are_none_return_some_sample() {
+fn zero_and_infinite_directions_return_some_sample() {
     let mesh = SphereMesh::fibonacci(3000).unwrap();
     for x in [0.0, f64::NAN, f64::INFINITY, -f64::INFINITY, 1e300, 1e-300] {
         for p in [

@@ -5,14 +5,14 @@
 
 /// Neighbours of all samples in one array (compressed sparse rows).
 #[derive(Clone, Default)]
-pub(super) struct Rings {
+pub(super) struct NeighbourRings {
     start: Vec<u32>,
     neighbours: Vec<u32>,
 }
 
-impl Rings {
-    /// Orders the neighbours of `n` samples; `None` if the triangles (with indices below `n`) are
-    /// no closed surface.
+impl NeighbourRings {
+    /// Orders the neighbours of `n` samples; `None` unless the triangles (with indices below `n`)
+    /// make a closed surface.
     pub(super) fn new(n: usize, triangles: &[[u32; 3]]) -> Option<Self> {
         if n < 4 || triangles.len() != 2 * n - 4 {
             return None;
@@ -51,6 +51,7 @@ impl Rings {
 
 /// For every sample the opposite edges of its triangles, rows of one array.
 fn gather(n: usize, triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<[u32; 2]>) {
+    // Count the corners at each sample one place ahead: the running sum then says where rows begin.
     let mut start = vec![0u32; n + 1];
     for &i in triangles.as_flattened() {
         start[i as usize + 1] += 1;
@@ -69,8 +70,8 @@ fn gather(n: usize, triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<[u32; 2]>) {
     (start, fans)
 }
 
-/// Appends the edges' vertices in the order of one closed walk along them; `None` if they form
-/// none.
+/// Appends the edges' vertices in the order of one closed walk along them; `None` if the edges form
+/// several walks or an open one.
 fn chain(fan: &mut [[u32; 2]], ring: &mut Vec<u32>) -> Option<()> {
     fan.sort_unstable();
     let first = fan.first()?[0];
@@ -79,6 +80,7 @@ fn chain(fan: &mut [[u32; 2]], ring: &mut Vec<u32>) -> Option<()> {
         ring.push(at);
         let edge = fan.binary_search_by_key(&at, |e| e[0]).ok()?;
         at = fan[edge][1];
+        // Back too early: the fan falls into several loops.
         if at == first && step + 1 < fan.len() {
             return None;
         }
@@ -94,7 +96,7 @@ mod tests {
 
     #[test]
     fn a_tetrahedron_has_rings_of_three() {
-        let rings = Rings::new(4, &TETRAHEDRON).unwrap();
+        let rings = NeighbourRings::new(4, &TETRAHEDRON).unwrap();
         assert_eq!(rings.of(0), [1, 2, 3]);
         assert_eq!(rings.of(1), [0, 3, 2]);
         let mut triangles = rings.triangles();
@@ -106,11 +108,11 @@ mod tests {
     fn surfaces_with_holes_or_flipped_triangles_are_refused() {
         let mut flipped = TETRAHEDRON;
         flipped[3] = [1, 2, 3];
-        assert!(Rings::new(4, &flipped).is_none());
+        assert!(NeighbourRings::new(4, &flipped).is_none());
         let mut doubled = TETRAHEDRON;
         doubled[3] = [0, 1, 2];
-        assert!(Rings::new(4, &doubled).is_none());
-        assert!(Rings::new(4, &TETRAHEDRON[..3]).is_none());
-        assert!(Rings::new(5, &TETRAHEDRON).is_none());
+        assert!(NeighbourRings::new(4, &doubled).is_none());
+        assert!(NeighbourRings::new(4, &TETRAHEDRON[..3]).is_none());
+        assert!(NeighbourRings::new(5, &TETRAHEDRON).is_none());
     }
 }

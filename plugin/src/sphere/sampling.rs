@@ -5,33 +5,19 @@
 //! array, so the points are sorted along a Hilbert curve: what is close on the sphere is close in
 //! memory.
 
-use super::cube;
-use crate::{math, parallel::CHUNK};
+use super::cube::along_curve;
+use crate::math;
 use bevy::math::DVec3;
-use rayon::prelude::*;
 
 /// 2^64/Φ, rounded: multiples of the golden turn, modulo a whole turn, as 64-bit integers.
 const GOLDEN_TURN: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// Bits of a sort key that hold the index on the spiral; the curve's key takes the rest.
-const INDEX_BITS: u32 = 24;
-
 /// The spherical Fibonacci set of `n` points (n < 2^24), ordered along a space-filling curve.
 pub(super) fn fibonacci(n: u32) -> Vec<DVec3> {
-    let mut keys: Vec<u64> = (0..n)
-        .into_par_iter()
-        .with_min_len(CHUNK)
-        .map(|i| (cube::curve_key(spiral_point(i, n)) << INDEX_BITS) | u64::from(i))
-        .collect();
-    // Every key is unique, so the order is, too.
-    keys.par_sort_unstable();
-    let index = |key: u64| (key & ((1 << INDEX_BITS) - 1)) as u32;
-    keys.into_par_iter()
-        .with_min_len(CHUNK)
-        .map(|key| spiral_point(index(key), n))
-        .collect()
+    along_curve(n, |i| spiral_point(i, n))
 }
 
+/// Point i of the spiral of `n` points.
 fn spiral_point(i: u32, n: u32) -> DVec3 {
     // Multiplying first and dropping whole turns by overflow keeps 53 exact bits of the turn.
     let turn = (u64::from(i).wrapping_mul(GOLDEN_TURN) >> 11) as f64 / (1u64 << 53) as f64;

@@ -50,12 +50,14 @@ pub(super) fn triangulate(points: &[DVec3]) -> Result<Vec<[u32; 3]>, SphereError
     Ok(triangles)
 }
 
-/// Stereographic projection from `pole` as an inversion: 2 d/|d|² for d = p - pole, which keeps all
-/// digits for points close to the pole, where the textbook form x/(1 - z) loses them.
+/// The stereographic projections of `others` from `pole`.
 fn project(pole: DVec3, others: &[DVec3]) -> Result<Vec<Projected>, SphereError> {
     let e1 = math::any_tangent(pole);
     let e2 = pole.cross(e1);
-    let place = |(i, &p): (usize, &DVec3)| {
+    let mut projected = Vec::with_capacity(others.len());
+    for (index, &p) in (1..).zip(others) {
+        // An inversion: 2 d/|d|² for d = p - pole keeps all digits for points close to the pole,
+        // where the textbook form x/(1 - z) loses them.
         let d = p - pole;
         let length_squared = d.length_squared();
         if length_squared == 0.0 {
@@ -63,12 +65,9 @@ fn project(pole: DVec3, others: &[DVec3]) -> Result<Vec<Projected>, SphereError>
         }
         let scale = 2.0 / length_squared;
         let position = mitigate_underflow(Point2::new(d.dot(e1) * scale, d.dot(e2) * scale));
-        Ok(Projected {
-            position,
-            index: i as u32 + 1,
-        })
-    };
-    others.iter().enumerate().map(place).collect()
+        projected.push(Projected { position, index });
+    }
+    Ok(projected)
 }
 
 #[cfg(test)]

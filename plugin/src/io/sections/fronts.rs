@@ -5,8 +5,8 @@ use crate::crust::{decode_column, encode_column};
 use crate::io::SaveError;
 use crate::io::codec::{Decoder, Encoder, flag, invalid};
 use crate::plate::PlateId;
-use crate::plate::front::{FrontField, HOLD};
-use crate::plate::polarity::{PolarityMemory, Segment};
+use crate::plate::front::{FrontField, STEPS_ON_FRONT};
+use crate::plate::polarity::{FrontSegment, PolarityMemory};
 use crate::spawn::PlanetState;
 use crate::sphere::SphereMesh;
 use crate::sphere::nearest_source::UNREACHED;
@@ -27,16 +27,16 @@ pub(super) fn write_polarity(state: &PlanetState) -> Vec<u8> {
 pub(super) fn read_polarity(bytes: &[u8]) -> Result<PolarityMemory, SaveError> {
     let mut read = Decoder(bytes);
     let count = read.count(13)?;
-    let mut segments: Vec<Segment> = Vec::with_capacity(count);
+    let mut segments: Vec<FrontSegment> = Vec::with_capacity(count);
     for _ in 0..count {
         let pair = (PlateId(read.u32()?), PlateId(read.u32()?));
-        let segment = Segment {
+        let segment = FrontSegment {
             pair,
             bin: read.u16()?,
             first_under: flag(read.u8()?)?,
             held: read.u16()?,
         };
-        let key = |s: &Segment| (s.pair, s.bin);
+        let key = |s: &FrontSegment| (s.pair, s.bin);
         let ascends = (segments.last()).is_none_or(|last| key(last) < key(&segment));
         if pair.0 >= pair.1 || !ascends {
             return Err(invalid("the memory of polarity is out of order".into()));
@@ -102,7 +102,7 @@ fn read_front(read: &mut Decoder, samples: u32) -> Result<Vec<(u32, u8)>, SaveEr
     for _ in 0..count {
         let (sample, age) = (read.u32()?, read.u8()?);
         let ascends = front.last().is_none_or(|&(last, _)| last < sample);
-        if sample >= samples || age >= HOLD || !ascends {
+        if sample >= samples || age >= STEPS_ON_FRONT || !ascends {
             return Err(invalid("a front is out of order".into()));
         }
         front.push((sample, age));

@@ -1,77 +1,69 @@
-//! Elevation of the new planet: interior, coast, shelf, slope and rise, and old worn belts.
+//! Elevation of the new planet: interior, coast, shelf, slope and rise.
 //!
 //! Everything is a smooth function of the distance to the coast, so no margin is a cliff, whatever
 //! the field's gradient at the coast.
 
+use super::belts::Belts;
 use crate::math;
 use crate::noise::Noise;
-use crate::parallel::map_chunks;
+use crate::parallel;
 use crate::planet::PlanetRecipe;
 use crate::random::Purpose;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 
-/// Strength above which crust counts as folded.
-pub(super) const FOLDED: f64 = 0.15;
-/// Radius in km below which distances shrink with the planet.
-const EARTH: f64 = 6370.0;
-/// Lowest land in km.
-const SHORE: f64 = 0.015;
-/// Distance in km in which land rises to 63 % of its interior elevation.
-const RISE: f64 = 350.0;
+/// Radius in km below which distances shrink with the planet: Earth's.
+const EARTH_RADIUS_KM: f64 = 6370.0;
+
+/// Lowest land and shallowest sea in km: the coast stays where the field has it.
+const SHORE_KM: f64 = 0.015;
+
+/// Distance from the coast in km in which land rises to 63 % of its interior elevation: coastal
+/// plains are a few hundred km wide.
+const RISE_LENGTH_KM: f64 = 350.0;
+
 /// Depth of the outer edge of a shelf in km; 130 m on Earth.
-const SHELF_DEPTH: f64 = 0.14;
-/// Narrowest and widest shelf in km.
-const SHELF: [f64; 2] = [25.0, 190.0];
+const SHELF_DEPTH_KM: f64 = 0.14;
+
+/// Narrowest and widest shelf in km; 75 km in the mean on Earth.
+const SHELF_WIDTH_KM: [f64; 2] = [25.0, 190.0];
+
 /// Width of slope and rise together, relative to the parameter `margin_width`, which is that of the
 /// rise.
-const SLOPE: f64 = 2.0;
-/// Distance of neighbours that a slope spans at least.
-const SLOPE_SAMPLES: f64 = 5.5;
-/// Height of old belts in km; that of the Urals or the Appalachians.
-const BELT_HEIGHT: f64 = 0.75;
-/// Half-width of old belts in km.
-const BELT_WIDTH: f64 = 140.0;
-/// Periods per rad of the noise whose zero lines the belts follow.
-const BELT_FREQUENCY: f64 = 2.0;
+const SLOPE_PER_RISE: f64 = 2.0;
 
-/// A place in an old belt.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Belt {
-    /// 1 on the axis of a belt, 0 outside.
-    pub(super) strength: f64,
-    /// Across the belt: the direction of compression, a unit tangent vector where there is a belt.
-    pub(super) fold: DVec3,
-    /// Time since it was folded in My.
-    pub(super) age: f64,
-    /// Whether it was folded by a collision, or else above a subduction zone.
-    pub(super) collision: bool,
-}
+/// Distances of neighbours that a slope spans at least, so that no step between two of them is a
+/// cliff.
+const LEAST_SLOPE_SAMPLES: f64 = 5.5;
+
+/// Height of old belts in km: that of the Urals or the Appalachians.
+const BELT_HEIGHT_KM: f64 = 0.75;
 
 /// The functions of one planet.
 pub(super) struct Heights {
+    /// Planet radius in km.
     radius: f64,
+    /// Distances relative to those of Earth.
     scale: f64,
-    slope: f64,
+    /// Width of slope and rise in km.
+    slope_km: f64,
     interior: Noise,
     shelf: Noise,
-    belts: Noise,
-    extent: Noise,
+    pub(super) belts: Belts,
 }
 
 impl Heights {
     pub(super) fn new(recipe: &PlanetRecipe, mesh: &SphereMesh) -> Self {
         let noise = |id| Noise::new(recipe.seed, Purpose::Coast, id);
-        let scale = (recipe.radius / EARTH).min(1.0);
-        let resolved = SLOPE_SAMPLES * mesh.spacing() * recipe.radius;
+        let scale = (recipe.radius / EARTH_RADIUS_KM).min(1.0);
+        let resolved = LEAST_SLOPE_SAMPLES * mesh.spacing() * recipe.radius;
         Self {
             radius: recipe.radius,
             scale,
-            slope: (SLOPE * recipe.params.margin_width * scale).max(resolved),
+            slope_km: (SLOPE_PER_RISE * recipe.params.margin_width * scale).max(resolved),
             interior: noise(2),
             shelf: noise(3),
-            belts: noise(4),
-            extent: noise(5),
+            belts: Belts::new(recipe.radius, scale, noise(4), noise(5)),
         }
     }
 
@@ -84,75 +76,44 @@ impl Heights {
         coast: &[f64],
         floor: &[f32],
     ) -> Vec<f32> {
-        let parts = map_chunks(mesh.len(), |range| {
-            let elevation = |i: usize| {
-                let p = mesh.point(i as u32);
-                let z = if land[i] {
-                    self.land(p, coast[i])
-                } else {
-                    self.sea(p, coast[i], floor[i])
-                };
-                z as f32
+        parallel::map(mesh.len(), |i| {
+            let p = mesh.point(i);
+            let i = i as usize;
+            let z = if land[i] {
+                self.land(p, coast[i])
+            } else {
+                self.sea(p, coast[i], floor[i])
             };
-            range.map(elevation).collect::<Vec<_>>()
-        });
-        parts.concat()
+            z as f32
+        })
     }
 
+    /// Plains of 0.1 to 0.7 km that rise from the coast, and worn belts on them.
     fn land(&self, p: DVec3, coast: f64) -> f64 {
-        let inland = 1.0 - math::exp(-coast * self.radius / (RISE * self.scale));
+        let inland = 1.0 - math::exp(-coast * self.radius / (RISE_LENGTH_KM * self.scale));
         let broad = math::smoothstep(0.5 + 0.8 * self.interior.fractal(p, 3.0, 3));
         let fine = self.interior.fractal(p, 14.0, 3);
         let plain = inland * (0.13 + 0.5 * broad + 0.14 * fine);
-        let belt = self.belt(p, coast);
-        (plain + BELT_HEIGHT * belt.strength * (1.0 + 0.5 * fine)).max(SHORE)
+        let belt = self.belts.at(p, coast);
+        (plain + BELT_HEIGHT_KM * belt.strength * (1.0 + 0.5 * fine)).max(SHORE_KM)
     }
 
+    /// A shelf that slopes gently to its edge, then a smooth fall to the ocean floor.
     fn sea(&self, p: DVec3, coast: f64, floor: f32) -> f64 {
         let d = coast * self.radius;
-        if d > SHELF[1] * self.scale + self.slope {
+        if d > SHELF_WIDTH_KM[1] * self.scale + self.slope_km {
             return f64::from(floor);
         }
         let width = self.shelf_width(p);
-        let shelf = -SHORE - (SHELF_DEPTH - SHORE) * (d / width).min(1.0);
-        let fall = math::smoothstep((d - width) / self.slope);
+        let shelf = -SHORE_KM - (SHELF_DEPTH_KM - SHORE_KM) * (d / width).min(1.0);
+        let fall = math::smoothstep((d - width) / self.slope_km);
         shelf + (f64::from(floor) - shelf) * fall
     }
 
     /// Width of the shelf off the coast near `p` in km.
     pub(super) fn shelf_width(&self, p: DVec3) -> f64 {
+        let [narrow, wide] = SHELF_WIDTH_KM;
         let broad = math::smoothstep(0.5 + 1.2 * self.shelf.fractal(p, 3.0, 2));
-        self.scale * (SHELF[0] + (SHELF[1] - SHELF[0]) * broad)
-    }
-
-    /// The old belt at `p`, `coast` rad from the coast.
-    pub(super) fn belt(&self, p: DVec3, coast: f64) -> Belt {
-        const STEP: f64 = 1e-3;
-        let present = math::smoothstep(2.5 * self.extent.fractal(p, 1.7, 2) + 0.1);
-        if present == 0.0 {
-            return Belt {
-                strength: 0.0,
-                fold: DVec3::ZERO,
-                age: 0.0,
-                collision: false,
-            };
-        }
-        let value = |q: DVec3| self.belts.fractal(q, BELT_FREQUENCY, 2);
-        let east = math::any_tangent(p);
-        let north = p.cross(east);
-        let here = value(p);
-        let along = |t: DVec3| t * ((value(p + t * STEP) - here) / STEP);
-        let gradient = along(east) + along(north);
-        let steepness = gradient.length();
-        // Distance to the zero line to first order; where the noise is flat there is no line near.
-        let distance = here.abs() / steepness.max(0.3) * self.radius / (BELT_WIDTH * self.scale);
-        let inland = math::smoothstep(coast * self.radius / (250.0 * self.scale));
-        let mask = self.extent.fractal(-p, 0.8, 2);
-        Belt {
-            strength: math::exp(-distance * distance) * present * (0.25 + 0.75 * inland),
-            fold: gradient.normalize_or(east),
-            age: 300.0 + 100.0 * (2.0 * mask).clamp(-1.0, 1.0),
-            collision: self.extent.fractal(p, 0.9, 1) > -0.1,
-        }
+        self.scale * (narrow + (wide - narrow) * broad)
     }
 }

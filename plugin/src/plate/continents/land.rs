@@ -1,22 +1,29 @@
-//! What is land: the level of the field with the wanted share, without specks and puddles.
+//! Land: the level of the field with the wanted share, without specks and ponds.
 
-use super::distance::{Source, nearest};
 use crate::math;
+use crate::parallel;
 use crate::plate::partition::connected_regions;
 use crate::sphere::SphereMesh;
+use crate::sphere::nearest_source::{TravelSource, least_travel_times};
+use bevy::math::DVec3;
 use rayon::prelude::*;
 
-/// Fewest samples of an island.
-const ISLAND: u32 = 5;
+/// Fewest samples of an island or of a sea.
+const LEAST_SAMPLES: u32 = 5;
 
-/// Share of the sphere below which an enclosed sea is filled: 300,000 km² on Earth.
-const PUDDLE: f64 = 6e-4;
+/// Share of the sphere below which an enclosed sea is filled: 300,000 km² on Earth, somewhat less
+/// than the Caspian Sea.
+const LEAST_SEA_SHARE: f64 = 6e-4;
 
 /// Rounds of removing specks; each leaves fewer.
 const ROUNDS: usize = 6;
 
-/// The first rounds find the level anew.
+/// The first rounds find the level anew, as what they remove is land that is missing elsewhere.
 const LEVEL_ROUNDS: usize = 3;
+
+/// Range of the share of an edge at which the coast may cross it: no sample lies on the very coast,
+/// where its distance would say neither land nor sea.
+const CROSSING_RANGE: [f64; 2] = [0.15, 0.85];
 
 /// Land and sea.
 pub(super) struct Land {
@@ -29,43 +36,48 @@ pub(super) struct Land {
 /// Chooses the land: where `field` is highest to the given share of the area, or above 0 without
 /// one.
 pub(super) fn land(mesh: &SphereMesh, field: Vec<f64>, share: Option<f64>) -> Land {
-    // Specks and puddles are decided once and for all: their field is put beyond every level.
+    // Specks and ponds are decided once and for all: their field is put beyond every level.
     let mut ranked = field.clone();
     let mut land = Land {
         mask: Vec::new(),
         field,
         level: 0.0,
     };
-    let samples: Vec<u32> = (0..mesh.len() as u32).collect();
     for round in 0..ROUNDS {
         if round < LEVEL_ROUNDS {
             land.level = share.map_or(0.0, |share| level(mesh, &ranked, share));
         }
         land.mask = ranked.iter().map(|&f| f > land.level).collect();
-        let labels: Vec<u16> = land.mask.iter().map(|&land| u16::from(land)).collect();
-        let regions = connected_regions(mesh, &samples, &labels);
-        let mut area = vec![0.0; regions.size.len()];
-        (0..mesh.len()).for_each(|i| area[regions.region[i] as usize] += mesh.area(i as u32));
-        let small = |region: u32| {
-            let region = region as usize;
-            let puddle = regions.label[region] == 0 && area[region] < PUDDLE * 4.0 * math::PI;
-            puddle || regions.size[region] < ISLAND
-        };
-        let mut clean = true;
-        for i in (0..mesh.len()).filter(|&i| small(regions.region[i])) {
+        let specks = specks(mesh, &land.mask);
+        for &i in &specks {
             ranked[i] = if land.mask[i] {
                 f64::NEG_INFINITY
             } else {
                 f64::INFINITY
             };
             land.mask[i] = !land.mask[i];
-            clean = false;
         }
-        if clean {
+        if specks.is_empty() {
             break;
         }
     }
     land
+}
+
+/// The samples of islands and seas that are too small.
+fn specks(mesh: &SphereMesh, mask: &[bool]) -> Vec<usize> {
+    let samples: Vec<u32> = (0..mesh.len() as u32).collect();
+    let labels: Vec<u16> = mask.iter().map(|&land| u16::from(land)).collect();
+    let regions = connected_regions(mesh, &samples, &labels);
+    let mut area = vec![0.0; regions.size.len()];
+    for (&region, sample_area) in regions.region.iter().zip(mesh.areas()) {
+        area[region as usize] += sample_area;
+    }
+    let is_sea = |region: usize| regions.label[region] == 0;
+    let is_pond = |region| is_sea(region) && area[region] < LEAST_SEA_SHARE * 4.0 * math::PI;
+    let is_small = |region| is_pond(region) || regions.size[region] < LEAST_SAMPLES;
+    let small = (0..mesh.len()).filter(|&i| is_small(regions.region[i] as usize));
+    small.collect()
 }
 
 /// The level above which the field covers `share` of the sphere, to half a sample.
@@ -86,41 +98,38 @@ fn level(mesh: &SphereMesh, field: &[f64], share: f64) -> f64 {
 impl Land {
     /// Area of the land in steradian.
     pub(super) fn area(&self, mesh: &SphereMesh) -> f64 {
-        crate::parallel::sum(mesh.len(), |i| {
-            if self.mask[i] {
-                mesh.area(i as u32)
-            } else {
-                0.0
-            }
-        })
+        let area = |i: usize| if self.mask[i] { mesh.areas()[i] } else { 0.0 };
+        parallel::sum(mesh.len(), area)
     }
 
-    /// Distance of every sample to the nearest coast in rad, infinite where there is none.
+    /// Distance of every sample to the nearest coast in rad; infinite on a planet without coasts.
     pub(super) fn coast_distance(&self, mesh: &SphereMesh) -> Vec<f64> {
-        let mut sources = Vec::new();
+        let mut coast = Vec::new();
         for i in 0..mesh.len() as u32 {
-            let over = |j: u32| self.field[j as usize] - self.level;
-            for &j in mesh
-                .ring(i)
-                .iter()
-                .filter(|&&j| self.mask[i as usize] != self.mask[j as usize])
-            {
-                // Where the field crosses its level; half way if a speck or puddle was removed.
-                let crossing = over(i) / (over(i) - over(j));
-                let share = if crossing > 0.0 && crossing < 1.0 {
-                    crossing.clamp(0.15, 0.85)
-                } else {
-                    0.5
-                };
-                let point = mesh.point(i).lerp(mesh.point(j), share).normalize();
-                sources.push(Source {
+            let is_land = |j: u32| self.mask[j as usize];
+            for &j in mesh.ring(i).iter().filter(|&&j| is_land(i) != is_land(j)) {
+                coast.push(TravelSource {
                     sample: i,
-                    point,
+                    point: self.crossing(mesh, i, j),
                     slowness: 1.0,
                 });
             }
         }
-        nearest(mesh, &sources).cost
+        least_travel_times(mesh, &coast).time
+    }
+
+    /// Where the coast crosses the edge from sample `i` to sample `j`: where the field crosses its
+    /// level, or half way if a speck or pond was removed.
+    fn crossing(&self, mesh: &SphereMesh, i: u32, j: u32) -> DVec3 {
+        let above = |j: u32| self.field[j as usize] - self.level;
+        let crossing = above(i) / (above(i) - above(j));
+        let share = if crossing > 0.0 && crossing < 1.0 {
+            let [least, most] = CROSSING_RANGE;
+            crossing.clamp(least, most)
+        } else {
+            0.5
+        };
+        mesh.point(i).lerp(mesh.point(j), share).normalize()
     }
 }
 
@@ -134,24 +143,32 @@ pub(super) fn shelf(
     deepest: f32,
 ) -> Vec<u32> {
     let z = |i: u32| elevation[i as usize];
-    let mut order: Vec<u32> = (0..mesh.len() as u32)
-        .filter(|&i| !land[i as usize] && z(i) >= deepest)
-        .collect();
+    let is_shallow = |&i: &u32| !land[i as usize] && z(i) >= deepest;
+    let mut order: Vec<u32> = (0..mesh.len() as u32).filter(is_shallow).collect();
     order.par_sort_unstable_by(|&a, &b| z(b).total_cmp(&z(a)).then(a.cmp(&b)));
+    let mut continental = land.to_vec();
+    let mut shelf = Vec::new();
     let mut covered = 0.0;
-    let fits = |&&i: &&u32| {
+    for i in order {
         covered += mesh.area(i);
-        covered <= area
-    };
-    let shelf: Vec<u32> = order.iter().take_while(fits).copied().collect();
-    let mut labels: Vec<u16> = land.iter().map(|&land| u16::from(land)).collect();
-    shelf.iter().for_each(|&i| labels[i as usize] = 1);
+        if covered > area {
+            break;
+        }
+        continental[i as usize] = true;
+        shelf.push(i);
+    }
+    shelf.extend(enclosed(mesh, &continental));
+    shelf
+}
+
+/// The samples of oceanic regions of few samples.
+fn enclosed(mesh: &SphereMesh, continental: &[bool]) -> Vec<u32> {
     let samples: Vec<u32> = (0..mesh.len() as u32).collect();
+    let labels: Vec<u16> = continental.iter().map(|&is| u16::from(is)).collect();
     let regions = connected_regions(mesh, &samples, &labels);
-    let enclosed = |&i: &u32| {
+    let is_enclosed = |&i: &u32| {
         let region = regions.region[i as usize] as usize;
-        regions.label[region] == 0 && regions.size[region] < ISLAND
+        regions.label[region] == 0 && regions.size[region] < LEAST_SAMPLES
     };
-    let enclosed: Vec<u32> = samples.iter().copied().filter(enclosed).collect();
-    [shelf, enclosed].concat()
+    samples.into_iter().filter(is_enclosed).collect()
 }

@@ -1,37 +1,38 @@
 //! Age, elevation and ridge direction of the initial ocean floor.
 //!
 //! The borders along which plates draw apart are ridges from the start. The age is the shortest
-//! time in which crust could have come from one of them, and levels off at [`OLDEST`]; the
+//! time in which crust could have come from one of them, and levels off at [`OLDEST_MY`]; the
 //! elevation is `z_a + (z_r - z_a) exp(-age / subsidence_time)`, thermal subsidence to the abyss
 //! (Parsons and Sclater 1977).
 
-use super::distance::{Source, nearest};
 use crate::crust::FrameId;
 use crate::math;
-use crate::parallel::map_chunks;
+use crate::parallel;
+use crate::params::TectonicParams;
 use crate::planet::PlanetRecipe;
 use crate::plate::motion::PlateMotion;
-use crate::plate::partition::{motions, sites};
 use crate::sphere::SphereMesh;
+use crate::sphere::nearest_source::{TravelSource, least_travel_times};
 use bevy::math::{DVec3, Vec3};
 
 /// Age that the floor approaches far from every ridge, in My; Earth's oldest is 180.
-pub(super) const OLDEST: f64 = 160.0;
+pub(super) const OLDEST_MY: f64 = 160.0;
 
 /// Slowest half-speed of a ridge in km/My; slower ones would drop to the abyss within a few
 /// samples.
-const SLOWEST: f64 = 9.0;
+const LEAST_RIDGE_SPEED: f64 = 9.0;
 
 /// Past speed at which crust left a ridge, relative to that at which the plates part now. The time
 /// from the nearest ridge is the least that the age can be; this makes its mean that of Earth's
 /// floor, 60 My.
-pub(super) const PAST: f64 = 0.18;
+pub(super) const PAST_SPEED: f64 = 0.18;
 
-/// A border is a ridge where it opens with at least this share of the relative speed.
-const OPENING: f64 = 0.4;
+/// A border is a ridge where it opens with at least this share of the relative speed: elsewhere it
+/// is a transform fault.
+const RIDGE_OPENING: f64 = 0.4;
 
 /// Rounds of smoothing of ridge directions, which follow the lattice beside a ridge.
-const ROUNDS: usize = 3;
+const SMOOTHING_ROUNDS: usize = 3;
 
 /// The ocean floor as if there were no land.
 pub(super) struct Seafloor {
@@ -48,101 +49,91 @@ pub(super) fn seafloor(
     recipe: &PlanetRecipe,
     mesh: &SphereMesh,
     owner: &[FrameId],
+    motions: &[PlateMotion],
     open: impl Fn(usize) -> bool,
 ) -> Seafloor {
-    let motions = motions(recipe, &sites(recipe));
-    let mut sources = Vec::new();
+    let mut ridges = Vec::new();
     for i in 0..mesh.len() {
-        let Some((point, relative)) = border(mesh, owner, &motions, i) else {
-            continue;
-        };
-        if open(i) {
-            let speed = (PAST * relative * recipe.radius).max(SLOWEST);
-            sources.push(Source {
+        if let Some((point, relative)) = diverging_border(mesh, owner, motions, i)
+            && open(i)
+        {
+            let speed = (PAST_SPEED * relative * recipe.radius).max(LEAST_RIDGE_SPEED);
+            ridges.push(TravelSource {
                 sample: i as u32,
                 point,
                 slowness: recipe.radius / speed,
             });
         }
     }
-    let near = nearest(mesh, &sources);
-    let params = &recipe.params;
-    let (z_a, z_r) = (params.abyss_elevation, params.ridge_elevation);
-    let parts = map_chunks(mesh.len(), |range| {
-        let column = |i: usize| {
-            let age = OLDEST * (1.0 - math::exp(-near.cost[i] / OLDEST));
-            let z = z_a + (z_r - z_a) * math::exp(-age / params.subsidence_time);
-            let p = mesh.point(i as u32);
-            let q = sources
-                .get(near.source[i] as usize)
-                .map_or(p, |source| source.point);
-            (
-                age as f32,
-                z as f32,
-                (p - q).cross(p).normalize_or_zero().as_vec3(),
-            )
-        };
-        range.map(column).collect::<Vec<_>>()
+    let nearest = least_travel_times(mesh, &ridges);
+    let age = parallel::map(mesh.len(), |i| age(nearest.time[i as usize]));
+    let elevation = parallel::map(mesh.len(), |i| elevation(&recipe.params, age[i as usize]));
+    let ridge = parallel::map(mesh.len(), |i| {
+        let source = nearest.source[i as usize] as usize;
+        along_ridge(mesh.point(i), ridges.get(source))
     });
-    let mut floor = Seafloor {
-        age: Vec::new(),
-        elevation: Vec::new(),
-        ridge: Vec::new(),
-    };
-    for (age, elevation, ridge) in parts.into_iter().flatten() {
-        floor.age.push(age);
-        floor.elevation.push(elevation);
-        floor.ridge.push(ridge);
+    Seafloor {
+        age: age.into_iter().map(|age| age as f32).collect(),
+        elevation,
+        ridge: (0..SMOOTHING_ROUNDS).fold(ridge, |ridge, _| smoothed(mesh, &ridge)),
     }
-    (0..ROUNDS).for_each(|_| floor.ridge = smooth(mesh, &floor.ridge));
-    floor
+}
+
+/// Age in My of floor that is `time` My away from the nearest ridge.
+fn age(time: f64) -> f64 {
+    OLDEST_MY * (1.0 - math::exp(-time / OLDEST_MY))
+}
+
+/// Elevation in km of ocean floor of an age in My.
+fn elevation(params: &TectonicParams, age: f64) -> f32 {
+    let z_a = params.abyss_elevation;
+    let z_r = params.ridge_elevation;
+    (z_a + (z_r - z_a) * math::exp(-age / params.subsidence_time)) as f32
+}
+
+/// Direction at `p` of the ridge that its floor came from: across the way from there.
+fn along_ridge(p: DVec3, ridge: Option<&TravelSource>) -> Vec3 {
+    let q = ridge.map_or(p, |ridge| ridge.point);
+    (p - q).cross(p).normalize_or_zero().as_vec3()
 }
 
 /// The point of a diverging border beside sample `i`, and the speed in rad/My at which the plates
 /// part.
-fn border(
+fn diverging_border(
     mesh: &SphereMesh,
     owner: &[FrameId],
     motions: &[PlateMotion],
     i: usize,
 ) -> Option<(DVec3, f64)> {
     let p = mesh.point(i as u32);
+    let owner_of = |&j: &u32| owner[j as usize];
     let ring = mesh.ring(i as u32);
-    let other = ring
-        .iter()
-        .find(|&&j| owner[j as usize] != owner[i])
-        .map(|&j| owner[j as usize])?;
-    let across = ring
-        .iter()
-        .filter(|&&j| owner[j as usize] == other)
-        .map(|&j| mesh.point(j));
-    let (sum, count) = across.fold((DVec3::ZERO, 0.0), |(sum, n), q| (sum + q, n + 1.0));
+    let other = ring.iter().map(owner_of).find(|&plate| plate != owner[i])?;
+    let mut sum = DVec3::ZERO;
+    let mut count = 0.0;
+    for &j in ring.iter().filter(|j| owner_of(j) == other) {
+        sum += mesh.point(j);
+        count += 1.0;
+    }
     let away = p - sum / count;
-    let velocity = |plate: FrameId| {
-        motions
-            .get(usize::from(plate))
-            .map(|motion| motion.velocity(p))
-    };
-    let relative = velocity(owner[i])? - velocity(other)?;
+    let own = motions.get(usize::from(owner[i]))?;
+    let relative = own.velocity(p) - motions.get(usize::from(other))?.velocity(p);
     let opening = relative.dot(away) / away.length();
     let point = (p - 0.5 * away).normalize();
-    (opening > OPENING * relative.length()).then(|| (point, relative.length()))
+    (opening > RIDGE_OPENING * relative.length()).then(|| (point, relative.length()))
 }
 
-/// The mean direction of each sample and its neighbours; a direction and its opposite are the same.
-fn smooth(mesh: &SphereMesh, ridge: &[Vec3]) -> Vec<Vec3> {
-    let parts = map_chunks(mesh.len(), |range| {
-        let mean = |i: usize| {
-            let own = ridge[i];
-            let add = |sum: Vec3, &j: &u32| {
-                let other = ridge[j as usize];
-                sum + if other.dot(own) < 0.0 { -other } else { other }
-            };
-            let p = mesh.point(i as u32).as_vec3();
-            let sum = mesh.ring(i as u32).iter().fold(own, add);
-            (sum - p * sum.dot(p)).normalize_or_zero()
-        };
-        range.map(mean).collect::<Vec<_>>()
-    });
-    parts.concat()
+/// The mean direction of each sample and its neighbours.
+fn smoothed(mesh: &SphereMesh, ridge: &[Vec3]) -> Vec<Vec3> {
+    parallel::map(mesh.len(), |i| {
+        let own = ridge[i as usize];
+        let mut sum = own;
+        for &j in mesh.ring(i) {
+            // A ridge has no head: a direction and its opposite are the same.
+            let other = ridge[j as usize];
+            sum += if other.dot(own) < 0.0 { -other } else { other };
+        }
+        let p = mesh.point(i).as_vec3();
+        (sum - p * sum.dot(p)).normalize_or_zero()
+    })
 }

@@ -1,8 +1,10 @@
+//! Land, margins, coasts, ocean floor and belts of new planets.
+
 use super::*;
 use crate::math;
 use crate::params::TectonicParams;
 use crate::planet::{DiscRecipe, PlateRecipe};
-use crate::plate::partition::{connected_regions, initial_plates};
+use crate::plate::partition::{connected_regions, initial_partition};
 
 fn mesh(samples: u32) -> SphereMesh {
     SphereMesh::fibonacci(samples).unwrap()
@@ -10,8 +12,7 @@ fn mesh(samples: u32) -> SphereMesh {
 
 fn grow(recipe: &PlanetRecipe, mesh: &SphereMesh) -> Crust {
     recipe.validate().unwrap();
-    let (_, owner) = initial_plates(recipe, mesh);
-    initial_crust(recipe, mesh, &owner)
+    initial_crust(recipe, mesh, &initial_partition(recipe, mesh))
 }
 
 /// Share of the sphere on which `is` holds.
@@ -94,19 +95,23 @@ fn no_margin_is_a_cliff() {
     let mesh = mesh(60_000);
     for seed in 1..4 {
         let crust = grow(&seeded(seed, 0.3), &mesh);
-        let drop = |i: u32| {
-            let fall = |&j: &u32| (crust.elevation[i as usize] - crust.elevation[j as usize]).abs();
-            mesh.ring(i).iter().map(fall).fold(0.0, f32::max)
-        };
-        let largest = (0..60_000).map(drop).fold(0.0, f32::max);
+        let z = |i: u32| crust.elevation[i as usize];
+        let edges = (0..60_000).flat_map(|i| mesh.ring(i).iter().map(move |&j| (i, j)));
+        let largest = edges.map(|(i, j)| (z(i) - z(j)).abs()).fold(0.0, f32::max);
         assert!(largest < 2.5, "{largest} km between neighbours");
     }
 }
 
+/// Label and size of the connected regions of a column of labels over the whole mesh.
+fn regions(mesh: &SphereMesh, labels: &[u16]) -> Vec<(u16, u32)> {
+    let samples: Vec<u32> = (0..mesh.len() as u32).collect();
+    let regions = connected_regions(mesh, &samples, labels);
+    regions.label.into_iter().zip(regions.size).collect()
+}
+
 #[test]
-fn there_are_no_specks_and_coasts_are_rough() {
+fn there_are_no_specks() {
     let mesh = mesh(30_000);
-    let samples: Vec<u32> = (0..30_000).collect();
     for seed in 1..6 {
         let crust = grow(&seeded(seed, 0.3), &mesh);
         let land: Vec<u16> = crust
@@ -114,49 +119,60 @@ fn there_are_no_specks_and_coasts_are_rough() {
             .iter()
             .map(|&z| u16::from(z > 0.0))
             .collect();
-        let regions = connected_regions(&mesh, &samples, &land);
-        assert!(
-            regions.size.iter().all(|&size| size >= 5),
-            "{:?}",
-            regions.size
-        );
-        let islands = regions.label.iter().filter(|&&land| land == 1).count();
+        let land = regions(&mesh, &land);
+        assert!(land.iter().all(|&(_, size)| size >= 5), "{land:?}");
+        let islands = land.iter().filter(|&&(label, _)| label == 1).count();
         assert!(
             (6..80).contains(&islands),
             "{islands} islands and continents"
         );
         let kinds: Vec<u16> = crust.kind.iter().map(|&kind| kind as u16).collect();
-        let regions = connected_regions(&mesh, &samples, &kinds);
-        assert!(regions.size.iter().all(|&size| size >= 5));
-        let coast = |i: &u32| {
-            land[*i as usize] == 1 && mesh.ring(*i).iter().any(|&j| land[j as usize] == 0)
-        };
-        let coast = samples.iter().filter(|i| coast(i)).count() as f64 * mesh.spacing();
+        assert!(regions(&mesh, &kinds).iter().all(|&(_, size)| size >= 5));
+    }
+}
+
+#[test]
+fn coasts_are_rough() {
+    let mesh = mesh(30_000);
+    for seed in 1..6 {
+        let crust = grow(&seeded(seed, 0.3), &mesh);
+        let is_land = |i: u32| crust.elevation[i as usize] > 0.0;
+        let is_coast = |&i: &u32| is_land(i) && mesh.ring(i).iter().any(|&j| !is_land(j));
+        let coast = (0..30_000).filter(is_coast).count() as f64 * mesh.spacing();
         // Seven round continents would have 2π r each, with 7 caps of area 0.3 · 4π / 7.
         let round = 7.0 * math::TAU * math::sin(math::acos(1.0 - 2.0 * 0.3 / 7.0));
         assert!((1.1..4.0).contains(&(coast / round)), "{}", coast / round);
     }
 }
 
+/// Share of land on every plate.
+fn land_of_plates(recipe: &PlanetRecipe, mesh: &SphereMesh) -> Vec<f64> {
+    let owner = initial_partition(recipe, mesh);
+    let crust = initial_crust(recipe, mesh, &owner);
+    let plates = usize::from(*owner.iter().max().unwrap()) + 1;
+    let mut samples = vec![0.0; plates];
+    let mut land = vec![0.0; plates];
+    for (&plate, &z) in owner.iter().zip(&crust.elevation) {
+        samples[usize::from(plate)] += 1.0;
+        land[usize::from(plate)] += f64::from(u8::from(z > 0.0));
+    }
+    land.iter()
+        .zip(&samples)
+        .map(|(land, all)| land / all)
+        .collect()
+}
+
 #[test]
 fn continents_lie_on_some_plates_only() {
     let mesh = mesh(20_000);
     for seed in 1..5 {
-        let recipe = seeded(seed, 0.3);
-        let (motions, owner) = initial_plates(&recipe, &mesh);
-        let crust = initial_crust(&recipe, &mesh, &owner);
-        let mut count = vec![(0.0, 0.0); motions.len()];
-        for i in 0..crust.len() {
-            let entry = &mut count[usize::from(owner[i])];
-            entry.0 += 1.0;
-            entry.1 += f64::from(u8::from(crust.elevation[i] > 0.0));
-        }
-        let oceanic = count.iter().filter(|(all, land)| land / all < 0.05).count();
-        let mixed = count
-            .iter()
-            .filter(|(all, land)| (0.2..0.8).contains(&(land / all)))
-            .count();
+        let land = land_of_plates(&seeded(seed, 0.3), &mesh);
+        let oceanic = land.iter().filter(|land| **land < 0.05).count();
         assert!(oceanic >= 5, "{oceanic} oceanic plates");
+        let mixed = land
+            .iter()
+            .filter(|land| (0.2..0.8).contains(*land))
+            .count();
         assert!(mixed >= 5, "{mixed} plates with land and sea");
     }
 }
@@ -165,15 +181,13 @@ fn continents_lie_on_some_plates_only() {
 fn crust_does_not_depend_on_threads() {
     let mesh = mesh(12_000);
     let recipe = seeded(8, 0.3);
-    let run = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| grow(&recipe, &mesh))
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        pool.build().unwrap().install(|| grow(&recipe, &mesh))
     };
-    assert_eq!(run(1), run(3));
-    assert_ne!(run(1).elevation, grow(&seeded(9, 0.3), &mesh).elevation);
+    let one = on(1);
+    assert_eq!(one, on(3));
+    assert_ne!(one.elevation, grow(&seeded(9, 0.3), &mesh).elevation);
 }
 
 #[test]
@@ -193,18 +207,15 @@ fn discs_become_continents() {
     for disc in &continents {
         assert!(crust.elevation[mesh.nearest(disc.direction()) as usize] > 0.0);
     }
-    let far = |i: usize| {
-        let reach = |d: &DiscRecipe| {
-            math::angle_between(mesh.point(i as u32), d.direction()) * recipe.radius - d.radius
-        };
-        continents.iter().map(reach).fold(f64::INFINITY, f64::min) > 1800.0
-    };
-    assert!((0..crust.len()).all(|i| !far(i) || crust.elevation[i] < -0.5));
+    for (&p, &z) in mesh.points().iter().zip(&crust.elevation) {
+        let off = |d: &DiscRecipe| math::angle_between(p, d.direction()) * recipe.radius - d.radius;
+        let nearest = continents.iter().map(off).fold(f64::INFINITY, f64::min);
+        assert!(nearest <= 1800.0 || z < -0.5);
+    }
 }
 
-/// Two hemispheres that part along half of a meridian: closed forms for age and ridge direction.
-#[test]
-fn floor_ages_away_from_its_ridge() {
+/// Two hemispheres that part along the meridian 90° W with 300 km/My and meet along 90° E.
+fn parting_hemispheres() -> PlanetRecipe {
     let plate = |lon, speed| PlateRecipe {
         centroid: (0.0, lon),
         pole: Some((90.0, 0.0)),
@@ -217,30 +228,40 @@ fn floor_ages_away_from_its_ridge() {
     };
     recipe.params.border_warp = 0.0;
     recipe.params.max_speed = 300.0;
+    recipe
+}
+
+#[test]
+fn floor_ages_away_from_its_ridge() {
+    let recipe = parting_hemispheres();
     let mesh = mesh(40_000);
     let crust = grow(&recipe, &mesh);
-    // The plate around 0° E goes east, away from the border at 90° W.
     for lon in [-85.0_f64, -75.0, -60.0, -110.0] {
         let i = mesh.nearest(math::direction(0.0, lon)) as usize;
         let (_, at) = math::lat_lon(mesh.point(i as u32));
         let distance = (at + 90.0).abs().to_radians() * recipe.radius;
-        let time = distance / (seafloor::PAST * 300.0);
-        let age = seafloor::OLDEST * (1.0 - math::exp(-time / seafloor::OLDEST));
+        let time = distance / (seafloor::PAST_SPEED * 300.0);
+        let age = seafloor::OLDEST_MY * (1.0 - math::exp(-time / seafloor::OLDEST_MY));
+        let found = f64::from(crust.ocean_age[i]);
         assert!(
-            (f64::from(crust.ocean_age[i]) - age).abs() < 0.05 * age + 1.5,
-            "{lon}: {age}"
+            (found - age).abs() < 0.05 * age + 1.5,
+            "{lon}: {found} for {age}"
         );
-        assert!(
-            crust.ridge[i].z.abs() > 0.97,
-            "the ridge runs north: {}",
-            crust.ridge[i]
-        );
+        let ridge = crust.ridge[i];
+        assert!(ridge.z.abs() > 0.97, "the ridge runs north: {ridge}");
     }
+}
+
+#[test]
+fn floor_sinks_as_it_cools() {
+    let recipe = parting_hemispheres();
     let params = &recipe.params;
-    for i in 0..crust.len() {
-        let young = math::exp(-f64::from(crust.ocean_age[i]) / params.subsidence_time);
-        let z = params.abyss_elevation + (params.ridge_elevation - params.abyss_elevation) * young;
-        assert!((f64::from(crust.elevation[i]) - z).abs() < 1e-3);
+    let crust = grow(&recipe, &mesh(10_000));
+    for (&age, &z) in crust.ocean_age.iter().zip(&crust.elevation) {
+        let young = math::exp(-f64::from(age) / params.subsidence_time);
+        let law =
+            params.abyss_elevation + (params.ridge_elevation - params.abyss_elevation) * young;
+        assert!((f64::from(z) - law).abs() < 1e-3);
     }
 }
 
@@ -288,87 +309,37 @@ fn old_belts_are_old_and_few() {
 
 #[test]
 fn strange_planets_are_finite() {
-    let base = PlanetRecipe {
-        plate_count: 2,
-        ..Default::default()
-    };
-    let everything = vec![DiscRecipe {
-        center: (0.0, 0.0),
-        radius: 20_000.0,
-    }];
-    let recipes = [
-        PlanetRecipe {
-            radius: 50.0,
-            ..base.clone()
-        },
-        PlanetRecipe {
-            radius: 100_000.0,
-            land: 0.9,
-            ..base.clone()
-        },
-        PlanetRecipe {
-            radius: 50.0,
-            continents: everything,
-            ..base.clone()
-        },
-        PlanetRecipe {
-            continents: vec![DiscRecipe {
-                center: (90.0, 0.0),
-                radius: 1.0,
-            }],
-            ..base
-        },
-    ];
     for samples in [100, 3000] {
         let mesh = mesh(samples);
-        for recipe in &recipes {
-            let crust = grow(recipe, &mesh);
+        for recipe in strange_planets() {
+            let crust = grow(&recipe, &mesh);
             assert_eq!(crust.len(), samples as usize);
-            let finite = |i: usize| {
-                crust.elevation[i].is_finite()
-                    && crust.thickness[i] > 0.0
-                    && crust.ocean_age[i].is_finite()
-                    && crust.ridge[i].is_finite()
-                    && crust.fold[i].is_finite()
-            };
-            assert!((0..crust.len()).all(finite));
+            for i in 0..crust.len() {
+                assert!(crust.elevation[i].is_finite() && crust.thickness[i] > 0.0);
+                assert!(crust.ocean_age[i].is_finite());
+                assert!(crust.ridge[i].is_finite() && crust.fold[i].is_finite());
+            }
         }
     }
 }
 
-#[test]
-fn distances_are_great_circles() {
-    let mesh = mesh(6000);
-    let stream = crate::random::Stream::new(4, crate::random::Purpose::Coast, 99);
-    // Of equal sources the nearest is found almost always; of unequal ones a corner may be missed.
-    for (slowest, tolerance) in [(1.0, 0.1), (2.0, 1.0)] {
-        let source = |k| {
-            let (point, slowness) = (stream.direction(k), stream.range(200 + k, 1.0, slowest));
-            distance::Source {
-                sample: mesh.nearest(point),
-                point,
-                slowness,
-            }
-        };
-        let sources: Vec<_> = (0..40).map(source).collect();
-        let found = distance::nearest(&mesh, &sources);
-        for i in 0..6000 {
-            let cost =
-                |s: &distance::Source| s.slowness * math::angle_between(mesh.point(i), s.point);
-            let least = sources.iter().map(cost).fold(f64::INFINITY, f64::min);
-            let difference = found.cost[i as usize] - least;
-            assert!(difference > -0.03 * least - 1e-12, "{difference}");
-            assert!(
-                difference < tolerance * mesh.spacing(),
-                "{slowest}: {difference}"
-            );
-        }
-    }
-    let none = distance::nearest(&mesh, &[]);
-    assert!(none.cost.iter().all(|d| *d == f64::INFINITY));
-    for degrees in 0..=128 {
-        let angle = f64::from(degrees).to_radians();
-        let found = field::arc(2.0 * math::sin(0.5 * angle));
-        assert!((found - angle).abs() <= 0.01 * angle, "{degrees}: {found}");
-    }
+/// Very small and very large planets, all land and hardly any.
+fn strange_planets() -> [PlanetRecipe; 4] {
+    let planet = |radius, land, continents| PlanetRecipe {
+        plate_count: 2,
+        radius,
+        land,
+        continents,
+        ..Default::default()
+    };
+    let disc = |latitude, radius| DiscRecipe {
+        center: (latitude, 0.0),
+        radius,
+    };
+    [
+        planet(50.0, 0.3, vec![]),
+        planet(100_000.0, 0.9, vec![]),
+        planet(50.0, 0.3, vec![disc(0.0, 20_000.0)]),
+        planet(6370.0, 0.3, vec![disc(90.0, 1.0)]),
+    ]
 }

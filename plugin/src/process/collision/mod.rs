@@ -28,7 +28,7 @@ use crate::plate::contact::Contacts;
 use crate::plate::overlap::OverlapIndex;
 use crate::resample::due;
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
-use crate::sphere::nearest_source::Scratch;
+use crate::sphere::nearest_source::SourceScratch;
 use crate::view::PlanetQuery;
 use bevy::prelude::*;
 
@@ -85,7 +85,7 @@ pub fn collision(
         plates: table,
     };
     let mut moved = MovedSamples::default();
-    let mut scratch = Scratch::default();
+    let mut scratch = SourceScratch::default();
     for at in continents.deep_overlaps(&meeting, trigger, &crust, &frames) {
         let Some(collision) = Collision::find(&continents, at, &crust, &frames) else {
             continue;

@@ -16,7 +16,7 @@ use crate::math::PI;
 use crate::params::TectonicParams;
 use crate::process::saturating_rise;
 use crate::sphere::SphereMesh;
-use crate::sphere::nearest_source::Reached;
+use crate::sphere::nearest_source::ReachedSamples;
 use bevy::math::DVec3;
 
 /// A belt is where at least this share of the surge is felt, not the whole radius of influence.
@@ -65,7 +65,7 @@ impl Surge {
         &self,
         mesh: &SphereMesh,
         crust: &mut Crust,
-        reached: &Reached,
+        reached: &ReachedSamples,
         centroid: DVec3,
     ) -> f64 {
         let mut volume = 0.0;

@@ -8,7 +8,7 @@ use crate::plate::boundary::Rim;
 use crate::plate::contact::Contacts;
 use crate::plate::overlap::OverlapIndex;
 use crate::sphere::SphereMesh;
-use crate::sphere::nearest_source::{Reached, Scratch, spread};
+use crate::sphere::nearest_source::{ReachedSamples, SourceScratch, nearest_sources};
 use crate::view::PlanetView;
 use bevy::math::DVec3;
 use bevy::prelude::*;
@@ -104,7 +104,7 @@ impl Collision {
         continents: &Continents,
         crust: &mut Crust,
         frames: &Frames,
-        scratch: &mut Scratch,
+        scratch: &mut SourceScratch,
     ) -> [f64; 2] {
         let planet = &continents.planet;
         let surge = Surge::new(planet.params, planet.radius, self.area, self.speed);
@@ -183,11 +183,11 @@ impl Continents<'_> {
         id: FrameId,
         seeds: &[u32],
         reach: f64,
-        scratch: &mut Scratch,
-    ) -> Reached {
+        scratch: &mut SourceScratch,
+    ) -> ReachedSamples {
         let mesh = self.planet.mesh;
         let seeds: Vec<_> = seeds.iter().map(|&i| (i, mesh.point(i))).collect();
-        spread(mesh, scratch, &seeds, reach, |_, to| {
+        nearest_sources(mesh, scratch, &seeds, reach, |_, to| {
             crust.frame[to as usize] == id && crust.is_continental(to as usize)
         })
     }

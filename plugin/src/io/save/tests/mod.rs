@@ -10,7 +10,7 @@ use crate::math;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlateNumbers};
 use crate::plate::front::FrontField;
-use crate::plate::polarity::{PolarityMemory, Segment};
+use crate::plate::polarity::{FrontSegment, PolarityMemory};
 use crate::plate::{PlateId, PlateMotion, PlateStats};
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
@@ -125,7 +125,7 @@ fn painting_at(step: u64) -> TimedCommand {
 }
 
 fn polarity() -> PolarityMemory {
-    PolarityMemory(vec![Segment {
+    PolarityMemory(vec![FrontSegment {
         pair: (PlateId(0), PlateId(1)),
         bin: 17,
         first_under: true,

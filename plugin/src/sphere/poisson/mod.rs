@@ -1,0 +1,70 @@
+//! Poisson-disk sampling of the sphere: random points, none closer to another than a given angle,
+//! and no gap that could take one more disk of much that size (Bridson 2007; paper 002 §4).
+//!
+//! Darts are thrown into the cells of latitude bands. A cell is so small that it holds one point at
+//! most, so a dart is checked against some twenty cells. A block of bands is independent of all but
+//! its two neighbours: first every other block is filled, then the blocks between, which see what
+//! the first have done. The blocks depend on the angle alone and every dart on its cell and round,
+//! so any number of threads throws the same.
+
+mod bands;
+mod block;
+
+use super::cube::along_curve;
+use crate::random::{Purpose, Stream};
+use bands::Bands;
+use bevy::math::DVec3;
+use block::Block;
+use rayon::prelude::*;
+
+/// Smallest angle between points in radians: about four million points.
+const MIN_DISTANCE: f64 = 0.0015;
+
+/// Largest angle between points in radians: about a dozen points.
+const MAX_DISTANCE: f64 = 0.8;
+
+/// Points in random places, no two closer than `distance` radians (clamped to 0.0015..=0.8),
+/// ordered along a space-filling curve. The mean distance of neighbours is about 1.3 times
+/// `distance`.
+///
+/// ```
+/// # use bevy_pangaea::{math, sphere::poisson_disk};
+/// let points = poisson_disk(7, 0.3);
+/// for (i, &p) in points.iter().enumerate() {
+///     assert!(points[..i].iter().all(|&q| math::angle_between(p, q) > 0.3 - 1e-9));
+/// }
+/// assert_eq!(points, poisson_disk(7, 0.3));
+/// ```
+pub fn poisson_disk(seed: u64, distance: f64) -> Vec<DVec3> {
+    let bands = Bands::new(distance.clamp(MIN_DISTANCE, MAX_DISTANCE));
+    let stream = Stream::new(seed, Purpose::BaseMesh, 0);
+    let nothing = vec![Vec::new(); bands.block_count()];
+    let even = fill_blocks(&bands, stream, 0, &nothing);
+    let odd = fill_blocks(&bands, stream, 1, &even);
+    let mut points = Vec::new();
+    for (a, b) in even.into_iter().zip(odd) {
+        points.extend(a.into_iter().chain(b).filter(|p| *p != DVec3::ZERO));
+    }
+    along_curve(points.len() as u32, |i| points[i as usize])
+}
+
+/// Fills every second block, beginning with number `parity`; the others stay empty. `done` holds
+/// the blocks that are filled already.
+fn fill_blocks(
+    bands: &Bands,
+    stream: Stream,
+    parity: usize,
+    done: &[Vec<DVec3>],
+) -> Vec<Vec<DVec3>> {
+    let block = |number: usize| {
+        let is_due = number % 2 == parity;
+        is_due.then(|| Block::new(bands, number, done).filled(stream))
+    };
+    (0..bands.block_count())
+        .into_par_iter()
+        .map(|number| block(number).unwrap_or_default())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests;
