@@ -1,51 +1,36 @@
-//! The local engine against the whole refinement, by brute force.
+//! Queries of single directions against the whole refinement, by brute force.
 
-use super::base::Base;
-use super::fixed::ONE;
-use super::ground::{Caps, RefinedGround, refine};
-use super::local::LocalGround;
-use super::locate::{depth, sides};
-use super::mark::View;
-use super::rules::Rules;
-use super::seed::{pcg, share};
-use super::synthetic::control_mesh;
-use super::topology::SplitMark;
-use super::vertex::Vertex;
-
-fn direction(k: u32) -> [i32; 3] {
-    let p = [0, 1, 2].map(|i| f64::from(share(pcg(k), i)) - 32_768.0);
-    let n = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
-    p.map(|x| (x / n * f64::from(ONE)).round() as i32)
-}
+use super::*;
+use crate::amplify::local::{Leaf, LocalGround};
+use crate::amplify::locate::{depth, sides};
+use crate::amplify::topology::SplitMark;
 
 /// Moves a direction by up to `range` units and back on the sphere.
 fn nearby(direction: [i32; 3], k: u32, range: i32) -> [i32; 3] {
-    let p = [0, 1, 2].map(|i| {
-        f64::from(direction[i as usize] + (share(pcg(k), i) - 32_768) * (range / 32_768).max(1))
-    });
-    let n = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
-    p.map(|x| (x / n * f64::from(ONE)).round() as i32)
+    let step = |i| (share(pcg(k), i) - 32_768) * (range / 32_768).max(1);
+    unit([0, 1, 2].map(|i| f64::from(direction[i as usize] + step(i))))
 }
 
 /// All leaves of a level that contain a direction.
 fn brute(ground: &RefinedGround, level: u32, direction: [i32; 3]) -> Vec<[Vertex; 3]> {
-    let Some(faces) = ground.levels.get(level as usize).map(|l| &l.faces) else {
+    let Some(level) = ground.levels.get(level as usize) else {
         return Vec::new();
     };
-    let near =
-        |v: &Vertex| (0..3).all(|i| (v.direction[i] >> 3).abs_diff(direction[i] >> 3) < 1 << 26);
-    faces
-        .iter()
-        .filter(|f| f.mark != SplitMark::Split)
+    let leaves = level.faces.iter().filter(|f| f.mark != SplitMark::Split);
+    leaves
         .map(|f| f.vertices.map(|v| &ground.vertices[v as usize]))
-        .filter(|c| near(c[0]) && depth(sides(direction, *c)) >= 0.0)
+        .filter(|c| is_near(c[0], direction) && depth(sides(direction, *c)) >= 0.0)
         .map(|c| c.map(|v| *v))
         .collect()
 }
 
+fn is_near(vertex: &Vertex, direction: [i32; 3]) -> bool {
+    (0..3).all(|i| (vertex.direction[i] >> 3).abs_diff(direction[i] >> 3) < 1 << 26)
+}
+
 #[test]
 fn leaf_is_that_of_the_whole_planet() {
-    let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
+    let base = planet();
     for rules in [Rules::default(), Rules::RELEASE] {
         let mut local = LocalGround::new(&base, &rules);
         for level in [0, 1, 2, 4] {
@@ -64,52 +49,40 @@ fn leaf_is_that_of_the_whole_planet() {
 
 #[test]
 fn leaf_is_that_of_a_fine_patch() {
-    let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
-    let rules = Rules::default();
-    let rivers: Vec<[i32; 3]> = base
-        .vertices
-        .iter()
-        .filter(|v| v.is_wet())
-        .map(|v| v.direction)
-        .collect();
+    let base = planet();
     for k in 0..30 {
-        let centre = if k % 2 == 0 {
-            direction(k)
-        } else {
-            nearby(rivers[pcg(k) as usize % rivers.len()], k, 1 << 20)
-        };
+        let centre = nearby(anywhere_or_on_river(&base, k), k, 1 << 20);
         let level = 9 + k % 9;
         let radius = (20_000_u32 >> level).max(2);
-        let ground = refine(
-            &base,
-            &rules,
-            &View::disc(centre, 3 * radius, level),
-            &Caps::default(),
-        );
+        let ground = refined(&base, &View::disc(centre, 3 * radius, level));
         // Units in a metre: ONE / radius.
         let range = (f64::from(ONE) / 300_000.0 * f64::from(radius)) as i32;
-        let mut local = LocalGround::new(&base, &rules);
+        let mut local = LocalGround::new(&base, &Rules::default());
         for j in 0..20 {
             let at = nearby(centre, 1000 * k + j, range);
             let leaf = local.leaf(at, level, None);
-            let fresh = LocalGround::new(&base, &rules).leaf(at, level, Some(j));
+            let fresh = LocalGround::new(&base, &Rules::default()).leaf(at, level, Some(j));
             assert_eq!(leaf, fresh, "a query depends on the one before it");
-            let found = brute(&ground, level, at);
-            // From the straight levels on a point within two units of an edge may lie across it.
-            let margin = sides(at, leaf.vertices.each_ref());
-            let inside = depth(margin) > if level > 11 { 0.02 } else { 0.0 };
-            assert!(
-                found.contains(&leaf.vertices) || !inside,
-                "level {level}, {k}, {j}, depth {}",
-                depth(margin)
-            );
+            check_found(&leaf, at, &brute(&ground, level, at));
         }
     }
 }
 
+/// Checks that a leaf is among those that a refinement has at a direction.
+fn check_found(leaf: &Leaf, at: [i32; 3], found: &[[Vertex; 3]]) {
+    // From the straight levels on a point within two units of an edge may lie across it.
+    let depth = depth(sides(at, leaf.vertices.each_ref()));
+    let is_inside = depth > if leaf.level > 11 { 0.02 } else { 0.0 };
+    assert!(
+        found.contains(&leaf.vertices) || !is_inside,
+        "level {}, depth {depth}",
+        leaf.level
+    );
+}
+
 #[test]
 fn any_direction_gets_an_answer() {
-    let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
+    let base = planet();
     let mut local = LocalGround::new(&base, &Rules::default());
     for at in [
         [0; 3],
@@ -129,7 +102,7 @@ fn any_direction_gets_an_answer() {
 
 #[test]
 fn forgetting_changes_nothing() {
-    let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
+    let base = planet();
     let rules = Rules::default();
     let mut local = LocalGround::new(&base, &rules);
     let first: Vec<_> = (0..300)
