@@ -94,15 +94,9 @@ pub const fn isqrt(x: u32) -> u32 {
     // The parabola 0.51855 + 0.52601u - 0.03954u² is within 0.5 % of √u, u = y / 2³⁰ in 1..4.
     let u = y >> 16;
     let guess = 16_992 + ((u * 34_473) >> 15) - ((((u * u) >> 16) * 20_730) >> 16);
-    // One step of Newton's never ends below the root, and at most two above.
+    // One step of Newton's never ends below the root, and at most one above.
     let mut root = (guess + y / guess) >> 1;
-    if root > 0xffff {
-        root = 0xffff;
-    }
-    if root * root > y {
-        root -= 1;
-    }
-    if root * root > y {
+    if root > 0xffff || root * root > y {
         root -= 1;
     }
     root >> (shift / 2)

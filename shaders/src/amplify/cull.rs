@@ -3,7 +3,7 @@
 use super::base::Base;
 use super::mark::View;
 use super::sparse::Numbers;
-use super::topology::{Edge, Face, Level, NONE};
+use super::topology::{Edge, Face, Level, NONE, gather};
 use super::vertex::Vertex;
 
 /// Rings of faces kept around what is split, so that no edge that is split lacks a face.
@@ -23,7 +23,7 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
         ..*view
     };
     let is_near = |face: &Face| {
-        let corners = face.vertices.map(|v| &base.vertices[v as usize]);
+        let corners = gather(&base.vertices, face.vertices);
         ground.distance(&base.scale, corners) < reach
     };
     // A small disc of faces is found by flooding from its middle, a great one by looking at all.
@@ -31,8 +31,7 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
     let kept = if reach < quarter {
         flood(base, base.locate(view.direction, None), is_near)
     } else {
-        let faces = (0..).zip(&base.level.faces);
-        faces.filter(|(_, f)| is_near(f)).map(|(i, _)| i).collect()
+        all(base, is_near)
     };
     compact(base, &kept)
 }
@@ -44,6 +43,12 @@ fn reach(base: &Base, view: &View) -> i32 {
         .max(view.bound(&base.scale, 0))
         .saturating_add(edge * MARGIN)
         .saturating_add(view.radius)
+}
+
+/// The faces that fulfil a condition, in ascending order.
+fn all(base: &Base, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
+    let faces = (0..).zip(&base.level.faces);
+    faces.filter(|(_, f)| is_near(f)).map(|(i, _)| i).collect()
 }
 
 /// The faces that fulfil a condition and hang together with the first, in ascending order.
@@ -149,13 +154,11 @@ mod tests {
                 ..View::disc(direction, 1, 17)
             };
             let is_near = |face: &Face| {
-                let corners = face.vertices.map(|v| &base.vertices[v as usize]);
+                let corners = gather(&base.vertices, face.vertices);
                 view.distance(&base.scale, corners) < reach
             };
-            let all = (0..).zip(&base.level.faces).filter(|(_, f)| is_near(f));
-            let all: Vec<u32> = all.map(|(i, _)| i).collect();
             let found = flood(&base, base.locate(direction, None), is_near);
-            assert_eq!(found, all, "{k}");
+            assert_eq!(found, all(&base, is_near), "{k}");
         }
     }
 }

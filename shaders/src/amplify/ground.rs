@@ -6,7 +6,7 @@ use super::mark::{View, halo};
 use super::rules::Rules;
 use super::scale::PlanetScale;
 use super::step::step;
-use super::topology::{Level, SplitMark};
+use super::topology::{Level, SplitMark, gather};
 use super::vertex::Vertex;
 
 /// The finest level: edges of 0.4 m on an Earth-sized planet.
@@ -124,7 +124,7 @@ fn mark_faces(
     let splits: Vec<bool> = level
         .faces
         .iter()
-        .map(|face| view.splits(scale, index, face.vertices.map(|v| &vertices[v as usize])))
+        .map(|face| view.splits(scale, index, gather(vertices, face.vertices)))
         .collect();
     let mut marked = 0;
     for i in 0..level.faces.len() {

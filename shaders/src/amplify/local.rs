@@ -119,9 +119,8 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             self.lazy.ensure(v);
             *self.lazy.vertex(v)
         });
-        let base_face = (0..=level)
-            .rev()
-            .fold(face, |at, above| self.lazy.face(above, at).parent);
+        let parent = |at, level| self.lazy.face(level, at).parent;
+        let base_face = (0..=level).rev().fold(face, parent);
         let scale = self.base().scale;
         let carved = vertices.map(|v| carve(&mut self.cache, &scale, &v));
         Leaf {

@@ -1,7 +1,7 @@
 //! The face that a direction lies in. On the CPU alone, in f64: it chooses a face, and changes no
 //! bit of it.
 
-use super::topology::{Face, Level, NONE};
+use super::topology::{Face, Level, NONE, gather};
 use super::vertex::Vertex;
 
 /// Cells along an edge of the cube.
@@ -48,7 +48,7 @@ impl FaceIndex {
             .unwrap_or(self.starts[cell(direction)]);
         for _ in 0..MOST_STEPS {
             let face = &level.faces[at as usize];
-            let sides = sides(direction, face.vertices.map(|v| &vertices[v as usize]));
+            let sides = sides(direction, gather(vertices, face.vertices));
             let worst = (0..3)
                 .min_by(|&i, &j| sides[i].total_cmp(&sides[j]))
                 .unwrap_or(0);
@@ -65,7 +65,7 @@ impl FaceIndex {
 /// The face in which a direction lies deepest, of those whose first corner is on its side of the
 /// planet.
 fn locate_slowly(faces: &[Face], vertices: &[Vertex], direction: [i32; 3]) -> u32 {
-    let corners = |f: &Face| f.vertices.map(|v| &vertices[v as usize]);
+    let corners = |f: &Face| gather(vertices, f.vertices);
     let depth_in = |f: &Face| depth(sides(direction, corners(f)));
     (0..)
         .zip(faces)

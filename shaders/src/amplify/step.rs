@@ -11,7 +11,7 @@ use super::mark::edge_mark;
 use super::rules::{EdgeKind, Rules};
 use super::scale::PlanetScale;
 use super::scan::scan;
-use super::topology::{Edge, Face, Inner, Level, SplitMark};
+use super::topology::{Edge, Face, Inner, Level, SplitMark, gather};
 use super::vertex::Vertex;
 use super::vertex_resolve::{DrainBeside, Requests, Settled, VertexContext, resolve};
 
@@ -105,7 +105,7 @@ impl LevelPasses<'_> {
     /// The vertex that halves the `i`th edge.
     fn split_edge(&self, level: &Level, vertices: &[Vertex], i: u32) -> Vertex {
         let edge = &level.edges[i as usize];
-        let ends = edge.vertices.map(|v| &vertices[v as usize]);
+        let ends = gather(vertices, edge.vertices);
         let corners = if self.index < STRAIGHT_LEVEL {
             [0, 1].map(|side| opposite(level, vertices, i, side))
         } else {
@@ -128,18 +128,18 @@ impl LevelPasses<'_> {
     /// The inner edges of the `f`th face.
     fn decide_face(&self, level: &Level, vertices: &[Vertex], f: u32) -> [Inner; 3] {
         let face = &level.faces[f as usize];
-        let edges = face.edges.map(|e| &level.edges[e as usize]);
+        let edges = gather(&level.edges, face.edges);
         if edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
             return [Inner::Terrain; 3];
         }
-        let beyond = [0, 1, 2].map(|k| {
-            let side = usize::from(edges[k].faces[0] == f);
-            opposite(level, vertices, face.edges[k], side)
+        let beyond = face.edges.map(|e| {
+            let side = usize::from(level.edges[e as usize].faces[0] == f);
+            opposite(level, vertices, e, side)
         });
-        let mids = edges.map(|e| &vertices[e.mid as usize]);
+        let mids = gather(vertices, edges.map(|e| e.mid));
         let context = FaceContext {
             corners: face.vertices,
-            vertices: face.vertices.map(|v| &vertices[v as usize]),
+            vertices: gather(vertices, face.vertices),
             edges,
             mids,
             kinds: mids.map(|mid| mid.kind),
@@ -162,7 +162,7 @@ impl LevelPasses<'_> {
         let edge = &level.edges[i as usize];
         let mut around = VertexContext {
             edge,
-            ends: edge.vertices.map(|v| &vertices[v as usize]),
+            ends: gather(vertices, edge.vertices),
             opposite: [None; 2],
             requests: Requests::default(),
             beside: [None; 4],
@@ -222,7 +222,7 @@ fn opposite<'a>(
 fn drain_beside<'a>(edge: &'a Edge, vertices: &'a [Vertex]) -> Option<DrainBeside<'a>> {
     (edge.kind != EdgeKind::Terrain).then(|| DrainBeside {
         edge,
-        ends: edge.vertices.map(|v| &vertices[v as usize]),
+        ends: gather(vertices, edge.vertices),
         mid: vertices.get(edge.mid as usize),
     })
 }
@@ -256,6 +256,30 @@ mod tests {
         order
     }
 
+    /// Does the items of every pass of a level in a random order.
+    fn redo(passes: &LevelPasses, level: &Level, vertices: &mut [Vertex]) {
+        let edges = shuffled(level.edges.len(), passes.index);
+        for &i in &edges {
+            let edge = &level.edges[i as usize];
+            if edge.mark != SplitMark::Leaf {
+                vertices[edge.mid as usize] = passes.split_edge(level, vertices, i);
+            }
+        }
+        for f in shuffled(level.faces.len(), passes.index) {
+            let face = &level.faces[f as usize];
+            if face.mark != SplitMark::Leaf && passes.index < STRAIGHT_LEVEL {
+                assert_eq!(passes.decide_face(level, vertices, f), face.inner);
+            }
+        }
+        for &i in &edges {
+            let edge = &level.edges[i as usize];
+            if edge.mark == SplitMark::Split {
+                let settled = passes.resolve_vertex(level, vertices, i);
+                settled.write(&mut vertices[edge.mid as usize]);
+            }
+        }
+    }
+
     #[test]
     fn items_are_done_in_any_order() {
         let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
@@ -264,31 +288,13 @@ mod tests {
         let view = View::disc(river.direction, 2_000, 13);
         let want = refine(&base, &rules, &view, &Caps::default());
         let mut vertices = want.vertices.clone();
-        for (index, made) in (0..).zip(&want.levels[..want.levels.len() - 1]) {
+        for (index, level) in (0..).zip(&want.levels) {
             let passes = LevelPasses {
                 scale: &base.scale,
                 rules: &rules,
                 index,
             };
-            let edges = shuffled(made.edges.len(), index);
-            let split = |i: &&u32| made.edges[**i as usize].mark != SplitMark::Leaf;
-            for &i in edges.iter().filter(split) {
-                let mid = made.edges[i as usize].mid as usize;
-                vertices[mid] = passes.split_edge(made, &vertices, i);
-            }
-            for f in shuffled(made.faces.len(), index) {
-                let face = &made.faces[f as usize];
-                if face.mark != SplitMark::Leaf && index < STRAIGHT_LEVEL {
-                    assert_eq!(passes.decide_face(made, &vertices, f), face.inner);
-                }
-            }
-            for &i in &edges {
-                let edge = &made.edges[i as usize];
-                if edge.mark == SplitMark::Split {
-                    let settled = passes.resolve_vertex(made, &vertices, i);
-                    settled.write(&mut vertices[edge.mid as usize]);
-                }
-            }
+            redo(&passes, level, &mut vertices);
         }
         assert!(vertices.len() > 10_000 && vertices == want.vertices);
     }

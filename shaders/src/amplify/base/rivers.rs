@@ -1,10 +1,10 @@
 //! Rivers and gullies of level 0: discharges, river edges, dry drainage lines, nearest rivers.
 
-use crate::amplify::control::{ControlEdge, ControlMesh, VertexKind};
+use crate::amplify::control::{ControlMesh, VertexKind};
 use crate::amplify::geometry::nearest_on;
 use crate::amplify::rules::EdgeKind;
 use crate::amplify::scale::PlanetScale;
-use crate::amplify::topology::{Edge, Face, NONE};
+use crate::amplify::topology::{Edge, Face, NONE, gather};
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
 use crate::amplify::vertex_resolve::segment;
 
@@ -75,18 +75,17 @@ pub(super) fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
         confluences[down].discharge += u64::from(vertices[up].discharge);
         confluences[down].rivers += 1;
     }
-    let mut edge = |edge: &ControlEdge| {
+    let edges = mesh.edges.iter().map(|edge| {
         if edge.river == 0 {
             return Edge::new(EdgeKind::Terrain, edge.vertices, edge.faces);
         }
-        let [up, down] = edge.vertices.map(|v| v as usize);
-        let ends = [&vertices[up], &vertices[down]];
+        let into = &mut confluences[edge.vertices[1] as usize];
         Edge {
-            arriving: arriving(ends, &mut confluences[down]),
+            arriving: arriving(gather(vertices, edge.vertices), into),
             ..Edge::new(EdgeKind::River, edge.vertices, edge.faces)
         }
-    };
-    mesh.edges.iter().map(&mut edge).collect()
+    });
+    edges.collect()
 }
 
 /// Discharge that the next river of a confluence brings.
@@ -186,7 +185,7 @@ fn beside_faces(
         if edge.kind != EdgeKind::River {
             continue;
         }
-        let ends = edge.vertices.map(|v| &vertices[v as usize]);
+        let ends = gather(vertices, edge.vertices);
         let segment = segment(scale, 0, 0, ends, edge.arriving);
         for &face in edge.faces.iter().filter(|&&f| f != NONE) {
             let corner = faces[face as usize].opposite(i) as usize;

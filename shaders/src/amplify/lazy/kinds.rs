@@ -80,15 +80,20 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             }
             EdgeOrigin::Inner(..) => {
                 // A tributary: its second vertex is the junction, on an edge of the face.
-                let (at, river) = self.origins[known.edge.vertices[1] as usize];
-                self.split(usize::from(at), river);
-                let river = self.edge(usize::from(at), river).edge;
-                tributary(self.vertex(river.mid), self.vertex(river.vertices[0]))
+                self.tributary_at(known.edge.vertices[1])
             }
         };
         let known = self.edge_mut(level, edge);
         known.edge.arriving = arriving;
         known.has_arriving = true;
+    }
+
+    /// Discharge that a tributary brings to a junction.
+    fn tributary_at(&mut self, junction: u32) -> u32 {
+        let (level, river) = self.origins[junction as usize];
+        self.split(usize::from(level), river);
+        let river = self.edge(usize::from(level), river).edge;
+        tributary(self.vertex(river.mid), self.vertex(river.vertices[0]))
     }
 
     /// Whether no river or gully runs beside an edge of a straight level, nor ever will.

@@ -74,13 +74,18 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<VertexGround> {
         return None;
     }
     let bed = if is_river || context.level < rules.lake_levels {
-        let depth = LEAST_DEPTH + mul_q16(DRAWN_DEPTH, share(new.seed, 11));
-        water.bed - depth.min(water.bed - GRAINS).max(0)
+        new_bed(water.bed, new.seed)
     } else {
         // The floor shelves towards the shore.
         water.bed + (water.water - water.bed) / 2
     };
     Some(lake(bed, water.water))
+}
+
+/// Floor of a new lake under the bed of its river, a metre above the sea at least; grains.
+fn new_bed(bed: i32, seed: u32) -> i32 {
+    let depth = LEAST_DEPTH + mul_q16(DRAWN_DEPTH, share(seed, 11));
+    bed - depth.min(bed - GRAINS).max(0)
 }
 
 /// Between two lake vertices: the floor of their lake, or a crest between two lakes.

@@ -166,11 +166,7 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
         return ValleySection::outside(vertex.height);
     }
     let x = ratio(across, width);
-    let shape = if rules.archetypes {
-        ValleyShape::from_number(vertex.valley)
-    } else {
-        ValleyShape::V
-    };
+    let shape = shape(rules, vertex);
     // The plain's own height bounds them.
     let tangent = mix(SIDE_SLOPE[0], SIDE_SLOPE[1], reach.strength);
     let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x));
@@ -179,6 +175,14 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
     ValleySection {
         height,
         own: riser(OWN_HEIGHT, x),
+    }
+}
+
+const fn shape(rules: &Rules, vertex: &Vertex) -> ValleyShape {
+    if rules.archetypes {
+        ValleyShape::from_number(vertex.valley)
+    } else {
+        ValleyShape::V
     }
 }
 

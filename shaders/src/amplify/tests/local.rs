@@ -3,7 +3,7 @@
 use super::*;
 use crate::amplify::local::{Leaf, LocalGround};
 use crate::amplify::locate::{depth, sides};
-use crate::amplify::topology::SplitMark;
+use crate::amplify::topology::{SplitMark, gather};
 
 /// Moves a direction by up to `range` units and back on the sphere.
 fn nearby(direction: [i32; 3], k: u32, range: i32) -> [i32; 3] {
@@ -18,7 +18,7 @@ fn brute(ground: &RefinedGround, level: u32, direction: [i32; 3]) -> Vec<[Vertex
     };
     let leaves = level.faces.iter().filter(|f| f.mark != SplitMark::Split);
     leaves
-        .map(|f| f.vertices.map(|v| &ground.vertices[v as usize]))
+        .map(|f| gather(&ground.vertices, f.vertices))
         .filter(|c| is_near(c[0], direction) && depth(sides(direction, *c)) >= 0.0)
         .map(|c| c.map(|v| *v))
         .collect()

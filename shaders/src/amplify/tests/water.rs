@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::amplify::rules::EdgeKind;
-use crate::amplify::topology::{Edge, Level, NONE, SplitMark};
+use crate::amplify::topology::{Edge, Level, NONE, SplitMark, gather};
 use std::collections::BTreeMap;
 
 /// Views of rivers from 100 m, under all presets.
@@ -31,7 +31,7 @@ fn water_runs_downhill() {
     for ground in river_views() {
         assert!(ground.vertices.iter().all(|v| v.water >= v.bed));
         for edge in edges(&ground).filter(|e| e.kind == EdgeKind::River) {
-            let [up, down] = edge.vertices.map(|v| &ground.vertices[v as usize]);
+            let [up, down] = gather(&ground.vertices, edge.vertices);
             if !is_river(up) || !is_river(down) {
                 continue;
             }
@@ -71,7 +71,7 @@ fn lakes_are_level() {
         for edge in edges(&ground).filter(|e| e.mark == SplitMark::Split) {
             let mid = &ground.vertices[edge.mid as usize];
             if mid.kind == VertexKind::Lake {
-                let ends = edge.vertices.map(|v| &ground.vertices[v as usize]);
+                let ends = gather(&ground.vertices, edge.vertices);
                 let is_level = |end: &&Vertex| end.is_wet() && end.water == mid.water;
                 assert!(ends.iter().any(is_level), "{mid:?} {ends:?}");
                 made += 1;

@@ -183,15 +183,20 @@ fn offer_inherited(
         let Some(from) = from.filter(|v| v.river_distance < FAR) else {
             continue;
         };
-        if seen.iter().flatten().any(|s| s.ends == from.river.ends) {
-            continue;
+        let is_new = |s: &&RiverSegment| s.ends != from.river.ends;
+        if seen.iter().flatten().all(is_new) {
+            seen[i] = Some(&from.river);
+            let charge = most_move(scale, from.river.level);
+            nearest.offer(scale, new.direction, &from.river, charge);
         }
-        seen[i] = Some(&from.river);
-        let moved = if from.river.level >= STRAIGHT_LEVEL {
-            0
-        } else {
-            scale.edge_grains(from.river.level) / 3
-        };
-        nearest.offer(scale, new.direction, &from.river, moved);
+    }
+}
+
+/// How far a river of a level may move on finer levels, grains.
+fn most_move(scale: &PlanetScale, level: u32) -> i32 {
+    if level >= STRAIGHT_LEVEL {
+        0
+    } else {
+        scale.edge_grains(level) / 3
     }
 }
