@@ -59,13 +59,22 @@ fn step(from: [i32; 3], k: u32, share: f64) -> [i32; 3] {
 }
 
 /// A planet, the directions of its vertices on land, and the default rules.
-struct Planet {
+struct TimedPlanet {
     base: Base,
     land: Vec<[i32; 3]>,
     rules: Rules,
 }
 
-impl Planet {
+impl TimedPlanet {
+    fn new(base: Base) -> Self {
+        let land = base.vertices.iter().filter(|v| v.height > 0);
+        Self {
+            land: land.map(|v| v.direction).collect(),
+            base,
+            rules: Rules::default(),
+        }
+    }
+
     fn on_land(&self, k: u32) -> [i32; 3] {
         self.land[pcg(k) as usize % self.land.len()]
     }
@@ -87,21 +96,19 @@ fn main() {
     };
     let bytes = size_of_val(&base.vertices[0]);
     println!("made ready: {:.0} ms, vertex {bytes} B", watch.millis());
-    let land = base.vertices.iter().filter(|v| v.height > 0);
-    let planet = Planet {
-        land: land.map(|v| v.direction).collect(),
-        base,
-        rules: Rules::default(),
-    };
+    time_queries(&TimedPlanet::new(base));
+}
+
+fn time_queries(planet: &TimedPlanet) {
     let mut local = LocalGround::new(&planet.base, &planet.rules);
     random_points(&mut local, "anywhere", direction);
     random_points(&mut local, "on land", |k| step(planet.on_land(k), k, 0.003));
-    fresh_points(&planet);
-    near_points(&planet, &mut local);
-    random_walks(&planet, &mut local);
-    patches(&planet);
+    fresh_points(planet);
+    near_points(planet, &mut local);
+    random_walks(planet, &mut local);
+    patches(planet);
     for (altitude_m, sharpness) in [(2, 18), (1000, 24), (100_000, 32), (1_000_000, 48)] {
-        view(&planet, &mut local, altitude_m, sharpness);
+        view(planet, &mut local, altitude_m, sharpness);
     }
 }
 
@@ -118,7 +125,7 @@ fn random_points(local: &mut LocalGround<&Base>, name: &str, place: impl Fn(u32)
 }
 
 /// Vertices that a point needs if nothing near it is known.
-fn fresh_points(planet: &Planet) {
+fn fresh_points(planet: &TimedPlanet) {
     let mut sums = [0; 3];
     for k in 0..100 {
         let mut fresh = LocalGround::new(&planet.base, &planet.rules);
@@ -131,7 +138,7 @@ fn fresh_points(planet: &Planet) {
 }
 
 /// Points within 100 m of a centre, and the first of them.
-fn near_points(planet: &Planet, local: &mut LocalGround<&Base>) {
+fn near_points(planet: &TimedPlanet, local: &mut LocalGround<&Base>) {
     let [mut first, mut near] = [0.0, 0.0];
     for k in 0..200 {
         let aside = (pcg(k) >> 12) as i32 - (1 << 19);
@@ -150,7 +157,7 @@ fn near_points(planet: &Planet, local: &mut LocalGround<&Base>) {
     println!("first at a centre: {first:.0} us; then within 100 m of it: {near:.2} us");
 }
 
-fn random_walks(planet: &Planet, local: &mut LocalGround<&Base>) {
+fn random_walks(planet: &TimedPlanet, local: &mut LocalGround<&Base>) {
     let mut walked = 0.0;
     for k in 0..20 {
         let mut at = planet.on_land(k + 70);
@@ -166,7 +173,7 @@ fn random_walks(planet: &Planet, local: &mut LocalGround<&Base>) {
 }
 
 /// Discs that hold a square of 64 m.
-fn patches(planet: &Planet) {
+fn patches(planet: &TimedPlanet) {
     for k in 0..4 {
         let view = View::disc(planet.on_land(k + 7), 46, FINEST);
         let watch = Watch::start();
@@ -179,7 +186,7 @@ fn patches(planet: &Planet) {
 }
 
 /// A camera over the land.
-fn view(planet: &Planet, local: &mut LocalGround<&Base>, altitude_m: i32, sharpness: u32) {
+fn view(planet: &TimedPlanet, local: &mut LocalGround<&Base>, altitude_m: i32, sharpness: u32) {
     let centre = planet.on_land(9);
     let height = local.leaf(centre, FINEST, None).carved[0].ground;
     let horizon_m = (2.0 * RADIUS_M * (f64::from(altitude_m) + 9000.0)).sqrt();

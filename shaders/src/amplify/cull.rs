@@ -71,16 +71,7 @@ fn flood(base: &Base, first: u32, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
 
 /// Some faces of the control mesh as a level of their own, in the given order.
 pub fn compact(base: &Base, kept: &[u32]) -> (Vec<Vertex>, Level) {
-    let faces = || kept.iter().map(|&f| &base.level.faces[f as usize]);
-    let places = Kept {
-        vertices: sorted(faces().flat_map(|f| f.vertices)),
-        edges: sorted(faces().flat_map(|f| f.edges)),
-        faces: {
-            let mut faces: Vec<(u32, u32)> = kept.iter().copied().zip(0..).collect();
-            faces.sort_unstable();
-            faces
-        },
-    };
+    let places = Kept::new(base, kept);
     let edges = places.edges.iter().map(|&e| places.edge(base, e));
     let faces = kept.iter().map(|&f| places.face(base, f));
     let level = Level {
@@ -100,6 +91,17 @@ struct Kept {
 }
 
 impl Kept {
+    fn new(base: &Base, kept: &[u32]) -> Self {
+        let from = || kept.iter().map(|&f| &base.level.faces[f as usize]);
+        let mut faces: Vec<(u32, u32)> = kept.iter().copied().zip(0..).collect();
+        faces.sort_unstable();
+        Self {
+            vertices: sorted(from().flat_map(|f| f.vertices)),
+            edges: sorted(from().flat_map(|f| f.edges)),
+            faces,
+        }
+    }
+
     /// An edge of the control mesh as an edge of the kept part.
     fn edge(&self, base: &Base, edge: u32) -> Edge {
         let edge = &base.level.edges[edge as usize];

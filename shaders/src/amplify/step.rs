@@ -160,26 +160,8 @@ impl LevelPasses<'_> {
     /// Settles the new vertex of the `i`th edge from the faces beside it.
     fn resolve_vertex(&self, level: &Level, vertices: &[Vertex], i: u32) -> Settled {
         let edge = &level.edges[i as usize];
-        let mut around = VertexContext {
-            edge,
-            ends: gather(vertices, edge.vertices),
-            opposite: [None; 2],
-            requests: Requests::default(),
-            beside: [None; 4],
-        };
-        for side in 0..2 {
-            let Some(face) = level.faces.get(edge.faces[side] as usize) else {
-                continue;
-            };
-            around.opposite[side] = Some(&vertices[face.opposite(i) as usize]);
-            let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
-            around.requests = around.requests.and(Requests::of(&face.inner, k));
-            for j in 0..2 {
-                let other = &level.edges[face.edges[(k + 1 + j) % 3] as usize];
-                around.beside[side * 2 + j] = drain_beside(other, vertices);
-            }
-        }
         let new = &vertices[edge.mid as usize];
+        let around = around_edge(level, vertices, i);
         resolve(self.scale, self.rules, self.index, new, &around)
     }
 
@@ -204,6 +186,31 @@ impl LevelPasses<'_> {
         }
         edges
     }
+}
+
+/// The surroundings of the vertex that halves the `i`th edge.
+fn around_edge<'a>(level: &'a Level, vertices: &'a [Vertex], i: u32) -> VertexContext<'a> {
+    let edge = &level.edges[i as usize];
+    let mut around = VertexContext {
+        edge,
+        ends: gather(vertices, edge.vertices),
+        opposite: [None; 2],
+        requests: Requests::default(),
+        beside: [None; 4],
+    };
+    for side in 0..2 {
+        let Some(face) = level.faces.get(edge.faces[side] as usize) else {
+            continue;
+        };
+        around.opposite[side] = Some(&vertices[face.opposite(i) as usize]);
+        let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
+        around.requests = around.requests.and(Requests::of(&face.inner, k));
+        for j in 0..2 {
+            let other = &level.edges[face.edges[(k + 1 + j) % 3] as usize];
+            around.beside[side * 2 + j] = drain_beside(other, vertices);
+        }
+    }
+    around
 }
 
 /// The corner of a face of an edge that the edge does not touch.

@@ -167,6 +167,30 @@ struct RiverBeside {
     segment: RiverSegment,
 }
 
+impl RiverBeside {
+    /// No river yet.
+    fn none() -> Self {
+        Self {
+            distance: FAR,
+            along: 0,
+            segment: RiverSegment::default(),
+        }
+    }
+
+    /// Takes a segment if it is nearer to a direction.
+    fn offer(&mut self, scale: &PlanetScale, direction: [i32; 3], segment: RiverSegment) {
+        let (along, off) = nearest_on(segment.ends, direction);
+        let distance = scale.grains(off).min(FAR);
+        if distance < self.distance {
+            *self = Self {
+                distance,
+                along,
+                segment,
+            };
+        }
+    }
+}
+
 /// The nearest river edge opposite to each vertex: a river edge is seen by the far corners of its
 /// two faces.
 fn beside_faces(
@@ -175,12 +199,7 @@ fn beside_faces(
     edges: &[Edge],
     faces: &[Face],
 ) -> Vec<RiverBeside> {
-    let none = RiverBeside {
-        distance: FAR,
-        along: 0,
-        segment: RiverSegment::default(),
-    };
-    let mut found = vec![none; vertices.len()];
+    let mut found = vec![RiverBeside::none(); vertices.len()];
     for (i, edge) in (0..).zip(edges) {
         if edge.kind != EdgeKind::River {
             continue;
@@ -189,15 +208,7 @@ fn beside_faces(
         let segment = segment(scale, 0, 0, ends, edge.arriving);
         for &face in edge.faces.iter().filter(|&&f| f != NONE) {
             let corner = faces[face as usize].opposite(i) as usize;
-            let (along, off) = nearest_on(segment.ends, vertices[corner].direction);
-            let distance = scale.grains(off).min(FAR);
-            if distance < found[corner].distance {
-                found[corner] = RiverBeside {
-                    distance,
-                    along,
-                    segment,
-                };
-            }
+            found[corner].offer(scale, vertices[corner].direction, segment);
         }
     }
     found

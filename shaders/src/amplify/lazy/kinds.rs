@@ -15,16 +15,15 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         if known.has_kind {
             return known.edge.kind;
         }
-        let (kind, reversed, birth) = match known.origin {
-            EdgeOrigin::Base(_) => (known.edge.kind, false, known.edge.birth),
-            EdgeOrigin::Half(parent, slot) => {
-                let (kind, reversed) = self.half_kind(level - 1, parent, slot);
-                (kind, reversed, self.edge(level - 1, parent).edge.birth)
-            }
+        let ((kind, reversed), birth) = match known.origin {
+            EdgeOrigin::Base(_) => ((known.edge.kind, false), known.edge.birth),
+            EdgeOrigin::Half(parent, slot) => (
+                self.half_kind(level - 1, parent, slot),
+                self.edge(level - 1, parent).edge.birth,
+            ),
             EdgeOrigin::Inner(face, corner) => {
                 let inner = self.decide(level - 1, face)[usize::from(corner)];
-                let (kind, reversed) = inner.edge();
-                (kind, reversed, level as u8)
+                (inner.edge(), level as u8)
             }
         };
         let known = self.edge_mut(level, edge);

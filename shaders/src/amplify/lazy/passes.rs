@@ -111,10 +111,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             self.split(level, made.edges[k]);
             self.ensure(made.vertices[k]);
             if kinds[k] != EdgeKind::Terrain {
-                let [f, g] = self.faces(level, made.edges[k]);
-                let neighbour = if f == face { g } else { f };
-                beyond[k] = self.face(level, neighbour).opposite(made.edges[k]);
-                self.ensure(beyond[k]);
+                beyond[k] = self.ensure_beyond(level, face, made.edges[k]);
             }
         }
         let edges = made.edges.map(|e| self.edge(level, e));
@@ -127,6 +124,15 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             beyond: beyond.map(|v| self.vertex_at(v)),
         };
         face_decide::decide(&self.rules, level as u32, &context)
+    }
+
+    /// The corner beyond an edge of a face, final.
+    fn ensure_beyond(&mut self, level: usize, face: u32, edge: u32) -> u32 {
+        let [f, g] = self.faces(level, edge);
+        let neighbour = if f == face { g } else { f };
+        let corner = self.face(level, neighbour).opposite(edge);
+        self.ensure(corner);
+        corner
     }
 
     /// Pass `vertex_resolve` for one edge.

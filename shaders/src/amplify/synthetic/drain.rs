@@ -70,18 +70,14 @@ fn neighbours(mesh: &ControlMesh) -> Vec<Vec<(usize, usize)>> {
 
 fn flood(mesh: &ControlMesh) -> Flooded {
     let around = neighbours(mesh);
+    let dry = |vertex| if is_sea(vertex) { 0 } else { i32::MAX };
     let mut flooded = Flooded {
         order: Vec::new(),
         receiver: vec![(usize::MAX, 0); around.len()],
-        level: vec![i32::MAX; around.len()],
+        level: mesh.vertices.iter().map(dry).collect(),
     };
-    let mut heap = BinaryHeap::new();
-    for (v, vertex) in mesh.vertices.iter().enumerate() {
-        if is_sea(vertex) {
-            flooded.level[v] = 0;
-            heap.push(Reverse((vertex.height, v)));
-        }
-    }
+    let sea = (0..).zip(&mesh.vertices).filter(|(_, v)| is_sea(v));
+    let mut heap: BinaryHeap<_> = sea.map(|(i, v)| Reverse((v.height, i))).collect();
     while let Some(Reverse((height, v))) = heap.pop() {
         flooded.order.push(v);
         for &(w, edge) in &around[v] {
@@ -127,8 +123,13 @@ fn lay_river(mesh: &mut ControlMesh, flooded: &Flooded, v: usize, discharge: u64
         vertex.water = flooded.level[v];
         return;
     }
+    lay_bed(vertex, &lower);
+}
+
+/// Lays the bed of a river above the vertex below it.
+fn lay_bed(vertex: &mut ControlVertex, lower: &ControlVertex) {
     let depth = LEAST_DEPTH + (vertex.flow as i32) * 40 / 64;
-    let floor = if is_sea(&lower) { MOUTH_BED } else { lower.bed };
+    let floor = if is_sea(lower) { MOUTH_BED } else { lower.bed };
     vertex.kind = VertexKind::River as u8;
     vertex.bed = (vertex.height - depth).max(floor + LEAST_FALL);
     vertex.water = (vertex.bed + depth).max(lower.water.max(0) + LEAST_WATER_FALL);

@@ -109,6 +109,22 @@ struct Area {
 }
 
 impl Area {
+    /// The square whose corners lie at a radius from its centre.
+    fn new(base: &Base, centre: [i32; 3], radius_m: u32) -> Self {
+        let half_side = f64::from(radius_m) / 2.0_f64.sqrt();
+        Self {
+            centre,
+            tangents: tangents(centre),
+            half_side: half_side / f64::from(base.scale.radius_m) * f64::from(ONE),
+        }
+    }
+
+    /// Its tangents in Q16.
+    fn sides(&self) -> [[i32; 3]; 2] {
+        let q16 = |x: f64| (x * 65_536.0).round() as i32;
+        self.tangents.map(|side| side.map(q16))
+    }
+
     fn contains(&self, vertex: &Vertex) -> bool {
         let off = [0, 1, 2].map(|i| f64::from(vertex.direction[i]) - f64::from(self.centre[i]));
         self.tangents
@@ -135,15 +151,8 @@ fn a_square_has_all_faces_of_its_disc_that_reach_into_it() {
     let base = planet();
     for k in 0..10 {
         let centre = anywhere_or_on_river(&base, k);
-        let tangents = tangents(centre);
-        let sides = tangents.map(|side| side.map(|x| (x * 65_536.0).round() as i32));
-        let half_side = f64::from(RADIUS_M) / 2.0_f64.sqrt();
-        let area = Area {
-            centre,
-            tangents,
-            half_side: half_side / f64::from(base.scale.radius_m) * f64::from(ONE),
-        };
-        let square = refined(&base, &View::square(centre, sides, RADIUS_M, 16));
+        let area = Area::new(&base, centre, RADIUS_M);
+        let square = refined(&base, &View::square(centre, area.sides(), RADIUS_M, 16));
         let disc = refined(&base, &View::disc(centre, RADIUS_M, 16));
         let [found, wanted] = [&square, &disc].map(|ground| area.faces(ground, 16));
         assert!(wanted.len() > 1000 && found == wanted, "{k}");
