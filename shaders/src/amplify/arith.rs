@@ -45,10 +45,12 @@ pub const fn ratio(a: i32, b: i32) -> i32 {
     if a <= 0 {
         return if b <= 0 { Q16 } else { 0 };
     }
+    // Saturation comes first, so that the digits below are true fractions.
     if a >= b {
         return Q16;
     }
     // Two digits of eight bits, so that the remainder never leaves 32 bits.
+    // The divisor keeps 24 bits, so that a remainder has room for eight more.
     let bits = 32 - (b as u32).leading_zeros();
     let shift = bits.saturating_sub(24);
     let b = (b as u32) >> shift;

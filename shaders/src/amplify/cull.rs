@@ -54,6 +54,7 @@ fn all(base: &Base, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
 /// The faces that fulfil a condition and hang together with the first, in ascending order.
 fn flood(base: &Base, first: u32, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
     let mut kept = vec![first];
+    // Across corners, not edges alone: a disc of faces hangs together by them.
     let mut seen = Numbers::from_iter([first]);
     let mut next = 0;
     while next < kept.len() {

@@ -19,6 +19,7 @@ pub fn halve(
     let [a, b] = edge.vertices;
     let [up, mid, down] = gather(vertices, [a, edge.mid, b]);
     [0, 1].map(|slot| {
+        // New land drains down one of its halves, the rest is inherited.
         let (kind, reversed) = half_kind(rules, level, edge.kind, slot, [up, mid, down]);
         let (end, ends) = [(a, [a, edge.mid]), (b, [edge.mid, b])][slot];
         let mut half = Edge::new(kind, ends, children_at(end, edge, faces));

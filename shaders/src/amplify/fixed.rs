@@ -92,15 +92,17 @@ pub const fn difference(to: [i32; 3], from: [i32; 3]) -> [i32; 3] {
     [to[0] - from[0], to[1] - from[1], to[2] - from[2]]
 }
 
+/// Fraction of 2³² / [`ONE`] = 2 + 0.10526, in 2⁻³².
+const INVERSE_FRACTION: u32 = ((1_u128 << 64) / ONE as u128 - (1_u128 << 33)) as u32;
+
 /// Square of a difference of directions in 2⁻³² of the squared radius: below a quarter.
 #[inline]
 pub const fn square_q32(d: [i32; 3]) -> u32 {
     let mut sum = 0;
     let mut i = 0;
     while i < 3 {
-        // 2^32 / ONE = 2 + 0.10526; the product of 0.10526 has 32 bits after the point.
         let x = d[i].unsigned_abs();
-        let x = 2 * x + mul_high(x, 452_101_823);
+        let x = 2 * x + mul_high(x, INVERSE_FRACTION);
         sum += mul_high(x, x);
         i += 1;
     }
@@ -122,6 +124,7 @@ pub const fn lift(p: [i32; 3], deficit: u32) -> [i32; 3] {
     let mut i = 0;
     while i < 3 {
         let x = p[i].unsigned_abs();
+        // Rounded to the nearest by the highest bit that is lost.
         let low = x.wrapping_mul(factor);
         let step = (mul_high(x, factor) + (low >> 31)) as i32;
         out[i] = if p[i] < 0 { p[i] - step } else { p[i] + step };

@@ -41,6 +41,7 @@ pub const fn dot(u: [i32; 3], v: [i32; 3]) -> i32 {
 /// there to `p`.
 #[inline]
 pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
+    // Projected on the line of the segment, then held between its ends.
     let along = difference(ends[1], ends[0]);
     let to = difference(p, ends[0]);
     let shift = common_shift(along, to);
@@ -52,6 +53,7 @@ pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
     } else {
         ratio(part, square)
     };
+    // From the end itself, whose distance must not hang on rounding of the way there.
     let off = if t >= Q16 {
         difference(p, ends[1])
     } else {
@@ -82,8 +84,10 @@ impl Stance {
     pub fn of(edge: [i32; 3], corner: [i32; 3]) -> Self {
         let shift = common_shift(edge, corner);
         let (u, v) = (shifted(edge, shift), shifted(corner, shift));
+        // Shares of the squared edge in Q12.
         let unit = product(u, u) >> 12;
         let unit = if unit < 1 { 1 } else { unit };
+        // Twice the area: the height times the edge.
         let cross = length(
             u[1] * v[2] - u[2] * v[1],
             u[2] * v[0] - u[0] * v[2],

@@ -99,6 +99,7 @@ fn refined(
             }
             break;
         }
+        // Without edges nothing can be split further, so only the last level may lack them.
         let edges = finest_edges || index + 1 < finest;
         let next = step(
             &base.scale,

@@ -119,6 +119,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             self.lazy.ensure(v);
             *self.lazy.vertex(v)
         });
+        // Up the tree of faces again.
         let parent = |at, level| self.lazy.face(level, at).parent;
         let base_face = (0..=level).rev().fold(face, parent);
         let scale = self.base().scale;
@@ -155,6 +156,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
         if let Some(child) = self.inside(level, face, direction) {
             return child;
         }
+        // On an edge that moved: the direction may have passed to a neighbour.
         let mut best = self.deepest(level, face, direction);
         for edge in self.lazy.face(level, face).edges {
             for neighbour in self.lazy.faces(level, edge) {
@@ -178,6 +180,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             self.lazy.ensure_place(v);
         }
         let inward = sides(direction, middle.map(|v| self.lazy.vertex(v)));
+        // The middle child is tried first: it is the most likely one.
         if inward.iter().all(|&side| side > 0.0) {
             return Some(first + 3);
         }

@@ -49,6 +49,7 @@ impl FaceIndex {
         for _ in 0..MOST_STEPS {
             let face = &level.faces[at as usize];
             let sides = sides(direction, gather(vertices, face.vertices));
+            // Across the edge that the direction lies farthest beyond.
             let worst = (0..3)
                 .min_by(|&i, &j| sides[i].total_cmp(&sides[j]))
                 .unwrap_or(0);
@@ -90,6 +91,7 @@ fn cell(direction: [i32; 3]) -> usize {
     } else {
         2
     };
+    // The ray through the direction meets the side of the cube on its greatest axis.
     let depth = f64::from(size[axis].max(1));
     let [row, column] = [1, 2].map(|step| {
         let share = f64::from(direction[(axis + step) % 3]) / depth * 0.5 + 0.5;

@@ -106,6 +106,7 @@ impl View {
         let [a, b, c] = corners;
         let [ab, ac] = [b, c].map(|v| difference(v.direction, a.direction));
         let centre = [0, 1, 2].map(|i| a.direction[i] + (ab[i] + ac[i]) / 3);
+        // Along the ground and above it, as the legs of a right triangle.
         let ground = scale.chord(centre, self.direction);
         let above = self.altitude.map_or(0, |altitude| {
             altitude / GRAINS_IN_SIXTEENTH
@@ -161,6 +162,7 @@ pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> boo
     if splits(index) {
         return SplitMark::Split;
     }
+    // A face beside a split one is halo.
     let beside = face.edges.iter().any(|&e| {
         let [f, g] = edges[e as usize].faces;
         let other = if f == index { g } else { f };

@@ -34,6 +34,7 @@ pub fn step(
     mark_edges(level);
     let counts = place(level, vertices.len() as u32);
     vertices.reserve(counts.vertices);
+    // New vertices, then decisions that read them, then what the decisions settle.
     passes.split_edges(level, vertices);
     passes.decide_faces(level, vertices);
     passes.resolve_vertices(level, vertices);
@@ -106,6 +107,7 @@ impl LevelPasses<'_> {
     fn split_edge(&self, level: &Level, vertices: &[Vertex], i: u32) -> Vertex {
         let edge = &level.edges[i as usize];
         let ends = gather(vertices, edge.vertices);
+        // Straight edges do not move sideways and need no corners.
         let corners = if self.index < STRAIGHT_LEVEL {
             [0, 1].map(|side| opposite(level, vertices, i, side))
         } else {

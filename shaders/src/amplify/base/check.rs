@@ -86,6 +86,7 @@ fn vertex_fits(vertex: &ControlVertex) -> bool {
         .iter()
         .map(|&x| f64::from(x) * f64::from(x))
         .sum();
+    // In f64: 64 bits of squares do not fit 32.
     let on_sphere = (square.sqrt() / f64::from(ONE) - 1.0).abs() < OFF_SPHERE;
     let heights = [vertex.height, vertex.bed, vertex.water, vertex.crust];
     on_sphere

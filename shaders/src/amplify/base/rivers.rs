@@ -31,6 +31,7 @@ fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
 /// Raises discharges until every vertex carries at least what comes from upstream: squares of
 /// rounded flows need not.
 pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
+    // How many rivers still have to arrive at each vertex, and where each flows.
     let mut waiting = vec![0_u32; vertices.len()];
     let mut below = vec![usize::MAX; vertices.len()];
     for [up, down] in river_edges(mesh) {
@@ -46,6 +47,7 @@ pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
         vertices[up].discharge = vertices[up].discharge.max(inflow[up]);
         let down = below[up];
         if down != usize::MAX {
+            // A planet that saturates carries 200,000 m³/s in one river.
             inflow[down] = inflow[down].saturating_add(vertices[up].discharge);
             waiting[down] -= 1;
             if waiting[down] == 0 {
@@ -125,6 +127,7 @@ fn drains(vertices: &[Vertex], edges: &[Edge]) -> Vec<Option<u32>> {
         }
         let [a, b] = edge.vertices;
         for (from, to) in [(a, b), (b, a)] {
+            // A vertex without a lower neighbour is a pit, and has no drain.
             let best = lowest[from as usize].map_or(from, |(_, neighbour)| neighbour);
             if vertices[from as usize].kind == VertexKind::Terrain && key(to) < key(best) {
                 lowest[from as usize] = Some((i, to));
@@ -145,6 +148,7 @@ pub(super) fn find_nearest(
     faces: &[Face],
 ) {
     for vertex in vertices.iter_mut().filter(|v| v.is_wet()) {
+        // On the river itself: a segment without length.
         vertex.river = segment(scale, 0, 0, [vertex, vertex], vertex.discharge);
         vertex.river_distance = 0;
         vertex.river_along = 0;

@@ -42,6 +42,7 @@ pub(super) fn place(
         && let [Some(x), Some(y)] = opposite
     {
         let shift = shift(rules, kind, ends.map(|v| v.kind), level, new);
+        // Towards the corner x, away from the corner y.
         let corners = if shift.second { [y, x] } else { [x, y] };
         if shift.weight > 0 {
             return displaced(&shift, ends, corners);
@@ -84,6 +85,7 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     let low = x.height.min(y.height);
     let weight = weigh(shift.weight, linear_step(FLATNESS[0], FLATNESS[1], low));
     let third = shift.inward / 3;
+    // The barycentre lies a third of the way to the corner.
     let wx = weigh(weight, third);
     let along = weigh(Q16 - shift.inward, shift.along) + third;
     // A corner that leans over an end of the edge draws upwards only, not along.
@@ -92,6 +94,7 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     let owed = wx * (x.height >> 3) / (y.height >> 3).max(1);
     let in_beyond = towards_b + q12(wx, x.along) + q12(owed, y.along);
     let loss = end_loss(towards_b, wx).max(end_loss(in_beyond, -owed));
+    // The whole displacement is scaled until all bounds hold in both faces.
     let kept = ratio(MOST_END_LOSS, loss)
         .min(ratio(MOST_FAR_CORNER, wx))
         .min(ratio(MOST_FAR_CORNER, owed));
@@ -113,6 +116,7 @@ const fn q12(share: i32, number: i32) -> i32 {
 
 /// The point a + w_b·ab + w_x·ax, lifted to the sphere by its exact deficit Σ wᵢwⱼ|pᵢ - pⱼ|².
 fn blend(a: [i32; 3], ab: [i32; 3], ax: [i32; 3], wb: i32, wx: i32) -> [i32; 3] {
+    // Barycentric coordinates; those of the ends and the corner sum to 1.
     let wa = Q16 - wb - wx;
     let point = [0, 1, 2].map(|i| a[i] + weigh(wb, ab[i]) + weigh(wx, ax[i]));
     // Shares below 1 in Q16, their products in Q32.

@@ -26,6 +26,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
                 (inner.edge(), level as u8)
             }
         };
+        // Gullies run down from a new vertex, so a half may run against its edge.
         let known = self.edge_mut(level, edge);
         known.has_kind = true;
         known.reversed = reversed;
@@ -68,11 +69,13 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         }
         let arriving = match known.origin {
             EdgeOrigin::Base(_) => known.edge.arriving,
+            // The first half ends at the middle, where a tributary may have joined.
             EdgeOrigin::Half(parent, 0) => {
                 let parent = self.edge(level - 1, parent).edge;
                 self.ensure(parent.mid);
                 arriving_at(self.vertex(parent.mid), self.vertex(parent.vertices[0]))
             }
+            // The second half ends where the whole edge ends.
             EdgeOrigin::Half(parent, _) => {
                 self.settle_arriving(level - 1, parent);
                 self.edge(level - 1, parent).edge.arriving

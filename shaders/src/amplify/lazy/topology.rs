@@ -69,6 +69,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
                     self.edge_mut(0, edge).edge.faces[side] = face;
                 }
                 EdgeOrigin::Half(parent, _) => {
+                    // A half lies between children of the faces beside its parent.
                     let parents = self.faces(level - 1, parent);
                     self.quarter(level - 1, parents[side ^ usize::from(known.reversed)]);
                 }
@@ -86,6 +87,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             return made;
         }
         self.settle_kind(level, edge);
+        // The vertex is named here, and computed by `split` when it is asked for.
         let mid = self.vertices.len() as u32;
         self.vertices.push(Vertex::default());
         self.origins.push((level as u8, edge));

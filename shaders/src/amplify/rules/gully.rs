@@ -53,6 +53,7 @@ pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
         LEAST_RISE
     };
     let height = mix(low, high, rise + mul_q16(xi, DRAWN_RISE));
+    // A gully that ends in a river must lie above it.
     let river = [context.b, context.a].into_iter().find(|end| end.is_wet());
     let height = match river {
         Some(river) if height <= river.height => {

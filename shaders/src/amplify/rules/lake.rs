@@ -42,6 +42,7 @@ pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u1
     if !is_lake_level || river.bed <= LEAST_BED || river.branched {
         return 0;
     }
+    // Less likely by a quarter with every level.
     let coarse = Q16 - ((level - first).min(4) as i32) * (Q16 / 4);
     let high = smoothstep(HIGH_BEDS[0], HIGH_BEDS[1], river.bed)
         + 2 * smoothstep(HIGH_CRUST[0], HIGH_CRUST[1], crust);

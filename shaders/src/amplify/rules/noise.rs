@@ -37,6 +37,7 @@ pub const fn cell_hash(x: u32, y: u32, z: u32, seed: u32) -> u32 {
 /// 6t⁵ - 15t⁴ + 10t³ of a share.
 #[inline]
 pub const fn fade(t: i32) -> i32 {
+    // By Horner: t³(t(6t - 15) + 10).
     let cube = mul_q16(mul_q16(t, t), t);
     mul_q16(cube, mul_q16(t, 6 * t - 15 * Q16) + 10 * Q16)
 }
@@ -127,6 +128,7 @@ pub fn gradient(cache: &mut CornerCache, point: [i32; 3], cell: u32, seed: u32) 
     let mut address = [0_u32; 3];
     let mut place = [0_i32; 3];
     for axis in 0..3 {
+        // Adding the origin may wrap: the lattice is periodic in 32 bits.
         let moved = (point[axis] as u32).wrapping_add(origin(axis as u32, seed));
         address[axis] = moved >> cell;
         let inside = moved & mask;

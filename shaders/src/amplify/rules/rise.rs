@@ -52,12 +52,14 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let slope = slope(rules, context);
     // 1 between level ends, 0 where one is a whole slope above the other.
     let evenness = ratio((slope - (high - low)).max(0), slope.max(1));
+    // Between level ends the ground is a crest, beside a whole slope a hillside, in between both.
     let hillside = hillside(rules, context);
     let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
     let gain = gain(context, high, mul_q16(mul_q16(slope, evenness), bulge));
     let crest = mix(hillside, high, towards_crest) + gain;
 
     let chi = share(context.new.seed, 1);
+    // No rock stands steeper, drawn anew for each edge so that faces do not become planes.
     let steepest = low + mul_q16(slope, STEEPEST[0] + mul_q16(chi, STEEPEST[1]));
     crest.min(steepest).max(least(context, low, high))
 }
@@ -83,6 +85,7 @@ fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
 fn gain(context: &EdgeContext, high: i32, bulge: i32) -> i32 {
     let new = context.new;
     let (xi, chi) = (share(new.seed, 0), share(new.seed, 1));
+    // Summits reach the crust elevation C and no more.
     let room = (new.crust - high).max(0);
     let free = mul_q16(
         mul_q16(bulge, fading(context.level, worn(new))),
@@ -96,6 +99,7 @@ fn gain(context: &EdgeContext, high: i32, bulge: i32) -> i32 {
 /// Height of the middle of an edge on an even hillside.
 fn hillside(rules: &Rules, context: &EdgeContext) -> i32 {
     if is_small(context) {
+        // On the face itself, so that an even slope stays even under sideways moves.
         return context.face + fine::rough(rules, context);
     }
     let (low, high) = ordered(context.a.height, context.b.height);

@@ -70,6 +70,7 @@ pub fn shift(
     level: u32,
     new: &Vertex,
 ) -> Shift {
+    // Uniform between a third and two thirds.
     let drawn = |k| LEAST + mul_q16(share(new.seed, k), LEAST);
     Shift {
         along: drawn(12),

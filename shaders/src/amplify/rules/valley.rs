@@ -76,6 +76,7 @@ impl Reach {
     /// The river where a vertex is nearest to its segment.
     pub fn of(vertex: &Vertex) -> Self {
         let (piece, t) = (&vertex.river, saturate(vertex.river_along));
+        // Bed, water and flow are linear between the ends of the segment.
         let flow = mix(piece.flow[0], piece.flow[1], t);
         Self {
             bed: mix(piece.bed[0], piece.bed[1], t),
@@ -109,7 +110,9 @@ impl Reach {
 pub const fn archetype(shape: ValleyShape, x: i32) -> i32 {
     let x = saturate(x);
     match shape {
+        // Half linear, so that the side starts steeply at the river.
         ValleyShape::V => x / 2 + square(x) / 2,
+        // A riser, and a quarter of a parabola that keeps the floor from being level.
         ValleyShape::FlatFloor => mul_q16(riser(FLOOR_RISER, x), Q16 - x / 4) + square(x) / 4,
         ValleyShape::IceTrough => mul_q16(square(x), x),
         ValleyShape::Terraced => (riser(LOWER_RISER, x) + riser(UPPER_RISER, x)) / 2,
@@ -125,6 +128,7 @@ const fn riser([foot, top]: [i32; 2], x: i32) -> i32 {
 /// mesh, grains; `cache` is shared by the vertices of a patch.
 pub fn carve(cache: &mut ocean::OceanCache, vertex: &Vertex, edge: i32) -> Carved {
     match vertex.kind {
+        // Lakes and rivers have settled their own bed and water.
         VertexKind::Lake => Carved {
             ground: vertex.bed.min(vertex.water),
             water: vertex.water,
@@ -134,6 +138,7 @@ pub fn carve(cache: &mut ocean::OceanCache, vertex: &Vertex, edge: i32) -> Carve
             water: vertex.water.max(vertex.bed),
         },
         VertexKind::Sea => {
+            // Relief that would emerge is held under the sea by its own bounds.
             let ground = vertex.height + ocean::relief(cache, vertex, edge);
             Carved {
                 ground,
@@ -160,6 +165,7 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
         return ValleySection::outside(vertex.height);
     }
     let reach = Reach::of(vertex);
+    // The side begins where the bed ends.
     let across = (vertex.river_distance - reach.half_bed()).max(0);
     let width = width(vertex, &reach, edge);
     if across >= width {
@@ -171,6 +177,7 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
     let tangent = mix(SIDE_SLOPE[0], SIDE_SLOPE[1], reach.strength);
     let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x));
     let shoulder = reach.shoulder();
+    // It stands on the bank and never above the crust.
     let height = shoulder.saturating_add(rise.min((vertex.crust - shoulder).max(0)));
     ValleySection {
         height,
@@ -197,6 +204,7 @@ fn width(vertex: &Vertex, reach: &Reach, edge: i32) -> i32 {
 
 /// The ground beside a river.
 fn beside(vertex: &Vertex, edge: i32) -> Carved {
+    // A lake without a stream leaves its shore as the graphs made it.
     if vertex.river.flow == [0, 0] {
         return dry(vertex.height);
     }
@@ -204,6 +212,7 @@ fn beside(vertex: &Vertex, edge: i32) -> Carved {
     let (distance, raw) = (vertex.river_distance, vertex.height);
     let (bed, shoulder) = (reach.half_bed(), reach.shoulder());
     if distance < bed {
+        // In the bed: from the middle up to the bank.
         let ground = mix(reach.bed, shoulder, smooth(ratio(distance, bed)));
         return Carved {
             ground,

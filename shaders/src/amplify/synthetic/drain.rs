@@ -78,6 +78,7 @@ fn flood(mesh: &ControlMesh) -> Flooded {
     };
     let sea = (0..).zip(&mesh.vertices).filter(|(_, v)| is_sea(v));
     let mut heap: BinaryHeap<_> = sea.map(|(i, v)| Reverse((v.height, i))).collect();
+    // The lowest way in comes first, so every vertex drains to where it was reached from.
     while let Some(Reverse((height, v))) = heap.pop() {
         flooded.order.push(v);
         for &(w, edge) in &around[v] {

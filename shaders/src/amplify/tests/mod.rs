@@ -41,7 +41,7 @@ fn direction(k: u32) -> [i32; 3] {
 
 /// A random direction of every other number, else that of a random river vertex.
 fn anywhere_or_on_river(base: &Base, k: u32) -> [i32; 3] {
-    if k % 2 == 0 {
+    if k.is_multiple_of(2) {
         direction(k)
     } else {
         on_river(base, k)

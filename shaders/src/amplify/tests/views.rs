@@ -32,7 +32,7 @@ fn middle_name(a: u128, b: u128) -> u128 {
 
 /// Two cameras and a disc near one place, and a camera far from it.
 fn neighbouring_views(base: &Base, k: u32) -> [View; 4] {
-    let centre = if k % 3 == 0 {
+    let centre = if k.is_multiple_of(3) {
         direction(k)
     } else {
         on_river(base, k)

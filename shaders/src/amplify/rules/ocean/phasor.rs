@@ -65,6 +65,7 @@ impl StripeNoise {
     /// The stripes at a point. `axis` is the direction across them, components times 32767. `cache`
     /// is of this noise alone; it changes no bit.
     pub fn at(&self, cache: &mut PacketCache, point: [i32; 3], axis: [i16; 3]) -> Phasor {
+        // A packet reaches one cell far, so 27 of them matter.
         let home = point.map(|c| c >> self.cell);
         if cache.home != home {
             *cache = PacketCache {
@@ -121,6 +122,7 @@ impl StripeNoise {
             + mul_q16(away[2], 2 * i32::from(axis[2]));
         let drawn = (packet.hash >> 7 & 0xffff) as i32;
         let pitch = Q16 - PITCH_SPREAD + mul_q16(drawn, 2 * PITCH_SPREAD);
+        // A phase of 0 or ½ makes the noise even in its axis.
         let half_turn = ((packet.hash >> 31) << 15) as i32;
         (mul_q16(along, mul_q16(self.waves, pitch)) >> (self.cell - 16)) + half_turn
     }
