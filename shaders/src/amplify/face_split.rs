@@ -24,8 +24,7 @@ pub fn halve(
         let (end, ends) = [(a, [a, edge.mid]), (b, [edge.mid, b])][slot];
         let mut half = Edge::new(kind, ends, children_at(end, edge, faces));
         if reversed {
-            half.vertices.swap(0, 1);
-            half.faces.swap(0, 1);
+            half.reverse();
         }
         if kind == EdgeKind::River {
             half.birth = edge.birth;
@@ -79,15 +78,13 @@ pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &
     let [first, second] = gather(edges, [face.edges[k], face.edges[(k + 2) % 3]]);
     let [corner, middle] = [face.child + k as u32, face.child + 3];
     let (kind, reversed) = face.inner[k].edge();
-    // The river that a tributary joins, at the inner edge's second end.
-    let (mut edge, river) = if reversed {
-        let ends = [second.mid, first.mid];
-        (Edge::new(kind, ends, [middle, corner]), first)
-    } else {
-        let ends = [first.mid, second.mid];
-        (Edge::new(kind, ends, [corner, middle]), second)
-    };
+    let mut edge = Edge::new(kind, [first.mid, second.mid], [corner, middle]);
+    if reversed {
+        edge.reverse();
+    }
     if kind == EdgeKind::River {
+        // A tributary joins the river at its second end.
+        let river = if reversed { first } else { second };
         let [junction, upstream] = gather(vertices, [river.mid, river.vertices[0]]);
         edge.birth = level as u8 + 1;
         edge.arriving = tributary(junction, upstream);

@@ -93,10 +93,8 @@ fn refined(
             break;
         }
         if ground.vertices.len() + vertices > caps.vertices || 4 * faces > caps.faces {
+            unmark(level);
             ground.capped = Some(index);
-            for face in &mut level.faces {
-                face.mark = SplitMark::Leaf;
-            }
             break;
         }
         // Without edges nothing can be split further, so only the last level may lack them.
@@ -112,6 +110,13 @@ fn refined(
         ground.levels.push(next);
     }
     ground
+}
+
+/// Makes all faces of a level leaves.
+fn unmark(level: &mut Level) {
+    for face in &mut level.faces {
+        face.mark = SplitMark::Leaf;
+    }
 }
 
 /// Marks the faces of a level; returns bounds of the vertices made and the number of faces split.

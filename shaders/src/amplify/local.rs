@@ -119,9 +119,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             self.lazy.ensure(v);
             *self.lazy.vertex(v)
         });
-        // Up the tree of faces again.
-        let parent = |at, level| self.lazy.face(level, at).parent;
-        let base_face = (0..=level).rev().fold(face, parent);
+        let base_face = self.base_face(face, level);
         let scale = self.base().scale;
         let carved = vertices.map(|v| carve(&mut self.cache, &scale, &v));
         Leaf {
@@ -130,6 +128,12 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             level: level as u32,
             base_face,
         }
+    }
+
+    /// The face of the control mesh that a face of a level descends from.
+    fn base_face(&self, face: u32, level: usize) -> u32 {
+        let parent = |at, level| self.lazy.face(level, at).parent;
+        (0..=level).rev().fold(face, parent)
     }
 
     /// The finest face of the last answer's path that contains a direction, at most of a level;

@@ -50,9 +50,7 @@ impl FaceIndex {
             let face = &level.faces[at as usize];
             let sides = sides(direction, gather(vertices, face.vertices));
             // Across the edge that the direction lies farthest beyond.
-            let worst = (0..3)
-                .min_by(|&i, &j| sides[i].total_cmp(&sides[j]))
-                .unwrap_or(0);
+            let worst = least(sides);
             if sides[worst] >= 0.0 {
                 return at;
             }
@@ -61,6 +59,11 @@ impl FaceIndex {
         }
         locate_slowly(&level.faces, vertices, direction)
     }
+}
+
+/// The index of the least of three numbers, of equal ones the first.
+fn least(of: [f64; 3]) -> usize {
+    (0..3).min_by(|&i, &j| of[i].total_cmp(&of[j])).unwrap_or(0)
 }
 
 /// The face in which a direction lies deepest, of those whose first corner is on its side of the

@@ -134,10 +134,6 @@ impl LevelPasses<'_> {
         if edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
             return [Inner::Terrain; 3];
         }
-        let beyond = face.edges.map(|e| {
-            let side = usize::from(level.edges[e as usize].faces[0] == f);
-            opposite(level, vertices, e, side)
-        });
         let mids = gather(vertices, edges.map(|e| e.mid));
         let context = FaceContext {
             corners: face.vertices,
@@ -145,7 +141,7 @@ impl LevelPasses<'_> {
             edges,
             mids,
             kinds: mids.map(|mid| mid.kind),
-            beyond,
+            beyond: face.edges.map(|e| beyond(level, vertices, e, f)),
         };
         face_decide::decide(self.rules, self.index, &context)
     }
@@ -225,6 +221,12 @@ fn opposite<'a>(
     let face = level.edges[edge as usize].faces[side];
     let face = level.faces.get(face as usize)?;
     Some(&vertices[face.opposite(edge) as usize])
+}
+
+/// The corner beyond an edge of a face.
+fn beyond<'a>(level: &Level, vertices: &'a [Vertex], edge: u32, face: u32) -> Option<&'a Vertex> {
+    let side = usize::from(level.edges[edge as usize].faces[0] == face);
+    opposite(level, vertices, edge, side)
 }
 
 /// An edge that runs along a river or a gully; `None` for another.

@@ -69,6 +69,13 @@ impl Edge {
             mark: SplitMark::Leaf,
         }
     }
+
+    /// Turns it around: ends and faces change sides.
+    #[inline]
+    pub const fn reverse(&mut self) {
+        self.vertices.swap(0, 1);
+        self.faces.swap(0, 1);
+    }
 }
 
 /// Drainage that a face lays along one of its inner edges (rules Ia to Ic).

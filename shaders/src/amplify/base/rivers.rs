@@ -107,8 +107,7 @@ pub(super) fn add_gullies(vertices: &mut [Vertex], edges: &mut [Edge]) {
         };
         edge.kind = EdgeKind::Gully;
         if edge.vertices[0] != v {
-            edge.vertices.swap(0, 1);
-            edge.faces.swap(0, 1);
+            edge.reverse();
         }
         let vertex = &mut vertices[v as usize];
         vertex.kind = VertexKind::Gully;

@@ -35,11 +35,7 @@ pub fn split(
     new.direction = placed.direction;
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
-    new.discharge = if edge.kind == EdgeKind::River {
-        gathered(a, edge)
-    } else {
-        0
-    };
+    new.discharge = gathered(a, edge);
     let context = EdgeContext {
         a,
         b,
@@ -52,18 +48,25 @@ pub fn split(
     };
     // The rules see the vertex complete but for its ground.
     let ground = rules::halve(rules, edge.kind, &context);
-    new.kind = ground.kind;
-    new.height = ground.height;
-    new.bed = ground.bed;
-    new.water = ground.water;
+    let mut new = Vertex {
+        kind: ground.kind,
+        height: ground.height,
+        bed: ground.bed,
+        water: ground.water,
+        ..new
+    };
     settle_water(edge.kind, &mut new, a, b);
     new
 }
 
-/// Discharge in the middle of a river edge: half of what the edge gains has come by then.
+/// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then.
 #[inline]
 fn gathered(up: &Vertex, edge: &Edge) -> u32 {
-    up.discharge + edge.arriving.saturating_sub(up.discharge) / 2
+    if edge.kind == EdgeKind::River {
+        up.discharge + edge.arriving.saturating_sub(up.discharge) / 2
+    } else {
+        0
+    }
 }
 
 /// Keeps lakes level and water from rising downstream, whatever the graph says.

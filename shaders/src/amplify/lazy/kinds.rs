@@ -33,8 +33,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         known.edge.kind = kind;
         known.edge.birth = if kind == EdgeKind::River { birth } else { 0 };
         if reversed {
-            known.edge.vertices.swap(0, 1);
-            known.edge.faces.swap(0, 1);
+            known.edge.reverse();
         }
         kind
     }
@@ -69,12 +68,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         }
         let arriving = match known.origin {
             EdgeOrigin::Base(_) => known.edge.arriving,
-            // The first half ends at the middle, where a tributary may have joined.
-            EdgeOrigin::Half(parent, 0) => {
-                let parent = self.edge(level - 1, parent).edge;
-                self.ensure(parent.mid);
-                arriving_at(self.vertex(parent.mid), self.vertex(parent.vertices[0]))
-            }
+            EdgeOrigin::Half(parent, 0) => self.arriving_at_middle(level - 1, parent),
             // The second half ends where the whole edge ends.
             EdgeOrigin::Half(parent, _) => {
                 self.settle_arriving(level - 1, parent);
@@ -88,6 +82,13 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         let known = self.edge_mut(level, edge);
         known.edge.arriving = arriving;
         known.has_arriving = true;
+    }
+
+    /// Discharge that arrives at the middle of a river edge, where a tributary may join.
+    fn arriving_at_middle(&mut self, level: usize, edge: u32) -> u32 {
+        let edge = self.edge(level, edge).edge;
+        self.ensure(edge.mid);
+        arriving_at(self.vertex(edge.mid), self.vertex(edge.vertices[0]))
     }
 
     /// Discharge that a tributary brings to a junction.

@@ -50,8 +50,7 @@ const FIRST_WORN_LEVEL: u32 = 3;
 pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let (low, high) = ordered(context.a.height, context.b.height);
     let slope = slope(rules, context);
-    // 1 between level ends, 0 where one is a whole slope above the other.
-    let evenness = ratio((slope - (high - low)).max(0), slope.max(1));
+    let evenness = evenness(slope, high - low);
     // Between level ends the ground is a crest, beside a whole slope a hillside, in between both.
     let hillside = hillside(rules, context);
     let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
@@ -62,6 +61,12 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     // No rock stands steeper, drawn anew for each edge so that faces do not become planes.
     let steepest = low + mul_q16(slope, STEEPEST[0] + mul_q16(chi, STEEPEST[1]));
     crest.min(steepest).max(least(context, low, high))
+}
+
+/// How level the ends of an edge are, Q16: 1 where they are, 0 where one stands a whole slope above
+/// the other.
+fn evenness(slope: i32, rise: i32) -> i32 {
+    ratio((slope - rise).max(0), slope.max(1))
 }
 
 /// Whether an edge is no longer than a hillside.

@@ -111,9 +111,7 @@ fn terraced(new: &Vertex, form: Landform, level: u32, height: i32) -> i32 {
     if form.dry == 0 || form.old == 0 {
         return height;
     }
-    // Terraces begin lower in deserts and in youth.
-    let lower = mul_q16(form.dry, DESERT_TERRACES - mul_q16(form.old, OLD_TERRACES));
-    let lowest = LOWEST_TERRACE - lower;
+    let lowest = lowest_terrace(form);
     let onset = linear_step(lowest, lowest + TERRACE_ONSET, height);
     let weight = mul_q16(
         mul_q16(form.old, Q16 - square(level_share(level))),
@@ -125,6 +123,11 @@ fn terraced(new: &Vertex, form: Landform, level: u32, height: i32) -> i32 {
     let low = Q16 - smoothstep(RAGGED_HEIGHTS[0], RAGGED_HEIGHTS[1], height);
     let ragged = mul_q16(share(new.seed, 1), low) / 10 * 9;
     mix(height, mix(stepped, tread, ragged), weight)
+}
+
+/// Height at which terraces begin: lower in deserts and in youth; grains.
+fn lowest_terrace(form: Landform) -> i32 {
+    LOWEST_TERRACE - mul_q16(form.dry, DESERT_TERRACES - mul_q16(form.old, OLD_TERRACES))
 }
 
 /// How far peaks and hills have faded at a level, 0..1 Q16: later under low crust.

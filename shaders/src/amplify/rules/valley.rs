@@ -92,6 +92,16 @@ impl Reach {
         mul_q16(depth.min(DEEPEST_BED), spread)
     }
 
+    /// Ground and water in the bed at a distance from its middle, grains.
+    fn in_bed(&self, distance: i32) -> Carved {
+        let up = smooth(ratio(distance, self.half_bed()));
+        let ground = mix(self.bed, self.shoulder(), up);
+        Carved {
+            ground,
+            water: self.water.max(ground),
+        }
+    }
+
     /// Height of the top of its banks above the sea, grains.
     fn shoulder(&self) -> i32 {
         self.water.max(self.bed).saturating_add(BANK)
@@ -212,12 +222,7 @@ fn beside(vertex: &Vertex, edge: i32) -> Carved {
     let (distance, raw) = (vertex.river_distance, vertex.height);
     let (bed, shoulder) = (reach.half_bed(), reach.shoulder());
     if distance < bed {
-        // In the bed: from the middle up to the bank.
-        let ground = mix(reach.bed, shoulder, smooth(ratio(distance, bed)));
-        return Carved {
-            ground,
-            water: reach.water.max(ground),
-        };
+        return reach.in_bed(distance);
     }
     // The valley's side never raises ground above the land beside it.
     let ValleySection { height, own } = vertex.section;

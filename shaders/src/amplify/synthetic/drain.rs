@@ -116,8 +116,7 @@ fn lay_river(mesh: &mut ControlMesh, flooded: &Flooded, v: usize, discharge: u64
     }
     edge.river = 1;
     let vertex = &mut mesh.vertices[v];
-    let flow = (discharge.min(u64::from(u32::MAX)) as f64).sqrt() as u32;
-    vertex.flow = flow.min(Q16 as u32 - 1);
+    vertex.flow = flow(discharge);
     if flooded.level[v] > vertex.height {
         vertex.kind = VertexKind::Lake as u8;
         vertex.bed = vertex.height;
@@ -125,6 +124,12 @@ fn lay_river(mesh: &mut ControlMesh, flooded: &Flooded, v: usize, discharge: u64
         return;
     }
     lay_bed(vertex, &lower);
+}
+
+/// Flow φ of a discharge, Q16.
+fn flow(discharge: u64) -> u32 {
+    let root = (discharge.min(u64::from(u32::MAX)) as f64).sqrt() as u32;
+    root.min(Q16 as u32 - 1)
 }
 
 /// Lays the bed of a river above the vertex below it.
