@@ -45,10 +45,12 @@ pub const fn ratio(a: i32, b: i32) -> i32 {
     if a <= 0 {
         return if b <= 0 { Q16 } else { 0 };
     }
+    // Saturation comes first, so that the digits below are true fractions.
     if a >= b {
         return Q16;
     }
     // Two digits of eight bits, so that the remainder never leaves 32 bits.
+    // The divisor keeps 24 bits, so that a remainder has room for eight more.
     let bits = 32 - (b as u32).leading_zeros();
     let shift = bits.saturating_sub(24);
     let b = (b as u32) >> shift;
@@ -94,15 +96,9 @@ pub const fn isqrt(x: u32) -> u32 {
     // The parabola 0.51855 + 0.52601u - 0.03954u² is within 0.5 % of √u, u = y / 2³⁰ in 1..4.
     let u = y >> 16;
     let guess = 16_992 + ((u * 34_473) >> 15) - ((((u * u) >> 16) * 20_730) >> 16);
-    // One step of Newton's never ends below the root, and at most two above.
+    // One step of Newton's never ends below the root, and at most one above.
     let mut root = (guess + y / guess) >> 1;
-    if root > 0xffff {
-        root = 0xffff;
-    }
-    if root * root > y {
-        root -= 1;
-    }
-    if root * root > y {
+    if root > 0xffff || root * root > y {
         root -= 1;
     }
     root >> (shift / 2)
@@ -167,87 +163,5 @@ pub const fn cos_turn(t: i32) -> i32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::amplify::seed::pcg;
-
-    #[test]
-    fn ratios_match_reals() {
-        for (a, b) in [
-            (1, 3),
-            (0, 7),
-            (5, 5),
-            (1_000_000_007, 2_000_000_011),
-            (70_000, 65_537),
-            (9, 2),
-        ] {
-            let want = (f64::from(a) / f64::from(b)).min(1.0);
-            let got = f64::from(ratio(a, b)) / 65_536.0;
-            assert!((got - want).abs() < 1e-4, "{a}/{b}");
-        }
-    }
-
-    /// The root of an f64 is the exact one rounded to 53 bits, and the one below n², n < 2¹⁶, lies
-    /// more than 2⁻¹⁸ below n: it never rounds up to it.
-    #[test]
-    fn roots_are_exact() {
-        let random = (0..2_000_000_u32).map(|k| pcg(k) >> (k % 31));
-        let squares = (1..=0xffff_u32).flat_map(|n| [n * n - 1, n * n, n * n + n, n * n + 2 * n]);
-        for x in squares.chain(random).chain([0, u32::MAX]) {
-            assert_eq!(isqrt(x), f64::from(x).sqrt() as u32, "{x}");
-        }
-    }
-
-    #[test]
-    fn curves_of_shares_match_reals() {
-        for t in (0..=Q16).step_by(13) {
-            let x = f64::from(t) / 65_536.0;
-            assert!((f64::from(pow_1_5(t)) - x * x.sqrt() * 65_536.0).abs() < 2.1);
-            assert!((f64::from(smooth(t)) - x * x * (3.0 - 2.0 * x) * 65_536.0).abs() < 4.0);
-        }
-    }
-
-    #[test]
-    fn smooth_is_monotone() {
-        let mut last = 0;
-        for t in 0..=Q16 {
-            let value = smooth(t);
-            assert!(value + 1 >= last, "{t}");
-            last = last.max(value);
-        }
-        assert_eq!(
-            (smooth(0), smooth(Q16), smooth(-5), smooth(Q16 + 9)),
-            (0, Q16, 0, Q16)
-        );
-    }
-
-    #[test]
-    #[allow(clippy::disallowed_methods, reason = "a reference within a tolerance")]
-    fn cosine_is_close_and_even() {
-        for t in 0..65_536 {
-            let want = (f64::from(t) / 65_536.0 * std::f64::consts::TAU).cos() * 65_536.0;
-            assert!(
-                (f64::from(cos_turn(t)) - want).abs() < 66.0,
-                "{t}: {} {want}",
-                cos_turn(t)
-            );
-            assert_eq!(cos_turn(t), cos_turn(-t));
-        }
-    }
-
-    #[test]
-    fn length_is_isotropic() {
-        for v in [
-            [3, 4, 0],
-            [1_000_000, -2_000_000, 2_000_000],
-            [1 << 29, 1 << 28, -(1 << 29)],
-        ] {
-            let want = v
-                .map(|c| f64::from(c) * f64::from(c))
-                .iter()
-                .sum::<f64>()
-                .sqrt();
-            assert!((f64::from(length(v[0], v[1], v[2])) / want - 1.0).abs() < 2e-4);
-        }
-    }
-}
+#[path = "arith_tests.rs"]
+mod tests;

@@ -145,7 +145,7 @@ pub struct ControlFace {
 /// use pangaea_shaders::amplify::control::VertexKind;
 /// use pangaea_shaders::amplify::synthetic::control_mesh;
 ///
-/// let mesh = control_mesh(6_371_000, 3, 1);
+/// let mesh = control_mesh(6_371_000, 5, 1);
 /// let river = mesh.edges.iter().find(|edge| edge.river == 1).expect("a river");
 /// let [upper, _] = river.vertices.map(|v| &mesh.vertices[v as usize]);
 /// assert_ne!(upper.kind, VertexKind::Terrain as u8);

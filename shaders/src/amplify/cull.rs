@@ -3,7 +3,7 @@
 use super::base::Base;
 use super::mark::View;
 use super::sparse::Numbers;
-use super::topology::{Edge, Face, Level, NONE};
+use super::topology::{Edge, Face, Level, NONE, gather};
 use super::vertex::Vertex;
 
 /// Rings of faces kept around what is split, so that no edge that is split lacks a face.
@@ -23,7 +23,7 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
         ..*view
     };
     let is_near = |face: &Face| {
-        let corners = face.vertices.map(|v| &base.vertices[v as usize]);
+        let corners = gather(&base.vertices, face.vertices);
         ground.distance(&base.scale, corners) < reach
     };
     // A small disc of faces is found by flooding from its middle, a great one by looking at all.
@@ -31,8 +31,7 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
     let kept = if reach < quarter {
         flood(base, base.locate(view.direction, None), is_near)
     } else {
-        let faces = (0..).zip(&base.level.faces);
-        faces.filter(|(_, f)| is_near(f)).map(|(i, _)| i).collect()
+        all(base, is_near)
     };
     compact(base, &kept)
 }
@@ -46,9 +45,16 @@ fn reach(base: &Base, view: &View) -> i32 {
         .saturating_add(view.radius)
 }
 
+/// The faces that fulfil a condition, in ascending order.
+fn all(base: &Base, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
+    let faces = (0..).zip(&base.level.faces);
+    faces.filter(|(_, f)| is_near(f)).map(|(i, _)| i).collect()
+}
+
 /// The faces that fulfil a condition and hang together with the first, in ascending order.
 fn flood(base: &Base, first: u32, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
     let mut kept = vec![first];
+    // Across corners, not edges alone: a disc of faces hangs together by them.
     let mut seen = Numbers::from_iter([first]);
     let mut next = 0;
     while next < kept.len() {
@@ -66,16 +72,7 @@ fn flood(base: &Base, first: u32, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
 
 /// Some faces of the control mesh as a level of their own, in the given order.
 pub fn compact(base: &Base, kept: &[u32]) -> (Vec<Vertex>, Level) {
-    let faces = || kept.iter().map(|&f| &base.level.faces[f as usize]);
-    let places = Kept {
-        vertices: sorted(faces().flat_map(|f| f.vertices)),
-        edges: sorted(faces().flat_map(|f| f.edges)),
-        faces: {
-            let mut faces: Vec<(u32, u32)> = kept.iter().copied().zip(0..).collect();
-            faces.sort_unstable();
-            faces
-        },
-    };
+    let places = Kept::new(base, kept);
     let edges = places.edges.iter().map(|&e| places.edge(base, e));
     let faces = kept.iter().map(|&f| places.face(base, f));
     let level = Level {
@@ -95,6 +92,17 @@ struct Kept {
 }
 
 impl Kept {
+    fn new(base: &Base, kept: &[u32]) -> Self {
+        let from = || kept.iter().map(|&f| &base.level.faces[f as usize]);
+        let mut faces: Vec<(u32, u32)> = kept.iter().copied().zip(0..).collect();
+        faces.sort_unstable();
+        Self {
+            vertices: sorted(from().flat_map(|f| f.vertices)),
+            edges: sorted(from().flat_map(|f| f.edges)),
+            faces,
+        }
+    }
+
     /// An edge of the control mesh as an edge of the kept part.
     fn edge(&self, base: &Base, edge: u32) -> Edge {
         let edge = &base.level.edges[edge as usize];
@@ -149,13 +157,11 @@ mod tests {
                 ..View::disc(direction, 1, 17)
             };
             let is_near = |face: &Face| {
-                let corners = face.vertices.map(|v| &base.vertices[v as usize]);
+                let corners = gather(&base.vertices, face.vertices);
                 view.distance(&base.scale, corners) < reach
             };
-            let all = (0..).zip(&base.level.faces).filter(|(_, f)| is_near(f));
-            let all: Vec<u32> = all.map(|(i, _)| i).collect();
             let found = flood(&base, base.locate(direction, None), is_near);
-            assert_eq!(found, all, "{k}");
+            assert_eq!(found, all(&base, is_near), "{k}");
         }
     }
 }

@@ -28,6 +28,7 @@ pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]
     let split = mid.map(|m| m != NONE);
     let turned = Turned::new(face.vertices, mid, first_split(split));
     match split.into_iter().filter(|&s| s).count() {
+        // Every pattern of split edges is one of four after turning the face.
         0 => {
             out[0] = face.vertices;
             1

@@ -97,15 +97,17 @@ impl Corner {
         if !is_drain || face.kinds[self.high] != VertexKind::Terrain || !is_upstream {
             return false;
         }
-        let next = (self.low + 1) % 3;
-        let downstream = if next == self.k { self.low } else { next };
-        let flow = difference(
-            face.vertices[downstream].direction,
-            face.vertices[self.k].direction,
-        );
         let (junction, tip) = (face.mids[self.low], face.mids[self.high]);
         let inflow = difference(junction.direction, tip.direction);
-        dot(flow, inflow) > 0 && tip.height > junction.water
+        dot(self.flow(face), inflow) > 0 && tip.height > junction.water
+    }
+
+    /// The way of the drained edge's water, from the corner downstream.
+    fn flow(&self, face: &FaceContext) -> [i32; 3] {
+        let next = (self.low + 1) % 3;
+        let downstream = if next == self.k { self.low } else { next };
+        let [to, from] = [downstream, self.k].map(|k| face.vertices[k].direction);
+        difference(to, from)
     }
 
     /// Whether the draw at the junction falls on this face rather than the one beyond the river.

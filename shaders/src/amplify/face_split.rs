@@ -4,7 +4,7 @@
 //! neighbours alone.
 
 use super::rules::{EdgeKind, Rules, gully};
-use super::topology::{Edge, Face, NONE, SplitMark};
+use super::topology::{Edge, Face, NONE, SplitMark, gather};
 use super::vertex::Vertex;
 use super::vertex_resolve::tributary;
 
@@ -17,14 +17,14 @@ pub fn halve(
     vertices: &[Vertex],
 ) -> [Edge; 2] {
     let [a, b] = edge.vertices;
-    let [up, mid, down] = [a, edge.mid, b].map(|v| &vertices[v as usize]);
+    let [up, mid, down] = gather(vertices, [a, edge.mid, b]);
     [0, 1].map(|slot| {
+        // New land drains down one of its halves, the rest is inherited.
         let (kind, reversed) = half_kind(rules, level, edge.kind, slot, [up, mid, down]);
         let (end, ends) = [(a, [a, edge.mid]), (b, [edge.mid, b])][slot];
         let mut half = Edge::new(kind, ends, children_at(end, edge, faces));
         if reversed {
-            half.vertices.swap(0, 1);
-            half.faces.swap(0, 1);
+            half.reverse();
         }
         if kind == EdgeKind::River {
             half.birth = edge.birth;
@@ -75,22 +75,19 @@ pub fn arriving_at(mid: &Vertex, up: &Vertex) -> u32 {
 
 /// The inner edge of a split face at a corner. `first` is the index of the face's first inner edge.
 pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &[Vertex]) -> Edge {
-    let other = (k + 2) % 3;
-    let [first, second] = [k, other].map(|e| edges[face.edges[e] as usize].mid);
-    let faces = [face.child + k as u32, face.child + 3];
+    let [first, second] = gather(edges, [face.edges[k], face.edges[(k + 2) % 3]]);
+    let [corner, middle] = [face.child + k as u32, face.child + 3];
     let (kind, reversed) = face.inner[k].edge();
-    let mut edge = if reversed {
-        Edge::new(kind, [second, first], [faces[1], faces[0]])
-    } else {
-        Edge::new(kind, [first, second], faces)
-    };
+    let mut edge = Edge::new(kind, [first.mid, second.mid], [corner, middle]);
+    if reversed {
+        edge.reverse();
+    }
     if kind == EdgeKind::River {
-        let river = &edges[face.edges[if reversed { k } else { other }] as usize];
+        // A tributary joins the river at its second end.
+        let river = if reversed { first } else { second };
+        let [junction, upstream] = gather(vertices, [river.mid, river.vertices[0]]);
         edge.birth = level as u8 + 1;
-        edge.arriving = tributary(
-            &vertices[river.mid as usize],
-            &vertices[river.vertices[0] as usize],
-        );
+        edge.arriving = tributary(junction, upstream);
     }
     edge
 }
@@ -98,7 +95,7 @@ pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &
 /// The four children of a split face. `first_inner` is the index of its first inner edge in the
 /// next level.
 pub fn quarter(face: &Face, index: u32, first_inner: u32, edges: &[Edge]) -> [Face; 4] {
-    let along = face.edges.map(|e| &edges[e as usize]);
+    let along = gather(edges, face.edges);
     let mids = along.map(|e| e.mid);
     // The half of edge e that ends at a corner.
     let half = |e: usize, corner: u32| along[e].child + u32::from(along[e].vertices[0] != corner);

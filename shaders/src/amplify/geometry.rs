@@ -41,6 +41,7 @@ pub const fn dot(u: [i32; 3], v: [i32; 3]) -> i32 {
 /// there to `p`.
 #[inline]
 pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
+    // Projected on the line of the segment, then held between its ends.
     let along = difference(ends[1], ends[0]);
     let to = difference(p, ends[0]);
     let shift = common_shift(along, to);
@@ -52,6 +53,7 @@ pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
     } else {
         ratio(part, square)
     };
+    // From the end itself, whose distance must not hang on rounding of the way there.
     let off = if t >= Q16 {
         difference(p, ends[1])
     } else {
@@ -82,8 +84,10 @@ impl Stance {
     pub fn of(edge: [i32; 3], corner: [i32; 3]) -> Self {
         let shift = common_shift(edge, corner);
         let (u, v) = (shifted(edge, shift), shifted(corner, shift));
+        // Shares of the squared edge in Q12.
         let unit = product(u, u) >> 12;
         let unit = if unit < 1 { 1 } else { unit };
+        // Twice the area: the height times the edge.
         let cross = length(
             u[1] * v[2] - u[2] * v[1],
             u[2] * v[0] - u[0] * v[2],
@@ -118,23 +122,25 @@ mod tests {
         [0, 1, 2].map(|i| (pcg(k * 3 + i) as i32) >> (32 - bits))
     }
 
+    fn real_dot(u: [f64; 3], v: [f64; 3]) -> f64 {
+        u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+    }
+
+    fn norm(v: [f64; 3]) -> f64 {
+        real_dot(v, v).sqrt()
+    }
+
     #[test]
     fn nearest_point_agrees_with_reals() {
         for k in 0..20_000 {
             let bits = 8 + k % 17;
-            let (a, b, p) = (
-                random(k, bits),
-                random(k + 90_000, bits),
-                random(k + 180_000, bits),
-            );
+            let [a, b, p] = [k, k + 90_000, k + 180_000].map(|k| random(k, bits));
             let (_, off) = nearest_on([a, b], p);
-            let f = |v: [i32; 3]| v.map(f64::from);
-            let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-            let (u, v) = (f(difference(b, a)), f(difference(p, a)));
-            let t = (dot(u, v) / dot(u, u)).clamp(0.0, 1.0);
-            let w = [v[0] - t * u[0], v[1] - t * u[1], v[2] - t * u[2]];
-            let (want, got) = (dot(w, w).sqrt(), dot(f(off), f(off)).sqrt());
-            let slack = 2.0 + (dot(u, u).sqrt() + dot(v, v).sqrt()) * 6e-4;
+            let [u, v] = [b, p].map(|q| difference(q, a).map(f64::from));
+            let t = (real_dot(u, v) / real_dot(u, u)).clamp(0.0, 1.0);
+            let want = norm([0, 1, 2].map(|i| v[i] - t * u[i]));
+            let got = norm(off.map(f64::from));
+            let slack = 2.0 + (norm(u) + norm(v)) * 6e-4;
             assert!((want - got).abs() <= slack, "{k}: {want} {got}");
         }
     }

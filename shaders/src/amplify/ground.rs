@@ -6,7 +6,7 @@ use super::mark::{View, halo};
 use super::rules::Rules;
 use super::scale::PlanetScale;
 use super::step::step;
-use super::topology::{Level, SplitMark};
+use super::topology::{Level, SplitMark, gather};
 use super::vertex::Vertex;
 
 /// The finest level: edges of 0.4 m on an Earth-sized planet.
@@ -93,12 +93,11 @@ fn refined(
             break;
         }
         if ground.vertices.len() + vertices > caps.vertices || 4 * faces > caps.faces {
+            unmark(level);
             ground.capped = Some(index);
-            for face in &mut level.faces {
-                face.mark = SplitMark::Leaf;
-            }
             break;
         }
+        // Without edges nothing can be split further, so only the last level may lack them.
         let edges = finest_edges || index + 1 < finest;
         let next = step(
             &base.scale,
@@ -113,6 +112,13 @@ fn refined(
     ground
 }
 
+/// Makes all faces of a level leaves.
+fn unmark(level: &mut Level) {
+    for face in &mut level.faces {
+        face.mark = SplitMark::Leaf;
+    }
+}
+
 /// Marks the faces of a level; returns bounds of the vertices made and the number of faces split.
 fn mark_faces(
     scale: &PlanetScale,
@@ -124,7 +130,7 @@ fn mark_faces(
     let splits: Vec<bool> = level
         .faces
         .iter()
-        .map(|face| view.splits(scale, index, face.vertices.map(|v| &vertices[v as usize])))
+        .map(|face| view.splits(scale, index, gather(vertices, face.vertices)))
         .collect();
     let mut marked = 0;
     for i in 0..level.faces.len() {

@@ -119,9 +119,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             self.lazy.ensure(v);
             *self.lazy.vertex(v)
         });
-        let base_face = (0..=level)
-            .rev()
-            .fold(face, |at, above| self.lazy.face(above, at).parent);
+        let base_face = self.base_face(face, level);
         let scale = self.base().scale;
         let carved = vertices.map(|v| carve(&mut self.cache, &scale, &v));
         Leaf {
@@ -130,6 +128,12 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             level: level as u32,
             base_face,
         }
+    }
+
+    /// The face of the control mesh that a face of a level descends from.
+    fn base_face(&self, face: u32, level: usize) -> u32 {
+        let parent = |at, level| self.lazy.face(level, at).parent;
+        (0..=level).rev().fold(face, parent)
     }
 
     /// The finest face of the last answer's path that contains a direction, at most of a level;
@@ -156,6 +160,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
         if let Some(child) = self.inside(level, face, direction) {
             return child;
         }
+        // On an edge that moved: the direction may have passed to a neighbour.
         let mut best = self.deepest(level, face, direction);
         for edge in self.lazy.face(level, face).edges {
             for neighbour in self.lazy.faces(level, edge) {
@@ -179,6 +184,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
             self.lazy.ensure_place(v);
         }
         let inward = sides(direction, middle.map(|v| self.lazy.vertex(v)));
+        // The middle child is tried first: it is the most likely one.
         if inward.iter().all(|&side| side > 0.0) {
             return Some(first + 3);
         }

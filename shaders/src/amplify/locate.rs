@@ -1,7 +1,7 @@
 //! The face that a direction lies in. On the CPU alone, in f64: it chooses a face, and changes no
 //! bit of it.
 
-use super::topology::{Face, Level, NONE};
+use super::topology::{Face, Level, NONE, gather};
 use super::vertex::Vertex;
 
 /// Cells along an edge of the cube.
@@ -48,10 +48,9 @@ impl FaceIndex {
             .unwrap_or(self.starts[cell(direction)]);
         for _ in 0..MOST_STEPS {
             let face = &level.faces[at as usize];
-            let sides = sides(direction, face.vertices.map(|v| &vertices[v as usize]));
-            let worst = (0..3)
-                .min_by(|&i, &j| sides[i].total_cmp(&sides[j]))
-                .unwrap_or(0);
+            let sides = sides(direction, gather(vertices, face.vertices));
+            // Across the edge that the direction lies farthest beyond.
+            let worst = least(sides);
             if sides[worst] >= 0.0 {
                 return at;
             }
@@ -62,10 +61,15 @@ impl FaceIndex {
     }
 }
 
+/// The index of the least of three numbers, of equal ones the first.
+fn least(of: [f64; 3]) -> usize {
+    (0..3).min_by(|&i, &j| of[i].total_cmp(&of[j])).unwrap_or(0)
+}
+
 /// The face in which a direction lies deepest, of those whose first corner is on its side of the
 /// planet.
 fn locate_slowly(faces: &[Face], vertices: &[Vertex], direction: [i32; 3]) -> u32 {
-    let corners = |f: &Face| f.vertices.map(|v| &vertices[v as usize]);
+    let corners = |f: &Face| gather(vertices, f.vertices);
     let depth_in = |f: &Face| depth(sides(direction, corners(f)));
     (0..)
         .zip(faces)
@@ -90,6 +94,7 @@ fn cell(direction: [i32; 3]) -> usize {
     } else {
         2
     };
+    // The ray through the direction meets the side of the cube on its greatest axis.
     let depth = f64::from(size[axis].max(1));
     let [row, column] = [1, 2].map(|step| {
         let share = f64::from(direction[(axis + step) % 3]) / depth * 0.5 + 0.5;

@@ -106,18 +106,21 @@ impl View {
         let [a, b, c] = corners;
         let [ab, ac] = [b, c].map(|v| difference(v.direction, a.direction));
         let centre = [0, 1, 2].map(|i| a.direction[i] + (ab[i] + ac[i]) / 3);
+        // Along the ground and above it, as the legs of a right triangle.
         let ground = scale.chord(centre, self.direction);
-        let above = self.altitude.map_or(0, |altitude| {
-            altitude / GRAINS_IN_SIXTEENTH
-                - corners
-                    .map(|v| v.height / GRAINS_IN_SIXTEENTH)
-                    .iter()
-                    .sum::<i32>()
-                    / 3
-        });
+        let above = self.above(corners);
         let distance = length(ground, above.clamp(-(1 << 28), 1 << 28), 0);
         let outside = distance.saturating_sub(self.radius).max(0);
         outside.max(self.beside(scale, centre))
+    }
+
+    /// Height of the camera above the middle of a face, sixteenths of a metre; 0 for a disc.
+    #[inline]
+    fn above(&self, corners: [&Vertex; 3]) -> i32 {
+        self.altitude.map_or(0, |altitude| {
+            let heights = corners.map(|v| v.height / GRAINS_IN_SIXTEENTH);
+            altitude / GRAINS_IN_SIXTEENTH - heights.iter().sum::<i32>() / 3
+        })
     }
 
     /// How far a direction lies beside the square, across the nearer pair of its sides; sixteenths
@@ -161,6 +164,7 @@ pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> boo
     if splits(index) {
         return SplitMark::Split;
     }
+    // A face beside a split one is halo.
     let beside = face.edges.iter().any(|&e| {
         let [f, g] = edges[e as usize].faces;
         let other = if f == index { g } else { f };

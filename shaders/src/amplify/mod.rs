@@ -120,8 +120,4 @@ pub mod local;
 pub mod synthetic;
 
 #[cfg(test)]
-mod ground_tests;
-#[cfg(test)]
-mod local_tests;
-#[cfg(test)]
-mod range_tests;
+mod tests;

@@ -11,7 +11,7 @@ use super::mark::edge_mark;
 use super::rules::{EdgeKind, Rules};
 use super::scale::PlanetScale;
 use super::scan::scan;
-use super::topology::{Edge, Face, Inner, Level, SplitMark};
+use super::topology::{Edge, Face, Inner, Level, SplitMark, gather};
 use super::vertex::Vertex;
 use super::vertex_resolve::{DrainBeside, Requests, Settled, VertexContext, resolve};
 
@@ -34,6 +34,7 @@ pub fn step(
     mark_edges(level);
     let counts = place(level, vertices.len() as u32);
     vertices.reserve(counts.vertices);
+    // New vertices, then decisions that read them, then what the decisions settle.
     passes.split_edges(level, vertices);
     passes.decide_faces(level, vertices);
     passes.resolve_vertices(level, vertices);
@@ -105,7 +106,8 @@ impl LevelPasses<'_> {
     /// The vertex that halves the `i`th edge.
     fn split_edge(&self, level: &Level, vertices: &[Vertex], i: u32) -> Vertex {
         let edge = &level.edges[i as usize];
-        let ends = edge.vertices.map(|v| &vertices[v as usize]);
+        let ends = gather(vertices, edge.vertices);
+        // Straight edges do not move sideways and need no corners.
         let corners = if self.index < STRAIGHT_LEVEL {
             [0, 1].map(|side| opposite(level, vertices, i, side))
         } else {
@@ -128,22 +130,18 @@ impl LevelPasses<'_> {
     /// The inner edges of the `f`th face.
     fn decide_face(&self, level: &Level, vertices: &[Vertex], f: u32) -> [Inner; 3] {
         let face = &level.faces[f as usize];
-        let edges = face.edges.map(|e| &level.edges[e as usize]);
+        let edges = gather(&level.edges, face.edges);
         if edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
             return [Inner::Terrain; 3];
         }
-        let beyond = [0, 1, 2].map(|k| {
-            let side = usize::from(edges[k].faces[0] == f);
-            opposite(level, vertices, face.edges[k], side)
-        });
-        let mids = edges.map(|e| &vertices[e.mid as usize]);
+        let mids = gather(vertices, edges.map(|e| e.mid));
         let context = FaceContext {
             corners: face.vertices,
-            vertices: face.vertices.map(|v| &vertices[v as usize]),
+            vertices: gather(vertices, face.vertices),
             edges,
             mids,
             kinds: mids.map(|mid| mid.kind),
-            beyond,
+            beyond: face.edges.map(|e| beyond(level, vertices, e, f)),
         };
         face_decide::decide(self.rules, self.index, &context)
     }
@@ -160,26 +158,8 @@ impl LevelPasses<'_> {
     /// Settles the new vertex of the `i`th edge from the faces beside it.
     fn resolve_vertex(&self, level: &Level, vertices: &[Vertex], i: u32) -> Settled {
         let edge = &level.edges[i as usize];
-        let mut around = VertexContext {
-            edge,
-            ends: edge.vertices.map(|v| &vertices[v as usize]),
-            opposite: [None; 2],
-            requests: Requests::default(),
-            beside: [None; 4],
-        };
-        for side in 0..2 {
-            let Some(face) = level.faces.get(edge.faces[side] as usize) else {
-                continue;
-            };
-            around.opposite[side] = Some(&vertices[face.opposite(i) as usize]);
-            let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
-            around.requests = around.requests.and(Requests::of(&face.inner, k));
-            for j in 0..2 {
-                let other = &level.edges[face.edges[(k + 1 + j) % 3] as usize];
-                around.beside[side * 2 + j] = drain_beside(other, vertices);
-            }
-        }
         let new = &vertices[edge.mid as usize];
+        let around = around_edge(level, vertices, i);
         resolve(self.scale, self.rules, self.index, new, &around)
     }
 
@@ -206,6 +186,31 @@ impl LevelPasses<'_> {
     }
 }
 
+/// The surroundings of the vertex that halves the `i`th edge.
+fn around_edge<'a>(level: &'a Level, vertices: &'a [Vertex], i: u32) -> VertexContext<'a> {
+    let edge = &level.edges[i as usize];
+    let mut around = VertexContext {
+        edge,
+        ends: gather(vertices, edge.vertices),
+        opposite: [None; 2],
+        requests: Requests::default(),
+        beside: [None; 4],
+    };
+    for side in 0..2 {
+        let Some(face) = level.faces.get(edge.faces[side] as usize) else {
+            continue;
+        };
+        around.opposite[side] = Some(&vertices[face.opposite(i) as usize]);
+        let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
+        around.requests = around.requests.and(Requests::of(&face.inner, k));
+        for j in 0..2 {
+            let other = &level.edges[face.edges[(k + 1 + j) % 3] as usize];
+            around.beside[side * 2 + j] = drain_beside(other, vertices);
+        }
+    }
+    around
+}
+
 /// The corner of a face of an edge that the edge does not touch.
 fn opposite<'a>(
     level: &Level,
@@ -218,11 +223,17 @@ fn opposite<'a>(
     Some(&vertices[face.opposite(edge) as usize])
 }
 
+/// The corner beyond an edge of a face.
+fn beyond<'a>(level: &Level, vertices: &'a [Vertex], edge: u32, face: u32) -> Option<&'a Vertex> {
+    let side = usize::from(level.edges[edge as usize].faces[0] == face);
+    opposite(level, vertices, edge, side)
+}
+
 /// An edge that runs along a river or a gully; `None` for another.
 fn drain_beside<'a>(edge: &'a Edge, vertices: &'a [Vertex]) -> Option<DrainBeside<'a>> {
     (edge.kind != EdgeKind::Terrain).then(|| DrainBeside {
         edge,
-        ends: edge.vertices.map(|v| &vertices[v as usize]),
+        ends: gather(vertices, edge.vertices),
         mid: vertices.get(edge.mid as usize),
     })
 }
@@ -241,55 +252,5 @@ fn grow_faces(level: &Level, counts: &LevelCounts) -> Vec<Face> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::amplify::base::Base;
-    use crate::amplify::ground::{Caps, refine};
-    use crate::amplify::mark::View;
-    use crate::amplify::seed::pcg;
-    use crate::amplify::synthetic::control_mesh;
-
-    /// The numbers below `count` in a random order.
-    fn shuffled(count: usize, seed: u32) -> Vec<u32> {
-        let mut order: Vec<u32> = (0..count as u32).collect();
-        order.sort_unstable_by_key(|&i| pcg(pcg(i) ^ seed));
-        order
-    }
-
-    #[test]
-    fn items_are_done_in_any_order() {
-        let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
-        let rules = Rules::default();
-        let river = base.vertices.iter().find(|v| v.is_wet()).unwrap();
-        let view = View::disc(river.direction, 2_000, 13);
-        let want = refine(&base, &rules, &view, &Caps::default());
-        let mut vertices = want.vertices.clone();
-        for (index, made) in (0..).zip(&want.levels[..want.levels.len() - 1]) {
-            let passes = LevelPasses {
-                scale: &base.scale,
-                rules: &rules,
-                index,
-            };
-            let edges = shuffled(made.edges.len(), index);
-            let split = |i: &&u32| made.edges[**i as usize].mark != SplitMark::Leaf;
-            for &i in edges.iter().filter(split) {
-                let mid = made.edges[i as usize].mid as usize;
-                vertices[mid] = passes.split_edge(made, &vertices, i);
-            }
-            for f in shuffled(made.faces.len(), index) {
-                let face = &made.faces[f as usize];
-                if face.mark != SplitMark::Leaf && index < STRAIGHT_LEVEL {
-                    assert_eq!(passes.decide_face(made, &vertices, f), face.inner);
-                }
-            }
-            for &i in &edges {
-                let edge = &made.edges[i as usize];
-                if edge.mark == SplitMark::Split {
-                    let settled = passes.resolve_vertex(made, &vertices, i);
-                    settled.write(&mut vertices[edge.mid as usize]);
-                }
-            }
-        }
-        assert!(vertices.len() > 10_000 && vertices == want.vertices);
-    }
-}
+#[path = "step_tests.rs"]
+mod tests;

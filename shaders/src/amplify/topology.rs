@@ -8,6 +8,12 @@ use super::rules::EdgeKind;
 /// No vertex, edge or face.
 pub const NONE: u32 = u32::MAX;
 
+/// Items of a column by their indices.
+#[inline]
+pub fn gather<T, const N: usize>(column: &[T], indices: [u32; N]) -> [&T; N] {
+    indices.map(|i| &column[i as usize])
+}
+
 /// How far an edge or a face takes part in a level's subdivision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
@@ -62,6 +68,13 @@ impl Edge {
             birth: 0,
             mark: SplitMark::Leaf,
         }
+    }
+
+    /// Turns it around: ends and faces change sides.
+    #[inline]
+    pub const fn reverse(&mut self) {
+        self.vertices.swap(0, 1);
+        self.faces.swap(0, 1);
     }
 }
 

@@ -138,13 +138,6 @@ impl Vertex {
     /// A vertex of level 0.
     pub fn from_control(control: &ControlVertex) -> Self {
         let flow = control.flow.min(0xffff);
-        // Vertices of a lake have its level in common, so the level names the lake.
-        let is_lake = control.kind == VertexKind::Lake as u8;
-        let lake = if is_lake {
-            pcg(control.water as u32) | 1
-        } else {
-            0
-        };
         Self {
             direction: control.direction,
             height: control.height,
@@ -158,7 +151,7 @@ impl Vertex {
             section: ValleySection::outside(control.height),
             gully_bed: control.height,
             gully_distance: FAR,
-            lake,
+            lake: lake_number(control),
             crust: control.crust,
             kind: VertexKind::from_number(control.kind),
             level: 0,
@@ -211,6 +204,16 @@ pub struct EdgeContext<'a> {
     pub level: u32,
     /// Radius of the planet, metres.
     pub radius_m: u32,
+}
+
+/// The number of a control vertex's lake; 0 on dry land and in rivers. Vertices of a lake have its
+/// level in common, so the level gives the number.
+const fn lake_number(control: &ControlVertex) -> u32 {
+    if control.kind == VertexKind::Lake as u8 {
+        pcg(control.water as u32) | 1
+    } else {
+        0
+    }
 }
 
 impl<'a> EdgeContext<'a> {

@@ -69,22 +69,15 @@ pub(super) fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
     if mesh.faces.len() < 4 || items.max(mesh.faces.len()) > MOST_ITEMS {
         return Err(BadMesh::Size);
     }
-    if let Some((i, _)) = (0..).zip(&mesh.vertices).find(|(_, v)| !vertex_fits(v)) {
-        return Err(BadMesh::Vertex(i));
-    }
-    if let Some((i, _)) = (0..)
-        .zip(&mesh.faces)
-        .find(|&(i, f)| !face_fits(mesh, i, f))
-    {
-        return Err(BadMesh::Face(i));
-    }
-    if let Some((i, _)) = (0..)
-        .zip(&mesh.edges)
-        .find(|&(i, e)| !edge_fits(mesh, i, e))
-    {
-        return Err(BadMesh::Edge(i));
-    }
-    Ok(())
+    all_fit(&mesh.vertices, |_, v| vertex_fits(v)).map_err(BadMesh::Vertex)?;
+    all_fit(&mesh.faces, |i, f| face_fits(mesh, i, f)).map_err(BadMesh::Face)?;
+    all_fit(&mesh.edges, |i, e| edge_fits(mesh, i, e)).map_err(BadMesh::Edge)
+}
+
+/// Refuses the first item that does not fit.
+fn all_fit<T>(items: &[T], fits: impl Fn(u32, &T) -> bool) -> Result<(), u32> {
+    let misfit = (0..).zip(items).find(|&(i, item)| !fits(i, item));
+    misfit.map_or(Ok(()), |(i, _)| Err(i))
 }
 
 fn vertex_fits(vertex: &ControlVertex) -> bool {
@@ -93,6 +86,7 @@ fn vertex_fits(vertex: &ControlVertex) -> bool {
         .iter()
         .map(|&x| f64::from(x) * f64::from(x))
         .sum();
+    // In f64: 64 bits of squares do not fit 32.
     let on_sphere = (square.sqrt() / f64::from(ONE) - 1.0).abs() < OFF_SPHERE;
     let heights = [vertex.height, vertex.bed, vertex.water, vertex.crust];
     on_sphere
@@ -120,10 +114,9 @@ fn edge_fits(mesh: &ControlMesh, i: u32, edge: &ControlEdge) -> bool {
     let is_short = a.zip(b).is_some_and(|(a, b)| {
         (0..3).all(|i| a.direction[i].abs_diff(b.direction[i]) < LONGEST_EDGE)
     });
-    let names_edge = |&f: &u32| {
-        mesh.faces
-            .get(f as usize)
-            .is_some_and(|f| f.edges.contains(&i))
-    };
-    is_short && edge.faces[0] != edge.faces[1] && edge.faces.iter().all(names_edge)
+    let [left, right] = edge.faces.map(|f| mesh.faces.get(f as usize));
+    let is_shared = left
+        .zip(right)
+        .is_some_and(|(f, g)| f.edges.contains(&i) && g.edges.contains(&i));
+    is_short && edge.faces[0] != edge.faces[1] && is_shared
 }

@@ -37,7 +37,7 @@ impl Base {
     /// use pangaea_shaders::amplify::base::{BadMesh, Base};
     /// use pangaea_shaders::amplify::synthetic::control_mesh;
     ///
-    /// let mut mesh = control_mesh(6_371_000, 2, 1);
+    /// let mut mesh = control_mesh(6_371_000, 3, 1);
     /// assert!(Base::new(&mesh).is_ok());
     /// mesh.radius_m = 10;
     /// assert_eq!(Base::new(&mesh).unwrap_err(), BadMesh::Radius);

@@ -1,10 +1,10 @@
 //! Rivers and gullies of level 0: discharges, river edges, dry drainage lines, nearest rivers.
 
-use crate::amplify::control::{ControlEdge, ControlMesh, VertexKind};
+use crate::amplify::control::{ControlMesh, VertexKind};
 use crate::amplify::geometry::nearest_on;
 use crate::amplify::rules::EdgeKind;
 use crate::amplify::scale::PlanetScale;
-use crate::amplify::topology::{Edge, Face, NONE};
+use crate::amplify::topology::{Edge, Face, NONE, gather};
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
 use crate::amplify::vertex_resolve::segment;
 
@@ -31,6 +31,7 @@ fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
 /// Raises discharges until every vertex carries at least what comes from upstream: squares of
 /// rounded flows need not.
 pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
+    // How many rivers still have to arrive at each vertex, and where each flows.
     let mut waiting = vec![0_u32; vertices.len()];
     let mut below = vec![usize::MAX; vertices.len()];
     for [up, down] in river_edges(mesh) {
@@ -46,6 +47,7 @@ pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
         vertices[up].discharge = vertices[up].discharge.max(inflow[up]);
         let down = below[up];
         if down != usize::MAX {
+            // A planet that saturates carries 200,000 m³/s in one river.
             inflow[down] = inflow[down].saturating_add(vertices[up].discharge);
             waiting[down] -= 1;
             if waiting[down] == 0 {
@@ -75,18 +77,17 @@ pub(super) fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
         confluences[down].discharge += u64::from(vertices[up].discharge);
         confluences[down].rivers += 1;
     }
-    let mut edge = |edge: &ControlEdge| {
+    let edges = mesh.edges.iter().map(|edge| {
         if edge.river == 0 {
             return Edge::new(EdgeKind::Terrain, edge.vertices, edge.faces);
         }
-        let [up, down] = edge.vertices.map(|v| v as usize);
-        let ends = [&vertices[up], &vertices[down]];
+        let into = &mut confluences[edge.vertices[1] as usize];
         Edge {
-            arriving: arriving(ends, &mut confluences[down]),
+            arriving: arriving(gather(vertices, edge.vertices), into),
             ..Edge::new(EdgeKind::River, edge.vertices, edge.faces)
         }
-    };
-    mesh.edges.iter().map(&mut edge).collect()
+    });
+    edges.collect()
 }
 
 /// Discharge that the next river of a confluence brings.
@@ -106,8 +107,7 @@ pub(super) fn add_gullies(vertices: &mut [Vertex], edges: &mut [Edge]) {
         };
         edge.kind = EdgeKind::Gully;
         if edge.vertices[0] != v {
-            edge.vertices.swap(0, 1);
-            edge.faces.swap(0, 1);
+            edge.reverse();
         }
         let vertex = &mut vertices[v as usize];
         vertex.kind = VertexKind::Gully;
@@ -126,6 +126,7 @@ fn drains(vertices: &[Vertex], edges: &[Edge]) -> Vec<Option<u32>> {
         }
         let [a, b] = edge.vertices;
         for (from, to) in [(a, b), (b, a)] {
+            // A vertex without a lower neighbour is a pit, and has no drain.
             let best = lowest[from as usize].map_or(from, |(_, neighbour)| neighbour);
             if vertices[from as usize].kind == VertexKind::Terrain && key(to) < key(best) {
                 lowest[from as usize] = Some((i, to));
@@ -146,6 +147,7 @@ pub(super) fn find_nearest(
     faces: &[Face],
 ) {
     for vertex in vertices.iter_mut().filter(|v| v.is_wet()) {
+        // On the river itself: a segment without length.
         vertex.river = segment(scale, 0, 0, [vertex, vertex], vertex.discharge);
         vertex.river_distance = 0;
         vertex.river_along = 0;
@@ -168,6 +170,30 @@ struct RiverBeside {
     segment: RiverSegment,
 }
 
+impl RiverBeside {
+    /// No river yet.
+    fn none() -> Self {
+        Self {
+            distance: FAR,
+            along: 0,
+            segment: RiverSegment::default(),
+        }
+    }
+
+    /// Takes a segment if it is nearer to a direction.
+    fn offer(&mut self, scale: &PlanetScale, direction: [i32; 3], segment: RiverSegment) {
+        let (along, off) = nearest_on(segment.ends, direction);
+        let distance = scale.grains(off).min(FAR);
+        if distance < self.distance {
+            *self = Self {
+                distance,
+                along,
+                segment,
+            };
+        }
+    }
+}
+
 /// The nearest river edge opposite to each vertex: a river edge is seen by the far corners of its
 /// two faces.
 fn beside_faces(
@@ -176,29 +202,16 @@ fn beside_faces(
     edges: &[Edge],
     faces: &[Face],
 ) -> Vec<RiverBeside> {
-    let none = RiverBeside {
-        distance: FAR,
-        along: 0,
-        segment: RiverSegment::default(),
-    };
-    let mut found = vec![none; vertices.len()];
+    let mut found = vec![RiverBeside::none(); vertices.len()];
     for (i, edge) in (0..).zip(edges) {
         if edge.kind != EdgeKind::River {
             continue;
         }
-        let ends = edge.vertices.map(|v| &vertices[v as usize]);
+        let ends = gather(vertices, edge.vertices);
         let segment = segment(scale, 0, 0, ends, edge.arriving);
         for &face in edge.faces.iter().filter(|&&f| f != NONE) {
             let corner = faces[face as usize].opposite(i) as usize;
-            let (along, off) = nearest_on(segment.ends, vertices[corner].direction);
-            let distance = scale.grains(off).min(FAR);
-            if distance < found[corner].distance {
-                found[corner] = RiverBeside {
-                    distance,
-                    along,
-                    segment,
-                };
-            }
+            found[corner].offer(scale, vertices[corner].direction, segment);
         }
     }
     found

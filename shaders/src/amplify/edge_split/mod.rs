@@ -33,12 +33,9 @@ pub fn split(
     let length = scale.grains(difference(b.direction, a.direction));
     let placed = place(rules, edge.kind, level, &new, ends, opposite);
     new.direction = placed.direction;
+    // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
-    new.discharge = if edge.kind == EdgeKind::River {
-        gathered(a, edge)
-    } else {
-        0
-    };
+    new.discharge = gathered(a, edge);
     let context = EdgeContext {
         a,
         b,
@@ -49,25 +46,34 @@ pub fn split(
         level,
         radius_m: scale.radius_m,
     };
+    // The rules see the vertex complete but for its ground.
     let ground = rules::halve(rules, edge.kind, &context);
-    new.kind = ground.kind;
-    new.height = ground.height;
-    new.bed = ground.bed;
-    new.water = ground.water;
+    let mut new = Vertex {
+        kind: ground.kind,
+        height: ground.height,
+        bed: ground.bed,
+        water: ground.water,
+        ..new
+    };
     settle_water(edge.kind, &mut new, a, b);
     new
 }
 
-/// Discharge in the middle of a river edge: half of what the edge gains has come by then.
+/// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then.
 #[inline]
 fn gathered(up: &Vertex, edge: &Edge) -> u32 {
-    up.discharge + edge.arriving.saturating_sub(up.discharge) / 2
+    if edge.kind == EdgeKind::River {
+        up.discharge + edge.arriving.saturating_sub(up.discharge) / 2
+    } else {
+        0
+    }
 }
 
 /// Keeps lakes level and water from rising downstream, whatever the graph says.
 fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
     // 0 is no lake.
     let lake = a.lake | b.lake;
+    // Between two vertices of one lake its surface goes on, whatever was drawn.
     if lake != 0 && is_one_lake(a, b) {
         new.kind = VertexKind::Lake;
         new.height = a.bed + (b.bed - a.bed) / 2;
@@ -80,6 +86,7 @@ fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
         new.lake = if lake == 0 { new.seed | 1 } else { lake };
         new.discharge = a.discharge.max(b.discharge) / 16;
     } else if kind == EdgeKind::River {
+        // Water never lies below that of the lower end.
         new.water = new.water.max(new.bed).max(b.water);
     } else if new.kind == VertexKind::Terrain {
         hold_back_lakes(new, [a, b]);
@@ -148,6 +155,7 @@ fn undirected_mean(a: [i16; 3], b: [i16; 3]) -> [i16; 3] {
     let (u, v) = (a.map(i32::from), b.map(i32::from));
     // Components of 15 bits, halved so that three products fit.
     let dot = (0..3).map(|i| (u[i] >> 1) * (v[i] >> 1)).sum::<i32>();
+    // An axis has no sign: the nearer of the two directions counts.
     let sign = if dot < 0 { -1 } else { 1 };
     [0, 1, 2].map(|i| ((u[i] + sign * v[i]) / 2) as i16)
 }
@@ -157,6 +165,7 @@ fn expected_distance(kind: EdgeKind, [a, b]: [&Vertex; 2], length: i32) -> i32 {
     if kind == EdgeKind::River {
         return 0;
     }
+    // FAR is no number to average: the end that knows a river counts.
     match (a.river_distance, b.river_distance) {
         (0, 0) => length / 2,
         (FAR, FAR) => FAR,

@@ -42,6 +42,7 @@ pub(super) fn place(
         && let [Some(x), Some(y)] = opposite
     {
         let shift = shift(rules, kind, ends.map(|v| v.kind), level, new);
+        // Towards the corner x, away from the corner y.
         let corners = if shift.second { [y, x] } else { [x, y] };
         if shift.weight > 0 {
             return displaced(&shift, ends, corners);
@@ -84,6 +85,7 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     let low = x.height.min(y.height);
     let weight = weigh(shift.weight, linear_step(FLATNESS[0], FLATNESS[1], low));
     let third = shift.inward / 3;
+    // The barycentre lies a third of the way to the corner.
     let wx = weigh(weight, third);
     let along = weigh(Q16 - shift.inward, shift.along) + third;
     // A corner that leans over an end of the edge draws upwards only, not along.
@@ -91,14 +93,19 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
     let owed = wx * (x.height >> 3) / (y.height >> 3).max(1);
     let in_beyond = towards_b + q12(wx, x.along) + q12(owed, y.along);
-    let loss = (-towards_b)
-        .max(towards_b + wx)
-        .max(-in_beyond)
-        .max(in_beyond - owed);
+    let loss = end_loss(towards_b, wx).max(end_loss(in_beyond, -owed));
+    // The whole displacement is scaled until all bounds hold in both faces.
     let kept = ratio(MOST_END_LOSS, loss)
         .min(ratio(MOST_FAR_CORNER, wx))
         .min(ratio(MOST_FAR_CORNER, owed));
     [Q16 / 2 + weigh(kept, towards_b), weigh(kept, wx)]
+}
+
+/// How much of its halves the nearer end of an edge loses to a vertex that is drawn `towards_b`, and
+/// by `far` to the far corner.
+#[inline]
+fn end_loss(towards_b: i32, far: i32) -> i32 {
+    (-towards_b).max(towards_b + far)
 }
 
 /// A share times a number in Q12 of at most 7.
@@ -109,6 +116,7 @@ const fn q12(share: i32, number: i32) -> i32 {
 
 /// The point a + w_b·ab + w_x·ax, lifted to the sphere by its exact deficit Σ wᵢwⱼ|pᵢ - pⱼ|².
 fn blend(a: [i32; 3], ab: [i32; 3], ax: [i32; 3], wb: i32, wx: i32) -> [i32; 3] {
+    // Barycentric coordinates; those of the ends and the corner sum to 1.
     let wa = Q16 - wb - wx;
     let point = [0, 1, 2].map(|i| a[i] + weigh(wb, ab[i]) + weigh(wx, ax[i]));
     // Shares below 1 in Q16, their products in Q32.
@@ -120,7 +128,9 @@ fn blend(a: [i32; 3], ab: [i32; 3], ax: [i32; 3], wb: i32, wx: i32) -> [i32; 3] 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::amplify::rules::shift::LEAST;
     use crate::amplify::seed::pcg;
+    use core::ops::Range;
 
     type Shares = [f64; 3];
 
@@ -162,22 +172,27 @@ mod tests {
         assert!(least > 0.045, "{least}");
     }
 
+    fn random(k: u32, i: u32, range: Range<i32>) -> i32 {
+        range.start + (pcg(pcg(k) ^ i) % range.len() as u32) as i32
+    }
+
+    fn random_shift(k: u32) -> Shift {
+        Shift {
+            along: random(k, 4, LEAST..2 * LEAST),
+            inward: random(k, 5, LEAST..2 * LEAST),
+            second: false,
+            weight: random(k, 6, 0..Q16 + 1),
+        }
+    }
+
     #[test]
     fn displaced_vertices_keep_the_bounds_in_both_faces() {
         for k in 0..200_000_u32 {
-            let random =
-                |i: u32, low: i32, high: i32| low + (pcg(pcg(k) ^ i) % (high - low) as u32) as i32;
             let [x, y] = [0, 2].map(|i| Stance {
-                along: random(i, -8192, 12_288),
-                height: random(i + 1, 300, 12_288),
+                along: random(k, i, -8192..12_288),
+                height: random(k, i + 1, 300..12_288),
             });
-            let shift = Shift {
-                along: random(4, 21_627, 43_254),
-                inward: random(5, 21_627, 43_254),
-                second: false,
-                weight: random(6, 0, 65_537),
-            };
-            let [wb, wx] = weights(&shift, [x, y]).map(|w| f64::from(w) / 65_536.0);
+            let [wb, wx] = weights(&random_shift(k), [x, y]).map(|w| f64::from(w) / 65_536.0);
             let real = |v: i32| f64::from(v) / 4096.0;
             // In the face beyond: x = s·a + t·b - ρ·y.
             let ratio = real(x.height) / real(y.height);

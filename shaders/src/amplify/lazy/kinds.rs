@@ -15,26 +15,25 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         if known.has_kind {
             return known.edge.kind;
         }
-        let (kind, reversed, birth) = match known.origin {
-            EdgeOrigin::Base(_) => (known.edge.kind, false, known.edge.birth),
-            EdgeOrigin::Half(parent, slot) => {
-                let (kind, reversed) = self.half_kind(level - 1, parent, slot);
-                (kind, reversed, self.edge(level - 1, parent).edge.birth)
-            }
+        let ((kind, reversed), birth) = match known.origin {
+            EdgeOrigin::Base(_) => ((known.edge.kind, false), known.edge.birth),
+            EdgeOrigin::Half(parent, slot) => (
+                self.half_kind(level - 1, parent, slot),
+                self.edge(level - 1, parent).edge.birth,
+            ),
             EdgeOrigin::Inner(face, corner) => {
                 let inner = self.decide(level - 1, face)[usize::from(corner)];
-                let (kind, reversed) = inner.edge();
-                (kind, reversed, level as u8)
+                (inner.edge(), level as u8)
             }
         };
+        // Gullies run down from a new vertex, so a half may run against its edge.
         let known = self.edge_mut(level, edge);
         known.has_kind = true;
         known.reversed = reversed;
         known.edge.kind = kind;
         known.edge.birth = if kind == EdgeKind::River { birth } else { 0 };
         if reversed {
-            known.edge.vertices.swap(0, 1);
-            known.edge.faces.swap(0, 1);
+            known.edge.reverse();
         }
         kind
     }
@@ -69,26 +68,35 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         }
         let arriving = match known.origin {
             EdgeOrigin::Base(_) => known.edge.arriving,
-            EdgeOrigin::Half(parent, 0) => {
-                let parent = self.edge(level - 1, parent).edge;
-                self.ensure(parent.mid);
-                arriving_at(self.vertex(parent.mid), self.vertex(parent.vertices[0]))
-            }
+            EdgeOrigin::Half(parent, 0) => self.arriving_at_middle(level - 1, parent),
+            // The second half ends where the whole edge ends.
             EdgeOrigin::Half(parent, _) => {
                 self.settle_arriving(level - 1, parent);
                 self.edge(level - 1, parent).edge.arriving
             }
             EdgeOrigin::Inner(..) => {
                 // A tributary: its second vertex is the junction, on an edge of the face.
-                let (at, river) = self.origins[known.edge.vertices[1] as usize];
-                self.split(usize::from(at), river);
-                let river = self.edge(usize::from(at), river).edge;
-                tributary(self.vertex(river.mid), self.vertex(river.vertices[0]))
+                self.tributary_at(known.edge.vertices[1])
             }
         };
         let known = self.edge_mut(level, edge);
         known.edge.arriving = arriving;
         known.has_arriving = true;
+    }
+
+    /// Discharge that arrives at the middle of a river edge, where a tributary may join.
+    fn arriving_at_middle(&mut self, level: usize, edge: u32) -> u32 {
+        let edge = self.edge(level, edge).edge;
+        self.ensure(edge.mid);
+        arriving_at(self.vertex(edge.mid), self.vertex(edge.vertices[0]))
+    }
+
+    /// Discharge that a tributary brings to a junction.
+    fn tributary_at(&mut self, junction: u32) -> u32 {
+        let (level, river) = self.origins[junction as usize];
+        self.split(usize::from(level), river);
+        let river = self.edge(usize::from(level), river).edge;
+        tributary(self.vertex(river.mid), self.vertex(river.vertices[0]))
     }
 
     /// Whether no river or gully runs beside an edge of a straight level, nor ever will.

@@ -47,6 +47,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         if self.edge(level, edge).progress != VertexProgress::Pending {
             return;
         }
+        // The topology first: it names the vertex before it is computed.
         self.halve(level, edge);
         let ends = self.edge(level, edge).edge.vertices;
         for v in ends {
@@ -69,6 +70,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             ends.map(|v| self.vertex(v)),
             opposite.map(|v| self.vertex_at(v)),
         );
+        // It is not final before its faces have settled it.
         self.vertices[edge_now.mid as usize] = new;
         let known = self.edge_mut(level, edge);
         known.split_kind = new.kind;
@@ -91,6 +93,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         if known.decided || level as u32 >= STRAIGHT_LEVEL {
             return known.face.inner;
         }
+        // A face without drainage decides nothing, and asks for no vertex.
         let kinds = known.face.edges.map(|e| self.settle_kind(level, e));
         let inner = if kinds == [EdgeKind::Terrain; 3] {
             [Inner::Terrain; 3]
@@ -111,10 +114,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             self.split(level, made.edges[k]);
             self.ensure(made.vertices[k]);
             if kinds[k] != EdgeKind::Terrain {
-                let [f, g] = self.faces(level, made.edges[k]);
-                let neighbour = if f == face { g } else { f };
-                beyond[k] = self.face(level, neighbour).opposite(made.edges[k]);
-                self.ensure(beyond[k]);
+                beyond[k] = self.ensure_beyond(level, face, made.edges[k]);
             }
         }
         let edges = made.edges.map(|e| self.edge(level, e));
@@ -127,6 +127,15 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             beyond: beyond.map(|v| self.vertex_at(v)),
         };
         face_decide::decide(&self.rules, level as u32, &context)
+    }
+
+    /// The corner beyond an edge of a face, final.
+    fn ensure_beyond(&mut self, level: usize, face: u32, edge: u32) -> u32 {
+        let [f, g] = self.faces(level, edge);
+        let neighbour = if f == face { g } else { f };
+        let corner = self.face(level, neighbour).opposite(edge);
+        self.ensure(corner);
+        corner
     }
 
     /// Pass `vertex_resolve` for one edge.
@@ -150,6 +159,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             drains: [NONE; 4],
         };
         let is_straight = level as u32 >= STRAIGHT_LEVEL;
+        // Far from all drainage a vertex follows from its parents alone.
         if is_straight && self.is_dry_edge(level, edge) {
             return around;
         }

@@ -69,6 +69,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
                     self.edge_mut(0, edge).edge.faces[side] = face;
                 }
                 EdgeOrigin::Half(parent, _) => {
+                    // A half lies between children of the faces beside its parent.
                     let parents = self.faces(level - 1, parent);
                     self.quarter(level - 1, parents[side ^ usize::from(known.reversed)]);
                 }
@@ -86,6 +87,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             return made;
         }
         self.settle_kind(level, edge);
+        // The vertex is named here, and computed by `split` when it is asked for.
         let mid = self.vertices.len() as u32;
         self.vertices.push(Vertex::default());
         self.origins.push((level as u8, edge));
@@ -111,25 +113,32 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         let child = self.levels[level + 1].faces.len() as u32;
         let sides = [0, 1, 2].map(|k| self.halve_side(level, &made, k, child));
         let mids = sides.map(|side| side.mid);
-        let finer = &mut self.levels[level + 1];
-        let inner = finer.edges.len() as u32;
-        for k in 0..3 {
+        let inner = self.add_inner_edges(level, face, mids, child);
+        let finer = &mut self.levels[level + 1].faces;
+        for (k, slot) in (0..3).zip(0..) {
             let other = (k + 2) % 3;
-            let edge = Edge::new(
-                EdgeKind::Terrain,
-                [mids[k], mids[other]],
-                [child + k as u32, child + 3],
-            );
-            let origin = EdgeOrigin::Inner(face, k as u8);
-            finer.edges.push(LazyEdge::new(edge, origin));
-            let edges = [sides[k].from_start, inner + k as u32, sides[other].from_end];
-            let corner = Face::new([made.vertices[k], mids[k], mids[other]], edges, face);
-            finer.faces.push(LazyFace::new(corner));
+            let vertices = [made.vertices[k], mids[k], mids[other]];
+            let edges = [sides[k].from_start, inner + slot, sides[other].from_end];
+            finer.push(LazyFace::new(Face::new(vertices, edges, face)));
         }
         let middle = Face::new(mids, [inner + 1, inner + 2, inner], face);
-        finer.faces.push(LazyFace::new(middle));
+        finer.push(LazyFace::new(middle));
         self.levels[level].faces[face as usize].face.child = child;
         child
+    }
+
+    /// Adds the three inner edges of a face, between its corner children, the first of which is
+    /// `child`, and its middle child; returns the first.
+    fn add_inner_edges(&mut self, level: usize, face: u32, mids: [u32; 3], child: u32) -> u32 {
+        let finer = &mut self.levels[level + 1].edges;
+        let first = finer.len() as u32;
+        for (k, slot) in (0..3).zip(0..) {
+            let ends = [mids[k], mids[(k + 2) % 3]];
+            let faces = [child + u32::from(slot), child + 3];
+            let edge = Edge::new(EdgeKind::Terrain, ends, faces);
+            finer.push(LazyEdge::new(edge, EdgeOrigin::Inner(face, slot)));
+        }
+        first
     }
 
     /// Halves the `k`th edge of a face and gives its halves the face's children, the first of which

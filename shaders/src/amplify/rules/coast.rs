@@ -77,6 +77,7 @@ fn floor(rules: &Rules, context: &EdgeContext) -> i32 {
     if !rules.landforms {
         return a + (b - a) / 2;
     }
+    // The draw is wide at coarse levels and narrows with each finer one.
     let spread = FLOOR_SPREAD - SPREAD_LOSS * context.level.min(14) as i32;
     // Less sway in shallow water.
     let most_sway = mul_q16(context.length, FLOOR_SWAY).min(-a.min(b) / 6);

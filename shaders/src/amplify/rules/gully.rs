@@ -53,15 +53,19 @@ pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
         LEAST_RISE
     };
     let height = mix(low, high, rise + mul_q16(xi, DRAWN_RISE));
+    // A gully that ends in a river must lie above it.
     let river = [context.b, context.a].into_iter().find(|end| end.is_wet());
     let height = match river {
-        Some(river) if height <= river.height => {
-            let most = mul_q16(context.length, RISE_FROM_RIVER).min(MOST_RISE_FROM_RIVER);
-            river.height + LEAST_RISE_FROM_RIVER + mul_q16(most, xi)
-        }
+        Some(river) if height <= river.height => above_river(context, river.height),
         _ => height,
     };
     VertexGround::dry(VertexKind::Gully, height)
+}
+
+/// Height of a gully over a river that its land does not overtop, grains (release).
+fn above_river(context: &EdgeContext, river: i32) -> i32 {
+    let most = mul_q16(context.length, RISE_FROM_RIVER).min(MOST_RISE_FROM_RIVER);
+    river + LEAST_RISE_FROM_RIVER + mul_q16(most, share(context.new.seed, 0))
 }
 
 /// Whether an internal edge of a level becomes a tributary of the river at its junction; the angle

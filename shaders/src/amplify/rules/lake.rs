@@ -42,6 +42,7 @@ pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u1
     if !is_lake_level || river.bed <= LEAST_BED || river.branched {
         return 0;
     }
+    // Less likely by a quarter with every level.
     let coarse = Q16 - ((level - first).min(4) as i32) * (Q16 / 4);
     let high = smoothstep(HIGH_BEDS[0], HIGH_BEDS[1], river.bed)
         + 2 * smoothstep(HIGH_CRUST[0], HIGH_CRUST[1], crust);
@@ -74,13 +75,18 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<VertexGround> {
         return None;
     }
     let bed = if is_river || context.level < rules.lake_levels {
-        let depth = LEAST_DEPTH + mul_q16(DRAWN_DEPTH, share(new.seed, 11));
-        water.bed - depth.min(water.bed - GRAINS).max(0)
+        new_bed(water.bed, new.seed)
     } else {
         // The floor shelves towards the shore.
         water.bed + (water.water - water.bed) / 2
     };
     Some(lake(bed, water.water))
+}
+
+/// Floor of a new lake under the bed of its river, a metre above the sea at least; grains.
+fn new_bed(bed: i32, seed: u32) -> i32 {
+    let depth = LEAST_DEPTH + mul_q16(DRAWN_DEPTH, share(seed, 11));
+    bed - depth.min(bed - GRAINS).max(0)
 }
 
 /// Between two lake vertices: the floor of their lake, or a crest between two lakes.

@@ -102,3 +102,5 @@ pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGrou
 
 #[cfg(test)]
 mod graph_tests;
+#[cfg(test)]
+mod preset_tests;

@@ -37,6 +37,7 @@ pub const fn cell_hash(x: u32, y: u32, z: u32, seed: u32) -> u32 {
 /// 6t⁵ - 15t⁴ + 10t³ of a share.
 #[inline]
 pub const fn fade(t: i32) -> i32 {
+    // By Horner: t³(t(6t - 15) + 10).
     let cube = mul_q16(mul_q16(t, t), t);
     mul_q16(cube, mul_q16(t, 6 * t - 15 * Q16) + 10 * Q16)
 }
@@ -79,25 +80,31 @@ impl Default for CornerCache {
 impl CornerCache {
     fn of(address: [u32; 3], cell: u32, seed: u32) -> Self {
         let top = u32::MAX >> cell;
-        let hashes = core::array::from_fn(|corner| {
-            let at = [0, 1, 2].map(|axis| (address[axis] + (corner as u32 >> axis & 1)) & top);
+        let hashes = [0, 1, 2, 3, 4, 5, 6, 7].map(|corner: u32| {
+            let at = [0, 1, 2].map(|axis| (address[axis] + (corner >> axis & 1)) & top);
             cell_hash(at[0], at[1], at[2], seed) >> 7
         });
         Self { address, hashes }
     }
 
     /// The noise at a place in the cell, Q16 of its edge.
+    #[inline]
     fn blend(&self, [x, y, z]: [i32; 3]) -> i32 {
-        let fade_x = fade(x);
-        // Along x for each of the four edges, then along y for both faces, then along z.
-        let [a, b, c, d] = [0, 1, 2, 3].map(|row: usize| {
-            let (y, z) = (y - (row as i32 & 1) * Q16, z - (row as i32 >> 1) * Q16);
-            let near = gradient_dot(self.hashes[2 * row], x, y, z);
-            let far = gradient_dot(self.hashes[2 * row + 1], x - Q16, y, z);
-            mix(near, far, fade_x)
-        });
-        let fade_y = fade(y);
-        mix(mix(a, b, fade_y), mix(c, d, fade_y), fade(z))
+        let (u, v, w) = (fade(x), fade(y), fade(z));
+        let row = |j, k| self.blend_along_x(j, k, [x, y, z], u);
+        let near = mix(row(0, 0), row(1, 0), v);
+        let far = mix(row(0, 1), row(1, 1), v);
+        mix(near, far, w)
+    }
+
+    /// The noise on the edge of the cell at (j, k) of its cross-section.
+    #[inline]
+    fn blend_along_x(&self, j: usize, k: usize, [x, y, z]: [i32; 3], fade_x: i32) -> i32 {
+        let (y, z) = (y - j as i32 * Q16, z - k as i32 * Q16);
+        let [near, far] = [0, 1].map(|i| self.hashes[i + 2 * j + 4 * k]);
+        let near = gradient_dot(near, x, y, z);
+        let far = gradient_dot(far, x - Q16, y, z);
+        mix(near, far, fade_x)
     }
 }
 
@@ -121,6 +128,7 @@ pub fn gradient(cache: &mut CornerCache, point: [i32; 3], cell: u32, seed: u32) 
     let mut address = [0_u32; 3];
     let mut place = [0_i32; 3];
     for axis in 0..3 {
+        // Adding the origin may wrap: the lattice is periodic in 32 bits.
         let moved = (point[axis] as u32).wrapping_add(origin(axis as u32, seed));
         address[axis] = moved >> cell;
         let inside = moved & mask;
@@ -156,141 +164,5 @@ pub fn fbm(cache: &mut [CornerCache], point: [i32; 3], cell: u32, gain: i32, see
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::amplify::fixed::ONE;
-    use crate::amplify::seed::{pcg, share};
-
-    /// The noise at a point, from an empty cache.
-    fn gradient(point: [i32; 3], cell: u32, seed: u32) -> i32 {
-        super::gradient(&mut CornerCache::default(), point, cell, seed)
-    }
-
-    fn points(count: u32) -> impl Iterator<Item = [i32; 3]> {
-        (0..count).map(|i| {
-            let p = [0, 1, 2].map(|k| f64::from(share(pcg(i), k)) - 32_768.0);
-            let length = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt().max(1.0);
-            p.map(|c| (c / length * f64::from(ONE)) as i32)
-        })
-    }
-
-    #[test]
-    fn mean_is_zero_and_spread_is_that_of_gradient_noise() {
-        for cell in [24, 17, 12, 8] {
-            let values: Vec<f64> = points(40_000)
-                .map(|p| f64::from(gradient(p, cell, 7)) / 65_536.0)
-                .collect();
-            let mean = values.iter().sum::<f64>() / values.len() as f64;
-            let rms = (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt();
-            assert!(mean.abs() < 0.01, "{cell}: {mean}");
-            assert!((0.2..0.35).contains(&rms), "{cell}: {rms}");
-            assert!(values.iter().all(|v| v.abs() < 1.1));
-        }
-    }
-
-    #[test]
-    fn continuous_across_cells() {
-        // Along a line through many cells, steps of a 256th of a cell: the slope of the noise is
-        // below 4.
-        for cell in [20, 12, 9] {
-            let step = 1_i32 << (cell - 8);
-            let mut last = None;
-            for i in 0..4_096 {
-                let value = gradient(
-                    [
-                        1_000_003 + i * step,
-                        -77_777_777 + i * step / 3,
-                        9 - i * step / 2,
-                    ],
-                    cell,
-                    3,
-                );
-                if let Some(last) = last {
-                    let change: i32 = value - last;
-                    assert!(change.abs() < 4 * 256 + 8, "{cell}: {change}");
-                }
-                last = Some(value);
-            }
-        }
-    }
-
-    #[test]
-    fn slopes_are_isotropic() {
-        // Mean squared differences along three axes and three diagonals agree: no direction of the
-        // lattice shows.
-        let cell = 16;
-        let d = 1 << 13;
-        let e = 4_730; // d / √3
-        let axes = [
-            [d, 0, 0],
-            [0, d, 0],
-            [0, 0, d],
-            [e, e, e],
-            [e, -e, e],
-            [-e, e, e],
-        ];
-        let energies = axes.map(|a| {
-            points(30_000)
-                .map(|p| {
-                    let q = [
-                        p[0].wrapping_add(a[0]),
-                        p[1].wrapping_add(a[1]),
-                        p[2].wrapping_add(a[2]),
-                    ];
-                    let change = f64::from(gradient(q, cell, 11) - gradient(p, cell, 11));
-                    change * change
-                })
-                .sum::<f64>()
-        });
-        let mean = energies.iter().sum::<f64>() / 6.0;
-        assert!(
-            energies.iter().all(|e| (e / mean - 1.0).abs() < 0.12),
-            "{energies:?}"
-        );
-    }
-
-    #[test]
-    fn octaves_are_independent() {
-        let dot: f64 = points(20_000)
-            .map(|p| {
-                f64::from(gradient(p, 16, 1)) * f64::from(gradient(p, 16, 2)) / 65_536.0 / 65_536.0
-            })
-            .sum::<f64>()
-            / 20_000.0;
-        assert!(dot.abs() < 0.002, "{dot}");
-    }
-
-    #[test]
-    fn a_cache_changes_no_bit() {
-        for cell in [1, 9, 16, 17, 30] {
-            let mut cache = CornerCache::default();
-            for (k, p) in (0..).zip(points(300)) {
-                // Every point twice, the second time a little farther on.
-                for step in [0, 1 << cell >> (k % 8)] {
-                    let at = p.map(|x| x.wrapping_add(step));
-                    assert_eq!(
-                        super::gradient(&mut cache, at, cell, 5),
-                        gradient(at, cell, 5)
-                    );
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn bits_are_pinned() {
-        assert_eq!(cell_hash(1, 2, 3, 4), cell_hash(1, 2, 3, 4));
-        let got = [
-            gradient([ONE, 0, 0], 24, 5),
-            gradient([-3, 1 << 30, 77], 10, 6),
-            fbm(
-                &mut [CornerCache::default(); 6],
-                [ONE / 3, ONE / 3, ONE / 2],
-                20,
-                32_768,
-                9,
-            ),
-        ];
-        assert_eq!(got, [29_333, -4_965, 4_097]);
-    }
-}
+#[path = "noise_tests.rs"]
+mod tests;

@@ -50,16 +50,23 @@ const FIRST_WORN_LEVEL: u32 = 3;
 pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let (low, high) = ordered(context.a.height, context.b.height);
     let slope = slope(rules, context);
-    // 1 between level ends, 0 where one is a whole slope above the other.
-    let evenness = ratio((slope - (high - low)).max(0), slope.max(1));
+    let evenness = evenness(slope, high - low);
+    // Between level ends the ground is a crest, beside a whole slope a hillside, in between both.
     let hillside = hillside(rules, context);
     let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
     let gain = gain(context, high, mul_q16(mul_q16(slope, evenness), bulge));
     let crest = mix(hillside, high, towards_crest) + gain;
 
     let chi = share(context.new.seed, 1);
+    // No rock stands steeper, drawn anew for each edge so that faces do not become planes.
     let steepest = low + mul_q16(slope, STEEPEST[0] + mul_q16(chi, STEEPEST[1]));
     crest.min(steepest).max(least(context, low, high))
+}
+
+/// How level the ends of an edge are, Q16: 1 where they are, 0 where one stands a whole slope above
+/// the other.
+fn evenness(slope: i32, rise: i32) -> i32 {
+    ratio((slope - rise).max(0), slope.max(1))
 }
 
 /// Whether an edge is no longer than a hillside.
@@ -83,6 +90,7 @@ fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
 fn gain(context: &EdgeContext, high: i32, bulge: i32) -> i32 {
     let new = context.new;
     let (xi, chi) = (share(new.seed, 0), share(new.seed, 1));
+    // Summits reach the crust elevation C and no more.
     let room = (new.crust - high).max(0);
     let free = mul_q16(
         mul_q16(bulge, fading(context.level, worn(new))),
@@ -96,6 +104,7 @@ fn gain(context: &EdgeContext, high: i32, bulge: i32) -> i32 {
 /// Height of the middle of an edge on an even hillside.
 fn hillside(rules: &Rules, context: &EdgeContext) -> i32 {
     if is_small(context) {
+        // On the face itself, so that an even slope stays even under sideways moves.
         return context.face + fine::rough(rules, context);
     }
     let (low, high) = ordered(context.a.height, context.b.height);

@@ -68,6 +68,7 @@ fn descend(up: i32, down: i32, share_of_fall: i32) -> i32 {
 /// stays land.
 fn spring(rules: &Rules, context: &EdgeContext, mouth: &Vertex, land: &Vertex) -> VertexGround {
     let reach = mul_q16(context.length, rules.spring_slope);
+    // Not steeper than a brook may be, nor farther up than the land.
     let gentle = mouth.bed + mul_q16(reach, SPRING_REACH).min(MOST_SPRING_RISE);
     let xi = share(context.new.seed, 0);
     let drawn = mix(

@@ -70,6 +70,7 @@ pub fn shift(
     level: u32,
     new: &Vertex,
 ) -> Shift {
+    // Uniform between a third and two thirds.
     let drawn = |k| LEAST + mul_q16(share(new.seed, k), LEAST);
     Shift {
         along: drawn(12),
@@ -79,14 +80,19 @@ pub fn shift(
     }
 }
 
-/// How much of the displacement an edge takes, Q16.
-fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, wetness: u16) -> i32 {
-    use VertexKind::{Coast, Lake, Sea};
-    let calm = if rules.landforms && CALM_LEVELS.contains(&level) {
+/// Share of the displacement that a level keeps, Q16.
+fn calm(rules: &Rules, level: u32) -> i32 {
+    if rules.landforms && CALM_LEVELS.contains(&level) {
         CALM
     } else {
         Q16
-    };
+    }
+}
+
+/// How much of the displacement an edge takes, Q16.
+fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, wetness: u16) -> i32 {
+    use VertexKind::{Coast, Lake, Sea};
+    let calm = calm(rules, level);
     match edge {
         EdgeKind::Gully if rules.landforms => mul_q16(calm, GULLY_WEIGHT),
         EdgeKind::Gully => Q16,

@@ -51,8 +51,8 @@ pub fn from_gully(rules: &Rules, context: &EdgeContext) -> VertexGround {
 }
 
 /// Height between a drain and the land above it: a share 0.1 + 0.9r of the rise, r = ξ, on plateaus
-/// 1 - ξ³, so that those break off steeply. Land below its drain rises by a draw
-/// of `low_land_rise`.
+/// 1 - ξ³, so that those break off steeply. Land below its drain rises by a draw of
+/// `low_land_rise`.
 fn height(
     rules: &Rules,
     context: &EdgeContext,

@@ -77,6 +77,7 @@ fn shaped(rules: &Rules, context: &EdgeContext) -> i32 {
     let (low, high) = ordered(context.a.height, context.b.height);
     let risen = rise::height(rules, context, rise::DIVIDE_BULGE);
     let terraced = terraced(new, form, context.level, risen);
+    // Hills must not overturn the slope they stand on.
     let limit = mul_q16(context.length, form.steep.max(LEAST_HILL_SLOPE)) / 4;
     let fading = peak_fading(new.crust, context.level);
     let hilly = terraced + hills(rules, context, form, fading).clamp(-limit, limit);
@@ -94,6 +95,7 @@ fn mountain(rules: &Rules, context: &EdgeContext, form: Landform) -> i32 {
         nodes::old_dry(delta, xi),
         form.dry,
     );
+    // Age shows less on fine levels.
     let aged = mul_q16(form.old, Q16 - level_share(context.level));
     let alpha = saturate(mix(young, old, aged));
     nodes::between(context.a.height, context.b.height, alpha)
@@ -109,18 +111,23 @@ fn terraced(new: &Vertex, form: Landform, level: u32, height: i32) -> i32 {
     if form.dry == 0 || form.old == 0 {
         return height;
     }
-    let lower = mul_q16(form.dry, DESERT_TERRACES - mul_q16(form.old, OLD_TERRACES));
-    let lowest = LOWEST_TERRACE - lower;
+    let lowest = lowest_terrace(form);
     let onset = linear_step(lowest, lowest + TERRACE_ONSET, height);
     let weight = mul_q16(
         mul_q16(form.old, Q16 - square(level_share(level))),
         mul_q16(sqrt_q16(form.dry), onset),
     );
+    // Treads with smooth risers, and at low heights ragged edges without them.
     let stepped = nodes::terrace(height, nodes::TERRACE_STEP);
     let tread = nodes::floor_to(height, nodes::TERRACE_STEP);
     let low = Q16 - smoothstep(RAGGED_HEIGHTS[0], RAGGED_HEIGHTS[1], height);
     let ragged = mul_q16(share(new.seed, 1), low) / 10 * 9;
     mix(height, mix(stepped, tread, ragged), weight)
+}
+
+/// Height at which terraces begin: lower in deserts and in youth; grains.
+fn lowest_terrace(form: Landform) -> i32 {
+    LOWEST_TERRACE - mul_q16(form.dry, DESERT_TERRACES - mul_q16(form.old, OLD_TERRACES))
 }
 
 /// How far peaks and hills have faded at a level, 0..1 Q16: later under low crust.

@@ -76,6 +76,7 @@ impl Reach {
     /// The river where a vertex is nearest to its segment.
     pub fn of(vertex: &Vertex) -> Self {
         let (piece, t) = (&vertex.river, saturate(vertex.river_along));
+        // Bed, water and flow are linear between the ends of the segment.
         let flow = mix(piece.flow[0], piece.flow[1], t);
         Self {
             bed: mix(piece.bed[0], piece.bed[1], t),
@@ -89,6 +90,16 @@ impl Reach {
         let depth = (self.water - self.bed).max(0).saturating_add(BANK);
         let spread = mix(BED_SPREAD[0], BED_SPREAD[1], self.strength);
         mul_q16(depth.min(DEEPEST_BED), spread)
+    }
+
+    /// Ground and water in the bed at a distance from its middle, grains.
+    fn in_bed(&self, distance: i32) -> Carved {
+        let up = smooth(ratio(distance, self.half_bed()));
+        let ground = mix(self.bed, self.shoulder(), up);
+        Carved {
+            ground,
+            water: self.water.max(ground),
+        }
     }
 
     /// Height of the top of its banks above the sea, grains.
@@ -109,7 +120,9 @@ impl Reach {
 pub const fn archetype(shape: ValleyShape, x: i32) -> i32 {
     let x = saturate(x);
     match shape {
+        // Half linear, so that the side starts steeply at the river.
         ValleyShape::V => x / 2 + square(x) / 2,
+        // A riser, and a quarter of a parabola that keeps the floor from being level.
         ValleyShape::FlatFloor => mul_q16(riser(FLOOR_RISER, x), Q16 - x / 4) + square(x) / 4,
         ValleyShape::IceTrough => mul_q16(square(x), x),
         ValleyShape::Terraced => (riser(LOWER_RISER, x) + riser(UPPER_RISER, x)) / 2,
@@ -125,6 +138,7 @@ const fn riser([foot, top]: [i32; 2], x: i32) -> i32 {
 /// mesh, grains; `cache` is shared by the vertices of a patch.
 pub fn carve(cache: &mut ocean::OceanCache, vertex: &Vertex, edge: i32) -> Carved {
     match vertex.kind {
+        // Lakes and rivers have settled their own bed and water.
         VertexKind::Lake => Carved {
             ground: vertex.bed.min(vertex.water),
             water: vertex.water,
@@ -134,6 +148,7 @@ pub fn carve(cache: &mut ocean::OceanCache, vertex: &Vertex, edge: i32) -> Carve
             water: vertex.water.max(vertex.bed),
         },
         VertexKind::Sea => {
+            // Relief that would emerge is held under the sea by its own bounds.
             let ground = vertex.height + ocean::relief(cache, vertex, edge);
             Carved {
                 ground,
@@ -160,25 +175,31 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
         return ValleySection::outside(vertex.height);
     }
     let reach = Reach::of(vertex);
+    // The side begins where the bed ends.
     let across = (vertex.river_distance - reach.half_bed()).max(0);
     let width = width(vertex, &reach, edge);
     if across >= width {
         return ValleySection::outside(vertex.height);
     }
     let x = ratio(across, width);
-    let shape = if rules.archetypes {
-        ValleyShape::from_number(vertex.valley)
-    } else {
-        ValleyShape::V
-    };
+    let shape = shape(rules, vertex);
     // The plain's own height bounds them.
     let tangent = mix(SIDE_SLOPE[0], SIDE_SLOPE[1], reach.strength);
     let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x));
     let shoulder = reach.shoulder();
+    // It stands on the bank and never above the crust.
     let height = shoulder.saturating_add(rise.min((vertex.crust - shoulder).max(0)));
     ValleySection {
         height,
         own: riser(OWN_HEIGHT, x),
+    }
+}
+
+const fn shape(rules: &Rules, vertex: &Vertex) -> ValleyShape {
+    if rules.archetypes {
+        ValleyShape::from_number(vertex.valley)
+    } else {
+        ValleyShape::V
     }
 }
 
@@ -193,6 +214,7 @@ fn width(vertex: &Vertex, reach: &Reach, edge: i32) -> i32 {
 
 /// The ground beside a river.
 fn beside(vertex: &Vertex, edge: i32) -> Carved {
+    // A lake without a stream leaves its shore as the graphs made it.
     if vertex.river.flow == [0, 0] {
         return dry(vertex.height);
     }
@@ -200,11 +222,7 @@ fn beside(vertex: &Vertex, edge: i32) -> Carved {
     let (distance, raw) = (vertex.river_distance, vertex.height);
     let (bed, shoulder) = (reach.half_bed(), reach.shoulder());
     if distance < bed {
-        let ground = mix(reach.bed, shoulder, smooth(ratio(distance, bed)));
-        return Carved {
-            ground,
-            water: reach.water.max(ground),
-        };
+        return reach.in_bed(distance);
     }
     // The valley's side never raises ground above the land beside it.
     let ValleySection { height, own } = vertex.section;

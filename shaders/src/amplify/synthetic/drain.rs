@@ -70,18 +70,15 @@ fn neighbours(mesh: &ControlMesh) -> Vec<Vec<(usize, usize)>> {
 
 fn flood(mesh: &ControlMesh) -> Flooded {
     let around = neighbours(mesh);
+    let dry = |vertex| if is_sea(vertex) { 0 } else { i32::MAX };
     let mut flooded = Flooded {
         order: Vec::new(),
         receiver: vec![(usize::MAX, 0); around.len()],
-        level: vec![i32::MAX; around.len()],
+        level: mesh.vertices.iter().map(dry).collect(),
     };
-    let mut heap = BinaryHeap::new();
-    for (v, vertex) in mesh.vertices.iter().enumerate() {
-        if is_sea(vertex) {
-            flooded.level[v] = 0;
-            heap.push(Reverse((vertex.height, v)));
-        }
-    }
+    let sea = (0..).zip(&mesh.vertices).filter(|(_, v)| is_sea(v));
+    let mut heap: BinaryHeap<_> = sea.map(|(i, v)| Reverse((v.height, i))).collect();
+    // The lowest way in comes first, so every vertex drains to where it was reached from.
     while let Some(Reverse((height, v))) = heap.pop() {
         flooded.order.push(v);
         for &(w, edge) in &around[v] {
@@ -119,16 +116,26 @@ fn lay_river(mesh: &mut ControlMesh, flooded: &Flooded, v: usize, discharge: u64
     }
     edge.river = 1;
     let vertex = &mut mesh.vertices[v];
-    let flow = (discharge.min(u64::from(u32::MAX)) as f64).sqrt() as u32;
-    vertex.flow = flow.min(Q16 as u32 - 1);
+    vertex.flow = flow(discharge);
     if flooded.level[v] > vertex.height {
         vertex.kind = VertexKind::Lake as u8;
         vertex.bed = vertex.height;
         vertex.water = flooded.level[v];
         return;
     }
+    lay_bed(vertex, &lower);
+}
+
+/// Flow φ of a discharge, Q16.
+fn flow(discharge: u64) -> u32 {
+    let root = (discharge.min(u64::from(u32::MAX)) as f64).sqrt() as u32;
+    root.min(Q16 as u32 - 1)
+}
+
+/// Lays the bed of a river above the vertex below it.
+fn lay_bed(vertex: &mut ControlVertex, lower: &ControlVertex) {
     let depth = LEAST_DEPTH + (vertex.flow as i32) * 40 / 64;
-    let floor = if is_sea(&lower) { MOUTH_BED } else { lower.bed };
+    let floor = if is_sea(lower) { MOUTH_BED } else { lower.bed };
     vertex.kind = VertexKind::River as u8;
     vertex.bed = (vertex.height - depth).max(floor + LEAST_FALL);
     vertex.water = (vertex.bed + depth).max(lower.water.max(0) + LEAST_WATER_FALL);

@@ -39,18 +39,14 @@ fn icosahedron() -> Vec<UnitVector> {
 
 /// All triples of neighbours, counter-clockwise from outside.
 fn faces_of_icosahedron(points: &[UnitVector]) -> Vec<[u32; 3]> {
-    let square = |x: f64| x * x;
-    let are_neighbours = |i: usize, j: usize| {
-        let squares = (0..3).map(|k| square(points[i][k] - points[j][k]));
-        squares.sum::<f64>() < NEIGHBOUR_SQUARE
-    };
     let mut triangles = Vec::new();
     for i in 0..12 {
         for j in i + 1..12 {
             for k in j + 1..12 {
-                if are_neighbours(i, j) && are_neighbours(j, k) && are_neighbours(k, i) {
+                let corners = [i, j, k].map(|v| points[v]);
+                if are_neighbours(corners) {
                     let [a, b, c] = [i as u32, j as u32, k as u32];
-                    let is_outward = facing([i, j, k].map(|v| points[v])) > 0.0;
+                    let is_outward = facing(corners) > 0.0;
                     triangles.push(if is_outward { [a, b, c] } else { [a, c, b] });
                 }
             }
@@ -59,22 +55,33 @@ fn faces_of_icosahedron(points: &[UnitVector]) -> Vec<[u32; 3]> {
     triangles
 }
 
+/// Whether three corners of an icosahedron are each other's neighbours.
+fn are_neighbours([a, b, c]: [UnitVector; 3]) -> bool {
+    [[a, b], [b, c], [c, a]].into_iter().all(|[p, q]| {
+        let squares = (0..3).map(|i| (p[i] - q[i]) * (p[i] - q[i]));
+        squares.sum::<f64>() < NEIGHBOUR_SQUARE
+    })
+}
+
 /// Four triangles for every one; the middles of edges are added to the points.
 fn quartered(triangles: &[[u32; 3]], points: &mut Vec<UnitVector>) -> Vec<[u32; 3]> {
     let mut middles = BTreeMap::new();
-    let mut middle = |a: u32, b: u32| {
-        *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-            let (p, q) = (points[a as usize], points[b as usize]);
-            points.push(unit([0, 1, 2].map(|i| p[i] + q[i])));
-            points.len() as u32 - 1
-        })
-    };
     let mut finer = Vec::with_capacity(triangles.len() * 4);
     for &[a, b, c] in triangles {
-        let m = [middle(a, b), middle(b, c), middle(c, a)];
+        let m = [[a, b], [b, c], [c, a]].map(|[a, b]| {
+            let made = middles.entry([a.min(b), a.max(b)]);
+            *made.or_insert_with(|| add_middle(points, [a, b]))
+        });
         finer.extend([[a, m[0], m[2]], [b, m[1], m[0]], [c, m[2], m[1]], m]);
     }
     finer
+}
+
+/// Adds the middle of an edge to the points.
+fn add_middle(points: &mut Vec<UnitVector>, edge: [u32; 2]) -> u32 {
+    let [p, q] = edge.map(|v| points[v as usize]);
+    points.push(unit([0, 1, 2].map(|i| p[i] + q[i])));
+    points.len() as u32 - 1
 }
 
 /// Positive where three points turn counter-clockwise seen from outside.

@@ -86,6 +86,7 @@ fn waves(p: UnitVector, planet: u32) -> f64 {
         let frequency = 1.5 + f64::from(k);
         let d = [0, 1, 2].map(|i| f64::from(share(planet, 10 * k + i)) / 32_768.0 - 1.0);
         let turn = frequency * (p[0] * d[0] + p[1] * d[1] + p[2] * d[2]) + f64::from(k);
+        // A polynomial of one turn in place of a sine, whose bits would differ between machines.
         let x = turn - turn.floor();
         sum += (16.0 * x * (1.0 - x) * (1.0 - 2.0 * x)) / (1.0 + f64::from(k));
     }

@@ -113,6 +113,7 @@ pub fn resolve(
         river_tip,
         junction,
     } = around.requests;
+    // Only ground becomes a gully, and not where a tributary will spring.
     let becomes_gully = gully_tip && !river_tip && new.kind == VertexKind::Terrain;
     let kind = if becomes_gully {
         VertexKind::Gully
@@ -120,6 +121,7 @@ pub fn resolve(
         new.kind
     };
     let river = river::nearest(scale, level, new, around);
+    // Beside a river the side is measured; elsewhere it stays the mean of the parents.
     let section = if river.is_beside {
         let mut at = *new;
         river.write(&mut at);
@@ -153,6 +155,7 @@ struct NearestGully {
 
 /// The gully of an edge beside the vertex, where one is nearer than the parents' gullies.
 fn near_gully(scale: &PlanetScale, new: &Vertex, around: &VertexContext) -> NearestGully {
+    // Parents know gullies farther off than the two faces.
     let mut nearest = parents_gully(scale, new, around.ends);
     for drain in around.beside.iter().flatten() {
         if drain.edge.kind != EdgeKind::Gully {

@@ -95,6 +95,7 @@ impl NearestRiver {
     fn offer(&mut self, scale: &PlanetScale, p: [i32; 3], segment: &RiverSegment, charge: i32) {
         let (along, off) = nearest_on(segment.ends, p);
         let distance = scale.grains(off).min(FAR / 4);
+        // Beyond its reach a tributary counts only where no other river is known.
         let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
         let cost = distance + charge + beyond;
         if cost < self.cost {
@@ -114,6 +115,7 @@ pub(super) fn nearest(
     around: &VertexContext,
 ) -> NearestRiver {
     if new.is_wet() {
+        // A river or lake vertex lies on a segment of its own.
         let birth = around.edge.birth;
         return NearestRiver {
             cost: 0,
@@ -183,15 +185,21 @@ fn offer_inherited(
         let Some(from) = from.filter(|v| v.river_distance < FAR) else {
             continue;
         };
-        if seen.iter().flatten().any(|s| s.ends == from.river.ends) {
-            continue;
+        // The same segment often comes from several neighbours.
+        let is_new = |s: &&RiverSegment| s.ends != from.river.ends;
+        if seen.iter().flatten().all(is_new) {
+            seen[i] = Some(&from.river);
+            let charge = most_move(scale, from.river.level);
+            nearest.offer(scale, new.direction, &from.river, charge);
         }
-        seen[i] = Some(&from.river);
-        let moved = if from.river.level >= STRAIGHT_LEVEL {
-            0
-        } else {
-            scale.edge_grains(from.river.level) / 3
-        };
-        nearest.offer(scale, new.direction, &from.river, moved);
+    }
+}
+
+/// How far a river of a level may move on finer levels, grains.
+fn most_move(scale: &PlanetScale, level: u32) -> i32 {
+    if level >= STRAIGHT_LEVEL {
+        0
+    } else {
+        scale.edge_grains(level) / 3
     }
 }

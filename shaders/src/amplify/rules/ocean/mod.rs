@@ -106,6 +106,7 @@ pub fn relief(cache: &mut OceanCache, vertex: &Vertex, edge: i32) -> i32 {
     let rough = mul_q16(FINE.height, fine) + mul_q16(COARSE.height, coarse);
     // No spreading is even: hills of one patch are up to five times as high as another's.
     let uneven = Q16 / 4 + saturate(Q16 / 2 + coarse);
+    // Small planets have small oceans.
     let size = ratio(edge, FULL_RELIEF_EDGE);
     let offset = mul_q16(rough + ridge_relief(cache, vertex, uneven), size);
     mul_q16(offset, smoothstep(0, FULL_RELIEF_DEPTH, depth)).min(depth / 2)
@@ -117,6 +118,7 @@ fn ridge_relief(cache: &mut OceanCache, vertex: &Vertex, uneven: i32) -> i32 {
     if vertex.oceanic == 0 || vertex.ridge == [0; 3] {
         return 0;
     }
+    // Hyperbolic in the age: sediment buries quickly first, then ever more slowly.
     let young = ratio(HALF_AGE, HALF_AGE + i32::from(vertex.ocean_age));
     let unburied = UNBURIED.map(|least| least + mul_q16(young, Q16 - least));
     let faults = mul_q16(faults(&mut cache.faults, vertex), unburied[0]);

@@ -65,6 +65,7 @@ impl StripeNoise {
     /// The stripes at a point. `axis` is the direction across them, components times 32767. `cache`
     /// is of this noise alone; it changes no bit.
     pub fn at(&self, cache: &mut PacketCache, point: [i32; 3], axis: [i16; 3]) -> Phasor {
+        // A packet reaches one cell far, so 27 of them matter.
         let home = point.map(|c| c >> self.cell);
         if cache.home != home {
             *cache = PacketCache {
@@ -121,6 +122,7 @@ impl StripeNoise {
             + mul_q16(away[2], 2 * i32::from(axis[2]));
         let drawn = (packet.hash >> 7 & 0xffff) as i32;
         let pitch = Q16 - PITCH_SPREAD + mul_q16(drawn, 2 * PITCH_SPREAD);
+        // A phase of 0 or ½ makes the noise even in its axis.
         let half_turn = ((packet.hash >> 31) << 15) as i32;
         (mul_q16(along, mul_q16(self.waves, pitch)) >> (self.cell - 16)) + half_turn
     }
@@ -178,120 +180,5 @@ const fn signed_ratio(x: i32, size: i32) -> i32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::amplify::fixed::ONE;
-
-    /// The stripes at a point, from an empty cache.
-    fn phasor(point: [i32; 3], axis: [i16; 3], cell: u32, waves: i32, seed: u32) -> Phasor {
-        StripeNoise { cell, waves, seed }.at(&mut PacketCache::default(), point, axis)
-    }
-
-    /// Energy of the noise's changes over a step of a sixteenth of a wave along a direction.
-    fn energy(step: [i32; 3]) -> f64 {
-        let axis = [0, 32_767, 0];
-        let mut sum = 0.0;
-        for i in 0..60 {
-            for j in 0..60 {
-                let p = [ONE - 1_000_000, i * 2_600_003, j * 2_600_003];
-                let q = [p[0], p[1] + step[1], p[2] + step[2]];
-                let [a, b] = [p, q].map(|p| phasor(p, axis, 24, 2 * Q16, 5));
-                let change = f64::from(a.cosine - b.cosine);
-                sum += change * change;
-            }
-        }
-        sum
-    }
-
-    #[test]
-    fn stripes_lie_across_their_axis() {
-        let d = 1 << 19;
-        assert!(
-            energy([0, d, 0]) > 5.0 * energy([0, 0, d]),
-            "{} {}",
-            energy([0, d, 0]),
-            energy([0, 0, d])
-        );
-    }
-
-    #[test]
-    fn spectrum_peaks_at_the_wavelength() {
-        // A cell of 2²⁴ holds two waves: over 2²³ the phase turns once, over 2²² half.
-        let correlation = |d: i32| {
-            (0..3_000)
-                .map(|i| {
-                    let p = [ONE - 7_000_000, (i % 55) * 3_100_007, (i / 55) * 3_100_007];
-                    let at = |y: i32| {
-                        f64::from(phasor([p[0], y, p[2]], [0, 32_767, 0], 24, 2 * Q16, 9).cosine)
-                    };
-                    at(p[1]) * at(p[1] + d)
-                })
-                .sum::<f64>()
-        };
-        assert!(correlation(1 << 22) < 0.0);
-        assert!(correlation(1 << 23) > 0.0);
-        assert!(correlation(1 << 23) < correlation(1 << 18));
-    }
-
-    #[test]
-    fn opposite_axes_agree() {
-        for i in 0..200 {
-            let p = [ONE / 2 + i * 77_777, i * 1_234_567, ONE / 3];
-            let (a, b) = (
-                phasor(p, [9_000, 30_000, -8_000], 25, Q16, 3),
-                phasor(p, [-9_000, -30_000, 8_000], 25, Q16, 3),
-            );
-            // Floors of negative numbers differ by a unit of a far packet.
-            assert!(
-                (a.cosine - b.cosine).abs() < 512 || a.presence < 3_000,
-                "{a:?} {b:?}"
-            );
-        }
-    }
-
-    #[test]
-    fn stripes_have_no_steps() {
-        // 1.5 m on Earth: the phase turns by two units of Q16, the cosine changes by 14 and
-        // rounding; more where packets disagree.
-        for i in 0..1_000 {
-            let p = [ONE / 2 + i * 777_777, i * 1_234_567, ONE / 3 - i * 55_555];
-            let at = |p| phasor(p, [9_000, 30_000, -8_000], 26, 3 * Q16, 3);
-            for axis in 0..3 {
-                let mut q = p;
-                q[axis] += 500;
-                let (a, b) = (at(p), at(q));
-                assert!(
-                    mul_q16((a.cosine - b.cosine).abs(), a.presence) < 40,
-                    "{p:?} {a:?} {b:?}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn a_cache_changes_no_bit() {
-        let mut cache = PacketCache::default();
-        let noise = StripeNoise {
-            cell: 25,
-            waves: Q16,
-            seed: 3,
-        };
-        for i in 0..500 {
-            let p = [ONE / 2 + i * 777_777, i * 1_234_567, ONE / 3];
-            let want = phasor(p, [9_000, 30_000, -8_000], 25, Q16, 3);
-            assert_eq!(noise.at(&mut cache, p, [9_000, 30_000, -8_000]), want);
-        }
-    }
-
-    #[test]
-    fn bits_are_pinned() {
-        let got = phasor([ONE / 2, ONE / 3, ONE / 4], [32_767, 0, 0], 24, Q16, 1);
-        assert_eq!(
-            got,
-            Phasor {
-                cosine: 24_594,
-                presence: 63_275
-            }
-        );
-    }
-}
+#[path = "phasor_tests.rs"]
+mod tests;

@@ -1,16 +1,16 @@
 //! 32 bits are never left, whatever a sound control mesh holds. Run with overflow checks and debug
 //! assertions, every wrapped sum and product fails here.
 
-use super::base::Base;
-use super::carve::carve_all;
-use super::control::{ControlMesh, ControlVertex, VertexKind};
-use super::fixed::metres;
-use super::ground::{Caps, refine};
-use super::local::LocalGround;
-use super::mark::View;
-use super::rules::Rules;
-use super::seed::{draw, pcg};
-use super::synthetic::control_mesh;
+use crate::amplify::base::Base;
+use crate::amplify::carve::carve_all;
+use crate::amplify::control::{ControlMesh, ControlVertex, VertexKind};
+use crate::amplify::fixed::metres;
+use crate::amplify::ground::{Caps, refine};
+use crate::amplify::local::LocalGround;
+use crate::amplify::mark::View;
+use crate::amplify::rules::Rules;
+use crate::amplify::seed::{draw, pcg};
+use crate::amplify::synthetic::control_mesh;
 
 /// Most height and depth of a control mesh, grains.
 const MOST: u32 = metres(100_000) as u32;
