@@ -1,6 +1,7 @@
 //! Land, margins, coasts, ocean floor and belts of new planets.
 
 use super::*;
+use crate::crust::Orogeny;
 use crate::math;
 use crate::params::TectonicParams;
 use crate::planet::{DiscRecipe, PlateRecipe};
@@ -181,19 +182,16 @@ fn continents_lie_on_some_plates_only() {
 fn crust_does_not_depend_on_threads() {
     let mesh = mesh(12_000);
     let recipe = seeded(8, 0.3);
-    let on = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        pool.build().unwrap().install(|| grow(&recipe, &mesh))
-    };
-    let one = on(1);
-    assert_eq!(one, on(3));
+    let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let one = pool(1).unwrap().install(|| grow(&recipe, &mesh));
+    let three = pool(3).unwrap().install(|| grow(&recipe, &mesh));
+    assert_eq!(one, three);
     assert_ne!(one.elevation, grow(&seeded(9, 0.3), &mesh).elevation);
 }
 
 #[test]
 fn discs_become_continents() {
     let mesh = mesh(30_000);
-    let disc = |center, radius| DiscRecipe { center, radius };
     let continents = vec![disc((10.0, 20.0), 3000.0), disc((-40.0, -150.0), 1000.0)];
     let recipe = PlanetRecipe {
         continents: continents.clone(),
@@ -208,21 +206,27 @@ fn discs_become_continents() {
         assert!(crust.elevation[mesh.nearest(disc.direction()) as usize] > 0.0);
     }
     for (&p, &z) in mesh.points().iter().zip(&crust.elevation) {
-        let off = |d: &DiscRecipe| math::angle_between(p, d.direction()) * recipe.radius - d.radius;
-        let nearest = continents.iter().map(off).fold(f64::INFINITY, f64::min);
-        assert!(nearest <= 1800.0 || z < -0.5);
+        let angle = |d: &DiscRecipe| math::angle_between(p, d.direction());
+        let off = continents
+            .iter()
+            .map(|d| angle(d) * recipe.radius - d.radius);
+        assert!(off.fold(f64::INFINITY, f64::min) <= 1800.0 || z < -0.5);
+    }
+}
+
+/// A plate centred on the equator that turns about the pole with a speed in km/My.
+fn turning((longitude, speed): (f64, f64)) -> PlateRecipe {
+    PlateRecipe {
+        centroid: (0.0, longitude),
+        pole: Some((90.0, 0.0)),
+        speed,
     }
 }
 
 /// Two hemispheres that part along the meridian 90° W with 300 km/My and meet along 90° E.
 fn parting_hemispheres() -> PlanetRecipe {
-    let plate = |lon, speed| PlateRecipe {
-        centroid: (0.0, lon),
-        pole: Some((90.0, 0.0)),
-        speed,
-    };
     let mut recipe = PlanetRecipe {
-        plates: vec![plate(0.0, 150.0), plate(180.0, -150.0)],
+        plates: [(0.0, 150.0), (180.0, -150.0)].map(turning).to_vec(),
         land: 0.0,
         ..Default::default()
     };
@@ -276,15 +280,11 @@ fn the_ocean_has_all_ages() {
         let mean = ocean.iter().map(|&i| crust.ocean_age[i]).sum::<f32>() / ocean.len() as f32;
         assert!((30.0..90.0).contains(&mean), "mean age {mean} My");
         for &i in &ocean {
-            let (p, ridge) = (mesh.point(i as u32).as_vec3(), crust.ridge[i]);
             assert!((0.0..=160.0).contains(&crust.ocean_age[i]));
-            assert!(ridge.dot(p).abs() < 1e-5);
+            assert!(crust.ridge[i].dot(mesh.points()[i].as_vec3()).abs() < 1e-5);
         }
-        let known = ocean
-            .iter()
-            .filter(|&&i| (crust.ridge[i].length() - 1.0).abs() < 1e-5)
-            .count();
-        assert!(known * 100 > ocean.len() * 99);
+        let is_known = |&&i: &&usize| (crust.ridge[i].length() - 1.0).abs() < 1e-5;
+        assert!(ocean.iter().filter(is_known).count() * 100 > ocean.len() * 99);
     }
 }
 
@@ -323,23 +323,26 @@ fn strange_planets_are_finite() {
     }
 }
 
-/// Very small and very large planets, all land and hardly any.
-fn strange_planets() -> [PlanetRecipe; 4] {
-    let planet = |radius, land, continents| PlanetRecipe {
+fn planet(radius: f64, land: f64, continents: Vec<DiscRecipe>) -> PlanetRecipe {
+    PlanetRecipe {
         plate_count: 2,
         radius,
         land,
         continents,
         ..Default::default()
-    };
-    let disc = |latitude, radius| DiscRecipe {
-        center: (latitude, 0.0),
-        radius,
-    };
+    }
+}
+
+fn disc(center: (f64, f64), radius: f64) -> DiscRecipe {
+    DiscRecipe { center, radius }
+}
+
+/// Very small and very large planets, all land and hardly any.
+fn strange_planets() -> [PlanetRecipe; 4] {
     [
         planet(50.0, 0.3, vec![]),
         planet(100_000.0, 0.9, vec![]),
-        planet(50.0, 0.3, vec![disc(0.0, 20_000.0)]),
-        planet(6370.0, 0.3, vec![disc(90.0, 1.0)]),
+        planet(50.0, 0.3, vec![disc((0.0, 0.0), 20_000.0)]),
+        planet(6370.0, 0.3, vec![disc((90.0, 0.0), 1.0)]),
     ]
 }
