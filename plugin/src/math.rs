@@ -2,8 +2,8 @@
 //!
 //! The platform's `sin`, `exp` or `pow` differ in their last bits between machines and compiler
 //! versions; those of `libm` are the same everywhere, and the same seed must give the same planet
-//! everywhere. `clippy.toml` bans the methods of `f32` and `f64`. Addition, multiplication, division
-//! and square roots are exact by IEEE 754 and are used directly.
+//! everywhere. `clippy.toml` bans the methods of `f32` and `f64`. Addition, multiplication,
+//! division and square roots are exact by IEEE 754 and are used directly.
 //!
 //! Directions are unit vectors with +z at the north pole and +x at 0° N 0° E.
 

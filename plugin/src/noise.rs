@@ -94,10 +94,8 @@ fn floor(x: f64) -> f64 {
 #[inline]
 fn interpolate(f: DVec3, value: impl Fn(usize, DVec3) -> f64) -> f64 {
     let [u, v, w] = f.to_array().map(fade);
-    let corner = |i: usize, j: usize, k: usize| {
-        let offset = DVec3::new(i as f64, j as f64, k as f64);
-        value(i + 2 * j + 4 * k, f - offset)
-    };
+    let offset = |i: usize, j: usize, k: usize| DVec3::new(i as f64, j as f64, k as f64);
+    let corner = |i, j, k| value(i + 2 * j + 4 * k, f - offset(i, j, k));
     let edge = |j, k| lerp(u, corner(0, j, k), corner(1, j, k));
     let front = lerp(v, edge(0, 0), edge(1, 0));
     let back = lerp(v, edge(0, 1), edge(1, 1));

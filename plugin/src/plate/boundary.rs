@@ -146,8 +146,8 @@ impl<'a> Owners<'a> {
         ring.all(|&j| self.frame[j as usize] == own)
     }
 
-    /// The outward normal of sample `i`, if it has a neighbour on another plate: the tangential part
-    /// of the sum of all edges to those.
+    /// The outward normal of sample `i`, if it has a neighbour on another plate: the tangential
+    /// part of the sum of all edges to those.
     fn outward(&self, i: u32) -> Option<DVec3> {
         // Frames are compared first, as most samples are amid their own.
         if self.is_amid_own(i) {
@@ -175,6 +175,22 @@ mod tests {
     use super::*;
     use crate::crust::Frame;
 
+    /// Gives the samples within 0.3 of `at` to a new frame of a plate. Returns them.
+    fn give(
+        mesh: &SphereMesh,
+        frame: &mut [FrameId],
+        frames: &mut Frames,
+        at: DVec3,
+        plate: u32,
+    ) -> Vec<u32> {
+        let id = frames.len() as FrameId;
+        frames.push(Frame::at_rest(PlateId(plate)));
+        let disc = |i: &u32| mesh.point(*i).distance(at) < 0.3;
+        let changed: Vec<u32> = (0..mesh.len() as u32).filter(disc).collect();
+        changed.iter().for_each(|&i| frame[i as usize] = id);
+        changed
+    }
+
     #[test]
     fn updated_rims_are_those_found_anew() {
         let mesh = SphereMesh::fibonacci(3000).unwrap();
@@ -184,12 +200,8 @@ mod tests {
         let mut frames = Frames([0, 1, 2, 1].map(|id| Frame::at_rest(PlateId(id))).to_vec());
         let mut rim = Rim::new(&mesh, &frame, &frames);
         let between = DVec3::new(0.2, 0.1, 0.95);
-        for (at, to) in [(DVec3::X, 0), (between, 5), (-DVec3::Y, 1), (DVec3::X, 1)] {
-            let id = frames.len() as FrameId;
-            frames.push(Frame::at_rest(PlateId(to)));
-            let disc = |i: &u32| mesh.point(*i).distance(at) < 0.3;
-            let changed: Vec<u32> = (0..mesh.len() as u32).filter(disc).collect();
-            changed.iter().for_each(|&i| frame[i as usize] = id);
+        for (at, plate) in [(DVec3::X, 0), (between, 5), (-DVec3::Y, 1), (DVec3::X, 1)] {
+            let changed = give(&mesh, &mut frame, &mut frames, at, plate);
             rim.update(&mesh, &frame, &frames, &changed);
             let anew = Rim::new(&mesh, &frame, &frames);
             assert_eq!(rim.samples, anew.samples);

@@ -10,7 +10,7 @@
 //! each rim sample meets one plate, so each part of the junction has one polarity.
 
 use super::boundary::Rim;
-use super::overlap::OverlapIndex;
+use super::overlap::{FrameHit, OverlapIndex};
 use super::polarity::{Evidence, FrontKey, PolarityMemory, bin, pair};
 use super::{PlateId, PlateTable};
 use crate::crust::{Crust, Frame, Frames};
@@ -95,8 +95,8 @@ pub struct ContactInput<'a> {
     pub radius: f64,
 }
 
-/// Finds all contacts and takes new evidence into the memory of polarity. `hysteresis` is in My, see
-/// [`PolarityMemory::update`].
+/// Finds all contacts and takes new evidence into the memory of polarity. `hysteresis` is in My,
+/// see [`PolarityMemory::update`].
 pub fn find_contacts(
     input: &ContactInput,
     rim: &Rim,
@@ -107,6 +107,8 @@ pub fn find_contacts(
     let spins: Vec<DVec3> = frames
         .map(|frame| input.plates.angular_velocity(frame.plate))
         .collect();
+    // Evidence of the whole step comes before any decision, so the order of the rim decides
+    // nothing.
     let mut contacts: Vec<Contact> = (0..rim.len())
         .into_par_iter()
         .with_min_len(SAMPLES_PER_TASK)
@@ -154,29 +156,32 @@ impl ContactInput<'_> {
         let frame = self.frame_of(sample);
         let local = self.mesh.point(sample);
         let p = frame.to_world(self.probe(local, normal));
-        let foreign = |other: &Frame| other.plate != frame.plate;
-        let (mesh, crust, frames) = (self.mesh, self.crust, self.frames);
-        let hit = self
-            .overlap
-            .top_if(mesh, crust, frames, polarity, p, foreign);
-        let Some(hit) = hit else {
+        let Some(hit) = self.top_foreign(polarity, frame.plate, p) else {
             return Contact::default();
         };
-        let id = crust.frame[sample as usize];
+        let id = self.crust.frame[sample as usize];
         let spin = spins[usize::from(id)] - spins[usize::from(hit.frame)];
+        // The motion of the own plate as seen from the other one, in the frame of the own lattice.
         let relative = self.overlap.to_lattice(id, spin);
         let approach = relative.cross(local).dot(normal) * self.radius;
         let met = hit.sample as usize;
         Contact {
             role: Role::of_approach(approach),
-            other: frames.plate(hit.frame),
+            other: self.frames.plate(hit.frame),
             frame: hit.frame,
             sample: hit.sample,
-            other_continental: crust.is_continental(met),
-            other_elevation: crust.elevation[met],
+            other_continental: self.crust.is_continental(met),
+            other_elevation: self.crust.elevation[met],
             approach: approach as f32,
             relative,
         }
+    }
+
+    /// The crust on top at `p` of all plates but `own`.
+    fn top_foreign(&self, polarity: &PolarityMemory, own: PlateId, p: DVec3) -> Option<FrameHit> {
+        let foreign = |frame: &Frame| frame.plate != own;
+        self.overlap
+            .top_if(self.mesh, self.crust, self.frames, polarity, p, foreign)
     }
 
     /// The unit direction that a rim sample probes, in lattice coordinates.
@@ -199,17 +204,13 @@ impl ContactInput<'_> {
         // Neighbours on the rim mostly belong to one segment: one search serves them all.
         for run in seen.concat().chunk_by(|a, b| a.0 == b.0) {
             let sum = found.entry(run[0].0).or_default();
-            for (_, age) in run {
-                sum.age[0] += age[0];
-                sum.age[1] += age[1];
-                sum.count += 1;
-            }
+            run.iter().for_each(|&(_, ages)| sum.add(ages));
         }
         found.into_iter().collect()
     }
 
-    /// The segment of a meeting, and the ages in My that speak for the polarity, in the order of the
-    /// pair.
+    /// The segment of a meeting, and the ages in My that speak for the polarity, in the order of
+    /// the pair.
     fn meeting_ages(&self, sample: u32, contact: &Contact) -> (FrontKey, [f64; 2]) {
         let i = sample as usize;
         let frame = self.frame_of(sample);

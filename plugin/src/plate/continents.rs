@@ -30,7 +30,7 @@ mod seafloor;
 use super::motion::PlateMotion;
 use super::partition::{motions, sites};
 use crate::crust::isostasy::Isostasy;
-use crate::crust::{Crust, CrustKind, FrameId, Orogeny};
+use crate::crust::{Crust, CrustKind, FrameId};
 use crate::parallel::map_chunks;
 use crate::planet::PlanetRecipe;
 use crate::sphere::SphereMesh;
@@ -66,13 +66,11 @@ pub(super) fn initial_motions(recipe: &PlanetRecipe) -> Vec<PlateMotion> {
 /// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
 /// ```
 pub fn initial_crust(recipe: &PlanetRecipe, mesh: &SphereMesh, owner: &[FrameId]) -> Crust {
-    let continents = Continents::new(recipe, &sites(recipe));
-    let field = field::continentality(recipe, mesh, &continents);
-    let share = recipe.continents.is_empty().then_some(recipe.land);
-    let land = land::land(mesh, field, share);
+    let land = initial_land(recipe, mesh);
     let coast = land.coast_distance(mesh);
     let heights = Heights::new(recipe, mesh);
     let motions = initial_motions(recipe);
+    // Ridges begin beyond the shelf: along the coast itself margins are passive.
     let passive = |i: usize| coast[i] * recipe.radius > heights.shelf_width(mesh.point(i as u32));
     let floor = seafloor::seafloor(recipe, mesh, owner, &motions, passive);
     let mut crust = Crust::ocean(mesh.len(), &recipe.params);
@@ -80,6 +78,7 @@ pub fn initial_crust(recipe: &PlanetRecipe, mesh: &SphereMesh, owner: &[FrameId]
     crust.elevation = heights.elevation(mesh, &land.mask, &coast, &floor.elevation);
     mark_continents(recipe, mesh, &land, &mut crust);
     let law = Isostasy::new(&recipe.params);
+    // Continental crust floats at its elevation; oceanic crust keeps its thickness and has an age.
     for i in 0..crust.len() {
         if crust.is_continental(i) {
             crust.thickness[i] = law.thickness(crust.elevation[i]);
@@ -90,6 +89,15 @@ pub fn initial_crust(recipe: &PlanetRecipe, mesh: &SphereMesh, owner: &[FrameId]
     }
     fold_belts(&mut crust, mesh, &heights, &coast);
     crust
+}
+
+/// The land of the recipe's continents.
+fn initial_land(recipe: &PlanetRecipe, mesh: &SphereMesh) -> Land {
+    let continents = Continents::new(recipe, &sites(recipe));
+    let field = field::continentality(recipe, mesh, &continents);
+    // Given discs say what is land; the share of random continents is met exactly.
+    let share = recipe.continents.is_empty().then_some(recipe.land);
+    land::land(mesh, field, share)
 }
 
 /// Makes land and shelves continental.
@@ -115,11 +123,7 @@ fn fold_belts(crust: &mut Crust, mesh: &SphereMesh, heights: &Heights, coast: &[
         folded.collect::<Vec<_>>()
     });
     for (i, belt) in belts.into_iter().flatten() {
-        crust.orogeny[i] = if belt.collision {
-            Orogeny::Himalayan
-        } else {
-            Orogeny::Andean
-        };
+        crust.orogeny[i] = belt.orogeny;
         crust.orogeny_age[i] = belt.age as f32;
         crust.fold[i] = belt.fold.as_vec3();
     }

@@ -7,8 +7,8 @@
 //! anew on frames that gained or lost samples, and after a resample.
 //!
 //! Policies: distance is measured within one frame, around gaps but not across them. A sample that
-//! overrides no more stays on the front for [`STEPS_ON_FRONT`] steps, without any uplift: what passes
-//! below it often makes it override again.
+//! overrides no more stays on the front for [`STEPS_ON_FRONT`] steps, without any uplift: what
+//! passes below it often makes it override again.
 
 use crate::crust::FrameId;
 use crate::parallel;
@@ -153,8 +153,8 @@ impl FrontField {
         gone
     }
 
-    /// Keeps a sample that overrides no more on the front for one more step, or lets it go. One that
-    /// was forgotten with its frame is no source any more.
+    /// Keeps a sample that overrides no more on the front for one more step, or lets it go. One
+    /// that was forgotten with its frame is no source any more.
     fn wait(&self, (i, age): (u32, u8), front: &mut Vec<(u32, u8)>, gone: &mut Vec<u32>) {
         if age + 1 < STEPS_ON_FRONT && self.nearest.source(i) == i {
             front.push((i, age + 1));

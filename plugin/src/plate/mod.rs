@@ -22,7 +22,7 @@ pub mod front;
 
 pub mod terrane;
 
-pub mod stats;
+pub(crate) mod stats;
 
 pub mod table;
 

@@ -9,12 +9,13 @@
 //! | lattice, coarse | the same | the samples of frames |
 //! | world, coarse | which frames may cover a bin of the world | the coarse table and rotations |
 //!
-//! A look-up asks the world for candidates and the fine table about each of them, before it pays for
-//! the nearest sample.
+//! A look-up asks the world for candidates and the fine table about each of them, before it pays
+//! for the nearest sample.
 //!
 //! Policies. *Several frames of one plate*: the terrane lies on top, of two terranes the later one.
 //! *Several plates*: continental crust lies on top of oceanic; of equal kinds the polarity of the
-//! front decides; where there is none, the younger ocean floor, then the lower plate number.
+//! front decides, and between plates that have not met the younger ocean floor, then the lower
+//! plate number.
 
 mod bins;
 mod frame_set;
@@ -82,6 +83,7 @@ impl OverlapIndex {
 
     /// Updates all tables after frames have gained or lost samples.
     pub fn update(&mut self, mesh: &SphereMesh, frame: &[FrameId], frames: &[Frame]) {
+        // Bins depend on the lattice alone and are shared by clones of a planet.
         if self.fine.samples() != mesh.len() {
             self.fine = Arc::new(LatticeBins::new(mesh, FINE_WIDTH, f64::INFINITY));
             self.coarse = Arc::new(LatticeBins::new(mesh, COARSE_WIDTH, MOST_COARSE));

@@ -16,7 +16,8 @@
 //! - A sample as near to two centroids belongs to the one with the lower index.
 //! - A plate is one connected region. Its largest piece stays (the one with the lowest sample among
 //!   equals), others go to what surrounds them.
-//! - Every plate has a sample. One that got none takes the free sample nearest to its centroid.
+//! - Every plate has a sample. One without takes the sample nearest to its
+//!   centroid that another plate can spare.
 
 mod motions;
 mod placement;
@@ -65,6 +66,7 @@ fn seed_empty(mesh: &SphereMesh, centroids: &[DVec3], owner: &mut [u16]) {
         if count[plate] > 0 {
             continue;
         }
+        // The last sample of another plate is not taken.
         let spare = |&i: &u32| count[usize::from(owner[i as usize])] > 1;
         let far = |&i: &u32| (mesh.point(i) - centroid).length_squared();
         let samples = (0..mesh.len() as u32).filter(spare);

@@ -54,6 +54,13 @@ pub struct Evidence {
 }
 
 impl Evidence {
+    /// Adds one meeting of floors of the given ages in My.
+    pub(super) fn add(&mut self, ages: [f64; 2]) {
+        self.age[0] += ages[0];
+        self.age[1] += ages[1];
+        self.count += 1;
+    }
+
     /// Mean age in My by which the floor of the first plate is older.
     fn excess(&self) -> f64 {
         (self.age[0] - self.age[1]) / f64::from(self.count.max(1))
@@ -92,6 +99,7 @@ impl PolarityMemory {
         let (pair, _) = pair(a, b);
         let first_under = match self.find(pair, bin(p)) {
             Some(at) => self.0[at].first_under,
+            // Where the two have not met yet, they will do as elsewhere.
             None => self.majority(pair)?,
         };
         Some(if first_under { pair.0 } else { pair.1 })
@@ -113,8 +121,8 @@ impl PolarityMemory {
         (count != [0; 2]).then_some(count[1] >= count[0])
     }
 
-    /// Takes in the evidence of one step, ordered by pair and bin. `hysteresis` is the difference of
-    /// mean ages in My that turns a decision over.
+    /// Takes in the evidence of one step, ordered by pair and bin. `hysteresis` is the difference
+    /// of mean ages in My that turns a decision over.
     pub fn update(&mut self, evidence: &[(FrontKey, Evidence)], hysteresis: f64) {
         let mut fresh = Vec::new();
         for &((pair, bin), seen) in evidence {
@@ -150,22 +158,28 @@ mod tests {
         Evidence { age, count: 1 }
     }
 
+    /// The plate that goes under after a step in which floor of an age in My meets one of 60 My.
+    fn under_after(memory: &mut PolarityMemory, age: f64) -> Option<PlateId> {
+        let key = ((PlateId(1), PlateId(4)), bin(DVec3::X));
+        memory.update(&[(key, seen([age, 60.0]))], 15.0);
+        memory.under(PlateId(4), PlateId(1), DVec3::X)
+    }
+
     #[test]
     fn the_older_goes_under_and_stays_under() {
-        let key = ((PlateId(1), PlateId(4)), bin(DVec3::X));
         let mut memory = PolarityMemory::default();
         assert_eq!(memory.under(PlateId(1), PlateId(4), DVec3::X), None);
-        let mut under_after = |age: f64| {
-            memory.update(&[(key, seen([age, 60.0]))], 15.0);
-            memory.under(PlateId(4), PlateId(1), DVec3::X)
-        };
         for flicker in [80.0, 50.0, 100.0, 46.0, 74.0] {
-            assert_eq!(under_after(flicker), Some(PlateId(1)), "{flicker}");
+            assert_eq!(
+                under_after(&mut memory, flicker),
+                Some(PlateId(1)),
+                "{flicker}"
+            );
         }
         for _ in 1..LEAST_STEPS_BETWEEN_TURNS {
-            under_after(44.0);
+            under_after(&mut memory, 44.0);
         }
-        assert_eq!(under_after(44.0), Some(PlateId(4)));
+        assert_eq!(under_after(&mut memory, 44.0), Some(PlateId(4)));
     }
 
     #[test]

@@ -73,7 +73,7 @@ fn ratio(part: f64, whole: f64, least: f64) -> f64 {
 
 /// Statistics of a choice of plates, as pairs of plate number and statistics in the order of plate
 /// numbers. A plate of several frames has one entry. `radius` is in km.
-pub fn plate_stats(
+pub(crate) fn plate_stats(
     mesh: &SphereMesh,
     crust: &Crust,
     frames: &Frames,
@@ -106,6 +106,7 @@ fn sums_by_frame(mesh: &SphereMesh, crust: &Crust, chosen: &[bool]) -> Vec<Plate
         }
         sums
     });
+    // Joined in the order of chunks: the same bits on any number of threads.
     let mut by_frame = vec![PlateSums::default(); chosen.len()];
     for part in parts {
         for (sums, part) in by_frame.iter_mut().zip(&part) {

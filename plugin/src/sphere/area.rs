@@ -31,6 +31,7 @@ fn cell_area(points: &[DVec3], ring: &[u32], site: DVec3) -> f64 {
         let next_corner = circumcentre(site, edge, next_edge);
         if k > 0 {
             let (c, s) = half_area(site, corner, next_corner);
+            // The product of complex numbers adds their angles.
             (re, im) = (re * c - im * s, re * s + im * c);
             // Only the angle counts; the length would overflow in large rings.
             if k % 64 == 0 {
@@ -68,15 +69,9 @@ mod tests {
 
     #[test]
     fn octahedron_cells_are_a_sixth_of_the_sphere() {
-        let axes = [
-            DVec3::X,
-            DVec3::Y,
-            DVec3::Z,
-            -DVec3::X,
-            -DVec3::Y,
-            -DVec3::Z,
-        ];
-        let mesh = SphereMesh::from_points(axes.to_vec()).unwrap();
+        let axes = [DVec3::X, DVec3::Y, DVec3::Z].into_iter();
+        let axes = axes.flat_map(|axis| [axis, -axis]).collect();
+        let mesh = SphereMesh::from_points(axes).unwrap();
         assert!(
             mesh.areas()
                 .iter()
@@ -112,9 +107,9 @@ mod tests {
         for i in 0..darts {
             hits[mesh.nearest(stream.direction(1000 + i)) as usize] += 1;
         }
+        let dart = 4.0 * math::PI / darts as f64;
         for (area, hit) in mesh.areas().iter().zip(hits) {
-            let counted = 4.0 * math::PI * f64::from(hit) / darts as f64;
-            assert!((area - counted).abs() < 0.02, "{area} {counted}");
+            assert!((area - f64::from(hit) * dart).abs() < 0.02, "{area} {hit}");
         }
     }
 }

@@ -1,10 +1,11 @@
 //! Chords and the angles that belong to them.
 //!
 //! Points are compared by chord, not by dot product: near a sample the dot product is 1 minus half
-//! the squared distance and has lost all digits below 1e-8 rad. The angle of a chord c is 2 asin(c/2).
-//! Two polynomials stand in for the arc sine where millions of angles are needed: the series of the
-//! arc sine, exact for short chords, and one whose last coefficient is raised so that it stays good
-//! on most of the sphere. The initial crust is made with the latter, whose bits must stay.
+//! the squared distance and has lost all digits below 1e-8 rad. The angle of a chord c is 2
+//! asin(c/2). Two polynomials stand in for the arc sine where millions of angles are needed: the
+//! series of the arc sine, exact for short chords, and one whose last coefficient is raised so that
+//! it stays good on most of the sphere. The initial crust is made with the latter, whose bits must
+//! stay.
 
 use bevy::math::DVec3;
 

@@ -53,6 +53,7 @@ impl Components {
                 join_block(mesh, start, parent, &member, &together)
             })
             .collect();
+        // In the order of blocks, on one thread: few links cross.
         for (i, j) in crossing.into_iter().flatten() {
             join(&mut parent, 0, i, j);
         }

@@ -44,15 +44,9 @@ pub fn fit(mesh: &SphereMesh, i: u32, value: impl Fn(u32) -> f64) -> (DVec3, f64
         return (DVec3::ZERO, 0.0);
     };
     let (gx, gy) = sums.plane(det, sums.xz, sums.yz);
-    // The squared distance has a plane of its own in a ring that is not centred; only what it
-    // scatters about that plane tells the curvature.
+    // The squared distance has a plane of its own in a ring that is not centred.
     let (hx, hy) = sums.plane(det, sums.xr, sums.yr);
-    let scatter = sums.rr - sums.xr * hx - sums.yr * hy;
-    let curve = if scatter > LEAST_SCATTER * sums.rr {
-        (sums.rz - sums.xr * gx - sums.yr * gy) / scatter
-    } else {
-        0.0
-    };
+    let curve = sums.curvature([gx, gy], [hx, hy]);
     let gradient = east * (gx - curve * hx) + north * (gy - curve * hy);
     (gradient, 4.0 * curve)
 }
@@ -92,6 +86,18 @@ impl RingSums {
         let det = self.xx * self.yy - self.xy * self.xy;
         let size = self.xx + self.yy;
         (det > LEAST_DETERMINANT * size * size).then_some(det)
+    }
+
+    /// The coefficient of r in the fit, from the planes `g` of z and `h` of r: only what r scatters
+    /// about its plane tells the curvature.
+    #[inline]
+    fn curvature(&self, [gx, gy]: [f64; 2], [hx, hy]: [f64; 2]) -> f64 {
+        let scatter = self.rr - self.xr * hx - self.yr * hy;
+        if scatter > LEAST_SCATTER * self.rr {
+            (self.rz - self.xr * gx - self.yr * gy) / scatter
+        } else {
+            0.0
+        }
     }
 
     /// Slopes of the plane whose products with x and y sum to `xs` and `ys`.

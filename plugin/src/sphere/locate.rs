@@ -72,6 +72,7 @@ impl SphereMesh {
         }
         let mut vertices = self.facing_triangle(p, nearest);
         let mut weights = self.determinants(p, vertices);
+        // A negative weight says that `p` lies beyond the edge opposite to its corner.
         for _ in 0..MAX_CROSSINGS {
             let Some(corner) = most_negative(weights) else {
                 break;
@@ -121,6 +122,8 @@ impl SphereMesh {
     /// The triangle beyond the edge opposite to a corner (0, 1 or 2).
     fn across(&self, vertices: [u32; 3], corner: usize) -> [u32; 3] {
         let (b, c) = (vertices[(corner + 1) % 3], vertices[(corner + 2) % 3]);
+        // The ring of `b` goes counter-clockwise: what comes before `c` lies to the right of the
+        // edge.
         let ring = self.ring(b);
         let k = ring.iter().position(|&j| j == c).unwrap_or(0);
         let beyond = ring[if k == 0 { ring.len() - 1 } else { k - 1 }];

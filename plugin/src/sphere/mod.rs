@@ -7,6 +7,7 @@
 //! sampling        Fibonacci points, ordered along a space-filling curve
 //! poisson         Poisson-disk points, for the base mesh of the ground
 //! triangulation   spherical Delaunay triangulation (planar Delaunay of a stereographic projection)
+//! rows            lists of different lengths in one array
 //! rings           neighbours of every sample, in order around it
 //! area            spherical Voronoi cells
 //! nearest         nearest sample of a direction: a cube-map grid, then a walk over neighbours
@@ -37,6 +38,7 @@ mod nearest;
 pub mod nearest_source;
 mod poisson;
 mod rings;
+pub(crate) mod rows;
 mod sampling;
 mod triangulation;
 
@@ -46,7 +48,7 @@ pub use mesh::SphereMesh;
 pub use poisson::poisson_disk;
 
 /// Why a [`SphereMesh`] could not be built.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, bevy::reflect::Reflect, thiserror::Error)]
 pub enum SphereError {
     /// The number of Fibonacci samples is out of range.
     #[error("{0} samples asked for; a planet has {min} to {max}",
@@ -61,7 +63,7 @@ pub enum SphereError {
     /// Two points are equal, or too close to be told apart.
     #[error("two points are equal or too close to be told apart")]
     Duplicate,
-    /// The points do not surround the centre: some hemisphere holds none of them.
+    /// The points do not surround the centre: some hemisphere is empty.
     #[error("the points leave a whole hemisphere empty")]
     EmptyHemisphere,
 }

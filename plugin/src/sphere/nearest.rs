@@ -49,6 +49,7 @@ impl Walk<'_> {
                     (next, least) = (j, d);
                 }
             }
+            // No neighbour is nearer: the end, unless there is a tie.
             if least >= distance {
                 if least > distance * (1.0 + NEAR_TIE) {
                     break;
@@ -71,6 +72,7 @@ impl Walk<'_> {
         let limit = distance * (1.0 + NEAR_TIE);
         let mut tied = vec![at];
         let mut visited = 0;
+        // A flood over samples at the same distance: the better one may lie behind some of them.
         while visited < tied.len().min(MAX_TIED) {
             for &j in self.rings.of(tied[visited]) {
                 let d = chord_squared(p, self.points[j as usize]);

@@ -98,51 +98,38 @@ fn points_on_bisectors_and_voronoi_corners() {
     }
 }
 
+/// The policy holds from every sample that a search may start from.
+fn check_all_hints(mesh: &SphereMesh, p: DVec3) {
+    let expected = brute_force(mesh, p);
+    for hint in 0..mesh.len() as u32 {
+        assert_eq!(mesh.nearest_from(p, hint), expected, "{p} from {hint}");
+    }
+}
+
 #[test]
-fn ties_go_to_the_lowest_index() {
+fn ties_between_four_samples_go_to_the_lowest_index() {
     // The centre of a cube's face is equally far from four samples, of which two are no neighbours.
     let side = |i: i32, bit: i32| if i & bit == 0 { -1.0 } else { 1.0 };
-    let cube: Vec<DVec3> = (0..8)
-        .map(|i| DVec3::new(side(i, 1), side(i, 2), side(i, 4)).normalize())
-        .collect();
+    let corner = |i: i32| DVec3::new(side(i, 1), side(i, 2), side(i, 4)).normalize();
     for turn in 0..8 {
-        let mut points = cube.clone();
-        points.rotate_left(turn);
+        let points = (0..8).map(|i| corner((i + turn) % 8)).collect();
         let mesh = SphereMesh::from_points(points).unwrap();
-        for axis in [
-            DVec3::X,
-            DVec3::Y,
-            DVec3::Z,
-            -DVec3::X,
-            -DVec3::Y,
-            -DVec3::Z,
-        ] {
-            let expected = brute_force(&mesh, axis);
-            for hint in 0..8 {
-                assert_eq!(
-                    mesh.nearest_from(axis, hint),
-                    expected,
-                    "{axis} from {hint}"
-                );
-            }
+        for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
+            check_all_hints(&mesh, axis);
+            check_all_hints(&mesh, -axis);
         }
     }
-    // So is a pole from a whole parallel.
+}
+
+#[test]
+fn ties_between_a_whole_parallel_go_to_the_lowest_index() {
     let mut points = vec![DVec3::NEG_Z];
     for lat in (-80..=80).step_by(20) {
-        points.extend(
-            (0..360)
-                .step_by(6)
-                .map(|lon| math::direction(lat.into(), lon.into())),
-        );
+        let meridians = (0..360).step_by(6);
+        points.extend(meridians.map(|lon| math::direction(lat.into(), lon.into())));
     }
     let mesh = SphereMesh::from_points(points).unwrap();
-    for hint in 0..mesh.len() as u32 {
-        assert_eq!(
-            mesh.nearest_from(DVec3::Z, hint),
-            brute_force(&mesh, DVec3::Z)
-        );
-    }
+    check_all_hints(&mesh, DVec3::Z);
 }
 
 #[test]

@@ -3,12 +3,11 @@
 //! A triangulation of 2n - 4 triangles in which the triangles at every sample form one closed fan
 //! is a closed surface: each edge has exactly two triangles. Building the rings checks that.
 
-/// Neighbours of all samples in one array (compressed sparse rows).
-#[derive(Clone, Default)]
-pub(super) struct NeighbourRings {
-    start: Vec<u32>,
-    neighbours: Vec<u32>,
-}
+use super::rows::Rows;
+
+/// Neighbours of all samples.
+#[derive(Clone)]
+pub(super) struct NeighbourRings(Rows<u32>);
 
 impl NeighbourRings {
     /// Orders the neighbours of `n` samples; `None` unless the triangles (with indices below `n`)
@@ -17,24 +16,22 @@ impl NeighbourRings {
         if n < 4 || triangles.len() != 2 * n - 4 {
             return None;
         }
-        let (start, mut fans) = gather(n, triangles);
-        let mut neighbours = Vec::with_capacity(fans.len());
-        for row in start.windows(2) {
-            chain(&mut fans[row[0] as usize..row[1] as usize], &mut neighbours)?;
-        }
-        Some(Self { start, neighbours })
+        // Each triangle is one step around each of its corners: along the edge opposite to it.
+        let triangles = triangles.iter();
+        let edges = triangles.flat_map(|&[a, b, c]| [(a, [b, c]), (b, [c, a]), (c, [a, b])]);
+        let fans: Rows<[u32; 2]> = Rows::new(n, edges);
+        fans.map(chain).map(Self)
     }
 
     /// Neighbours of sample `i`, counter-clockwise seen from outside; the lowest index comes first.
     #[inline(always)]
     pub(super) fn of(&self, i: u32) -> &[u32] {
-        let i = i as usize;
-        &self.neighbours[self.start[i] as usize..self.start[i + 1] as usize]
+        self.0.row(i as usize)
     }
 
     /// All triangles, each with its lowest index first, in the order of that index.
     pub(super) fn triangles(&self) -> Vec<[u32; 3]> {
-        let n = self.start.len() - 1;
+        let n = self.0.len();
         let mut triangles = Vec::with_capacity(2 * n - 4);
         for i in 0..n as u32 {
             let ring = self.of(i);
@@ -47,27 +44,6 @@ impl NeighbourRings {
         }
         triangles
     }
-}
-
-/// For every sample the opposite edges of its triangles, rows of one array.
-fn gather(n: usize, triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<[u32; 2]>) {
-    // Count the corners at each sample one place ahead: the running sum then says where rows begin.
-    let mut start = vec![0u32; n + 1];
-    for &i in triangles.as_flattened() {
-        start[i as usize + 1] += 1;
-    }
-    for i in 0..n {
-        start[i + 1] += start[i];
-    }
-    let mut next = start.clone();
-    let mut fans = vec![[0; 2]; 3 * triangles.len()];
-    for &[a, b, c] in triangles {
-        for (i, edge) in [(a, [b, c]), (b, [c, a]), (c, [a, b])] {
-            fans[next[i as usize] as usize] = edge;
-            next[i as usize] += 1;
-        }
-    }
-    (start, fans)
 }
 
 /// Appends the edges' vertices in the order of one closed walk along them; `None` if the edges form

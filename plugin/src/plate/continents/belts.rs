@@ -3,6 +3,7 @@
 //! A belt follows a zero line of a noise. A second noise says where belts are at all, how old they
 //! are and what folded them, so that neighbouring belts are of one orogeny.
 
+use crate::crust::Orogeny;
 use crate::math;
 use crate::noise::Noise;
 use bevy::math::DVec3;
@@ -16,7 +17,8 @@ const HALF_WIDTH_KM: f64 = 140.0;
 /// Periods per rad of the noise whose zero lines the belts follow: a line every 1,600 km on Earth.
 const LINE_FREQUENCY: f64 = 2.0;
 
-/// Least slope of that noise in 1/rad: where it is flatter its zero line is far, whatever its value.
+/// Least slope of that noise in 1/rad: where it is flatter its zero line is far, whatever its
+/// value.
 const LEAST_SLOPE: f64 = 0.3;
 
 /// Step in rad for the slope of that noise: far shorter than its wavelength.
@@ -39,8 +41,8 @@ pub(super) struct Belt {
     pub(super) fold: DVec3,
     /// Time since it was folded in My.
     pub(super) age: f64,
-    /// Whether it was folded by a collision, or else above a subduction zone.
-    pub(super) collision: bool,
+    /// Folded by a collision (Himalayan) or above a subduction zone (Andean).
+    pub(super) orogeny: Orogeny,
 }
 
 impl Belt {
@@ -49,7 +51,7 @@ impl Belt {
         strength: 0.0,
         fold: DVec3::ZERO,
         age: 0.0,
-        collision: false,
+        orogeny: Orogeny::None,
     };
 }
 
@@ -78,6 +80,7 @@ impl Belts {
 
     /// The belt at `p`, `coast` rad from the coast.
     pub(super) fn at(&self, p: DVec3, coast: f64) -> Belt {
+        // Broad regions without belts: about half of the planet.
         let present = math::smoothstep(2.5 * self.extent.fractal(p, 1.7, 2) + 0.1);
         if present == 0.0 {
             return Belt::NONE;
@@ -89,13 +92,18 @@ impl Belts {
         let rad = here.abs() / gradient.length().max(LEAST_SLOPE);
         let distance = rad * self.radius / self.half_width_km;
         let inland = math::smoothstep(coast * self.radius / self.coastal_km);
+        // Seen from the opposite point, or age and presence would be one pattern.
         let epoch = self.extent.fractal(-p, 0.8, 2);
         let [mean_age, range] = AGE_MY;
         Belt {
             strength: math::exp(-distance * distance) * present * (0.25 + 0.75 * inland),
             fold: gradient.normalize_or(east),
             age: mean_age + range * (2.0 * epoch).clamp(-1.0, 1.0),
-            collision: self.extent.fractal(p, 0.9, 1) > -0.1,
+            orogeny: if self.extent.fractal(p, 0.9, 1) > -0.1 {
+                Orogeny::Himalayan
+            } else {
+                Orogeny::Andean
+            },
         }
     }
 

@@ -102,6 +102,7 @@ impl CoastNoise {
 
     /// The first `count` octaves at `p`.
     fn at(&self, p: DVec3, count: usize) -> OctaveSums {
+        // From 0.35 on smooth coasts to 1.45 on broken ones.
         let rough = 0.35 + 1.1 * math::smoothstep(0.5 + 1.3 * self.roughness.fractal(p, 2.2, 2));
         let mut octaves = [0.0; MAX_OCTAVES];
         for (o, value) in octaves.iter_mut().enumerate().take(count.min(self.octaves)) {
@@ -142,6 +143,8 @@ impl Disc {
     }
 
     fn depth(&self, p: DVec3, coast: &OctaveSums) -> f64 {
+        // Octaves that are too strong for this disc have its limit as amplitude, the others their
+        // own.
         let noise = self.limit * coast.plain[self.limited] + coast.scaled[self.limited];
         self.radius - angle_of_long_chord((p - self.center).length()) + self.noise * noise
     }
@@ -207,6 +210,7 @@ fn fitted_scale(
     let wanted = (recipe.land * points.len() as f64) as usize;
     let mut low = 0.1;
     let mut high = 6.0;
+    // Land grows with the scale, so bisection finds it.
     for _ in 0..FIT_ROUNDS {
         let scale = 0.5 * (low + high);
         let discs = discs(continents, scale, 1.0);

@@ -101,6 +101,7 @@ impl Heights {
     /// A shelf that slopes gently to its edge, then a smooth fall to the ocean floor.
     fn sea(&self, p: DVec3, coast: f64, floor: f32) -> f64 {
         let d = coast * self.radius;
+        // Most of the ocean is far away and saves the noise.
         if d > SHELF_WIDTH_KM[1] * self.scale + self.slope_km {
             return f64::from(floor);
         }

@@ -48,6 +48,7 @@ pub(super) fn land(mesh: &SphereMesh, field: Vec<f64>, share: Option<f64>) -> La
             land.level = share.map_or(0.0, |share| level(mesh, &ranked, share));
         }
         land.mask = ranked.iter().map(|&f| f > land.level).collect();
+        // Only samples of specks change sides, so what is removed cannot come back.
         let specks = specks(mesh, &land.mask);
         for &i in &specks {
             ranked[i] = if land.mask[i] {
@@ -82,6 +83,7 @@ fn specks(mesh: &SphereMesh, mask: &[bool]) -> Vec<usize> {
 
 /// The level above which the field covers `share` of the sphere, to half a sample.
 fn level(mesh: &SphereMesh, field: &[f64], share: f64) -> f64 {
+    // The index breaks ties, so the order is the same on any number of threads.
     let mut order: Vec<(f64, u32)> = field.iter().copied().zip(0..).collect();
     order.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     let wanted = share * 4.0 * math::PI;
@@ -166,9 +168,11 @@ fn enclosed(mesh: &SphereMesh, continental: &[bool]) -> Vec<u32> {
     let samples: Vec<u32> = (0..mesh.len() as u32).collect();
     let labels: Vec<u16> = continental.iter().map(|&is| u16::from(is)).collect();
     let regions = connected_regions(mesh, &samples, &labels);
-    let is_enclosed = |&i: &u32| {
-        let region = regions.region[i as usize] as usize;
-        regions.label[region] == 0 && regions.size[region] < LEAST_SAMPLES
-    };
-    samples.into_iter().filter(is_enclosed).collect()
+    let is_sea = |region: usize| regions.label[region] == 0;
+    let is_small = |region: usize| regions.size[region] < LEAST_SAMPLES;
+    let is_enclosed = |region: u32| is_sea(region as usize) && is_small(region as usize);
+    let samples = samples.into_iter();
+    samples
+        .filter(|&i| is_enclosed(regions.region[i as usize]))
+        .collect()
 }

@@ -70,6 +70,16 @@ pub(super) struct Lobe {
     pub(super) radius: f64,
 }
 
+impl Lobe {
+    /// A disc of the recipe on a planet of `radius` km.
+    fn given(disc: &DiscRecipe, radius: f64) -> Self {
+        Self {
+            center: disc.direction(),
+            radius: (disc.radius / radius).min(math::PI),
+        }
+    }
+}
+
 /// The rough shapes of a planet's continents.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Continents {
@@ -81,12 +91,9 @@ impl Continents {
     /// no lobes.
     pub(super) fn new(recipe: &PlanetRecipe, sites: &[PlateSite]) -> Self {
         if !recipe.continents.is_empty() {
-            let lobe = |disc: &DiscRecipe| Lobe {
-                center: disc.direction(),
-                radius: (disc.radius / recipe.radius).min(math::PI),
-            };
+            let discs = recipe.continents.iter();
             return Self {
-                lobes: recipe.continents.iter().map(lobe).collect(),
+                lobes: discs.map(|disc| Lobe::given(disc, recipe.radius)).collect(),
             };
         }
         if recipe.land <= 0.0 {
@@ -114,6 +121,7 @@ impl Continents {
 fn cores(recipe: &PlanetRecipe, sites: &[PlateSite]) -> Vec<Lobe> {
     let stream = Stream::new(recipe.seed, Purpose::Continents, 0);
     let count = 4 + stream.bits(0) % 4;
+    // A power law of the rank, like the plates: the first is three to five times the last.
     let weight = |k: u64| stream.range(1 + k, 0.7, 1.3) / (k as f64 + 1.5);
     let total: f64 = (0..count).map(weight).sum();
     let mut hosts = Hosts::new(sites);

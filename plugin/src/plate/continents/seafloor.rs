@@ -52,6 +52,29 @@ pub(super) fn seafloor(
     motions: &[PlateMotion],
     open: impl Fn(usize) -> bool,
 ) -> Seafloor {
+    let ridges = ridges(recipe, mesh, owner, motions, open);
+    let nearest = least_travel_times(mesh, &ridges);
+    let age = parallel::map(mesh.len(), |i| age(nearest.time[i as usize]));
+    let elevation = parallel::map(mesh.len(), |i| elevation(&recipe.params, age[i as usize]));
+    let ridge = parallel::map(mesh.len(), |i| {
+        let source = nearest.source[i as usize] as usize;
+        along_ridge(mesh.point(i), ridges.get(source))
+    });
+    Seafloor {
+        age: age.into_iter().map(|age| age as f32).collect(),
+        elevation,
+        ridge: (0..SMOOTHING_ROUNDS).fold(ridge, |ridge, _| smoothed(mesh, &ridge)),
+    }
+}
+
+/// The points of all ridges.
+fn ridges(
+    recipe: &PlanetRecipe,
+    mesh: &SphereMesh,
+    owner: &[FrameId],
+    motions: &[PlateMotion],
+    open: impl Fn(usize) -> bool,
+) -> Vec<TravelSource> {
     let mut ridges = Vec::new();
     for i in 0..mesh.len() {
         if let Some((point, relative)) = diverging_border(mesh, owner, motions, i)
@@ -65,18 +88,7 @@ pub(super) fn seafloor(
             });
         }
     }
-    let nearest = least_travel_times(mesh, &ridges);
-    let age = parallel::map(mesh.len(), |i| age(nearest.time[i as usize]));
-    let elevation = parallel::map(mesh.len(), |i| elevation(&recipe.params, age[i as usize]));
-    let ridge = parallel::map(mesh.len(), |i| {
-        let source = nearest.source[i as usize] as usize;
-        along_ridge(mesh.point(i), ridges.get(source))
-    });
-    Seafloor {
-        age: age.into_iter().map(|age| age as f32).collect(),
-        elevation,
-        ridge: (0..SMOOTHING_ROUNDS).fold(ridge, |ridge, _| smoothed(mesh, &ridge)),
-    }
+    ridges
 }
 
 /// Age in My of floor that is `time` My away from the nearest ridge.
@@ -107,17 +119,19 @@ fn diverging_border(
 ) -> Option<(DVec3, f64)> {
     let p = mesh.point(i as u32);
     let owner_of = |&j: &u32| owner[j as usize];
-    let ring = mesh.ring(i as u32);
-    let other = ring.iter().map(owner_of).find(|&plate| plate != owner[i])?;
-    let mut sum = DVec3::ZERO;
-    let mut count = 0.0;
-    for &j in ring.iter().filter(|j| owner_of(j) == other) {
-        sum += mesh.point(j);
-        count += 1.0;
-    }
+    let ring = mesh.ring(i as u32).iter();
+    let other = ring
+        .clone()
+        .map(owner_of)
+        .find(|&plate| plate != owner[i])?;
+    let across = ring.filter(|j| owner_of(j) == other);
+    let (sum, count) = across.fold((DVec3::ZERO, 0.0), |(q, n), &j| {
+        (q + mesh.point(j), n + 1.0)
+    });
+    // From the middle of the neighbours on the other plate to the sample: across the border.
     let away = p - sum / count;
-    let own = motions.get(usize::from(owner[i]))?;
-    let relative = own.velocity(p) - motions.get(usize::from(other))?.velocity(p);
+    let velocity = |plate: FrameId| Some(motions.get(usize::from(plate))?.velocity(p));
+    let relative = velocity(owner[i])? - velocity(other)?;
     let opening = relative.dot(away) / away.length();
     let point = (p - 0.5 * away).normalize();
     (opening > RIDGE_OPENING * relative.length()).then(|| (point, relative.length()))

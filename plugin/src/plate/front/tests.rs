@@ -18,15 +18,13 @@ fn band(mesh: &SphereMesh) -> Rim {
 
 /// Contacts of a rim, of which those samples override that `overrides`.
 fn contacts(rim: &Rim, overrides: impl Fn(u32) -> bool) -> Contacts {
-    let role = |i: u32| match overrides(i) {
-        true => Role::Overriding,
-        false => Role::Sliding,
-    };
-    let contact = |&i: &u32| Contact {
-        role: role(i),
-        ..default()
-    };
-    Contacts(rim.samples.iter().map(contact).collect())
+    let mut contacts = vec![Contact::default(); rim.len()];
+    for (contact, &i) in contacts.iter_mut().zip(&rim.samples) {
+        if overrides(i) {
+            contact.role = Role::Overriding;
+        }
+    }
+    Contacts(contacts)
 }
 
 /// Whether sample `i` overrides in a step: segments turn on and off, and single samples flicker.

@@ -49,13 +49,8 @@ fn every_plate_is_one_region() {
 
 #[test]
 fn plates_on_the_same_spot_still_have_samples() {
-    let plate = PlateRecipe {
-        centroid: (10.0, 20.0),
-        pole: None,
-        speed: 0.0,
-    };
     let recipe = PlanetRecipe {
-        plates: vec![plate; 5],
+        plates: vec![plate((10.0, 20.0), None, 0.0); 5],
         ..Default::default()
     };
     let mesh = mesh(500);
@@ -84,23 +79,27 @@ fn sizes_vary_as_on_earth() {
 #[test]
 fn the_partition_does_not_depend_on_threads() {
     let mesh = mesh(12_000);
-    let on = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let pool = pool.build().unwrap();
-        pool.install(|| initial_plates(&recipe(8, 30), &mesh))
-    };
-    let one = on(1);
-    assert_eq!(one, on(3));
+    let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let one = pool(1)
+        .unwrap()
+        .install(|| initial_plates(&recipe(8, 30), &mesh));
+    let three = pool(3)
+        .unwrap()
+        .install(|| initial_plates(&recipe(8, 30), &mesh));
+    assert_eq!(one, three);
     assert_ne!(one.1, initial_plates(&recipe(9, 30), &mesh).1);
+}
+
+fn plate(centroid: (f64, f64), pole: Option<(f64, f64)>, speed: f64) -> PlateRecipe {
+    PlateRecipe {
+        centroid,
+        pole,
+        speed,
+    }
 }
 
 /// Plates with and without a pole and a speed, on a planet of 3000 km.
 fn given_plates() -> PlanetRecipe {
-    let plate = |centroid, pole, speed| PlateRecipe {
-        centroid,
-        pole,
-        speed,
-    };
     PlanetRecipe {
         radius: 3000.0,
         plates: vec![

@@ -5,6 +5,7 @@ use crate::ids::FrameId;
 use crate::parallel;
 use crate::sphere::SphereMesh;
 use crate::sphere::cube::CubeGrid;
+use crate::sphere::rows::Rows;
 use bevy::math::DVec3;
 use rayon::prelude::*;
 
@@ -18,16 +19,14 @@ const SAMPLE_REACH: f64 = 1.1;
 /// Fewest bins along the edge of a face.
 const LEAST_BINS: f64 = 2.0;
 
-/// Bins with the samples in or near each, as compressed rows.
+/// Bins with the samples in or near each.
 #[derive(Debug)]
 pub(super) struct LatticeBins {
     grid: CubeGrid,
     /// Centre and radius, as a chord, of each bin.
     shape: Vec<(DVec3, f64)>,
-    /// Where the samples of each bin begin in `samples`, and where the last ones end.
-    start: Vec<u32>,
     /// The samples in or near each bin, in order.
-    samples: Vec<u32>,
+    near: Rows<u32>,
     /// Number of samples of the lattice.
     lattice: usize,
 }
@@ -39,31 +38,15 @@ impl LatticeBins {
         let grid = CubeGrid::new((samples_per_edge / width).clamp(LEAST_BINS, most) as usize);
         let shape = (0..grid.len()).map(|cell| (grid.center(cell), grid.radius(cell)));
         let near = near_pairs(mesh, grid);
-        // Count one place ahead: the running sum then says where rows begin.
-        let mut start = vec![0_u32; grid.len() + 1];
-        for &(cell, _) in near.iter().flatten() {
-            start[cell as usize + 1] += 1;
-        }
-        for cell in 0..grid.len() {
-            start[cell + 1] += start[cell];
-        }
-        let mut next = start.clone();
-        let mut samples = vec![0; start[grid.len()] as usize];
-        for (cell, i) in near.into_iter().flatten() {
-            let at = &mut next[cell as usize];
-            samples[*at as usize] = i;
-            *at += 1;
-        }
         Self {
             grid,
             shape: shape.collect(),
-            start,
-            samples,
+            near: Rows::new(grid.len(), near.iter().flatten().copied()),
             lattice: mesh.len(),
         }
     }
 
-    /// Number of bins; none before a lattice is known.
+    /// Number of bins; 0 before a lattice is known.
     pub(super) fn len(&self) -> usize {
         self.shape.len()
     }
@@ -92,15 +75,11 @@ impl LatticeBins {
             .enumerate()
             .for_each(|(task, marks)| {
                 for (cell, marks) in (task * BINS_PER_TASK..).zip(marks.chunks_mut(words)) {
-                    for &i in self.samples_near(cell) {
+                    for &i in self.near.row(cell) {
                         insert(marks, usize::from(frame[i as usize]));
                     }
                 }
             });
-    }
-
-    fn samples_near(&self, cell: usize) -> &[u32] {
-        &self.samples[self.start[cell] as usize..self.start[cell + 1] as usize]
     }
 }
 
@@ -111,8 +90,7 @@ impl Default for LatticeBins {
         Self {
             grid,
             shape: Vec::new(),
-            start: vec![0; grid.len() + 1],
-            samples: Vec::new(),
+            near: Rows::new(grid.len(), core::iter::empty()),
             lattice: 0,
         }
     }

@@ -19,7 +19,7 @@ pub(super) fn members(words: &[u64]) -> Members<'_> {
 
 /// See [`members`].
 pub(super) struct Members<'a> {
-    /// What is left of the present word.
+    /// The members of the present word that are still to come.
     rest: u64,
     /// Number of the first frame of the present word.
     base: usize,

@@ -27,11 +27,16 @@ pub(in crate::plate) fn motions(
     sites: &[PlateSite],
     continental: impl Fn(&PlateSite) -> f64,
 ) -> Vec<PlateMotion> {
-    let motion = |(plate, site): (usize, &PlateSite)| {
+    let mut motions = Vec::with_capacity(sites.len());
+    for (plate, site) in sites.iter().enumerate() {
         let random = random_motion(recipe, plate, site, continental(site));
-        plate_motion(recipe.plates.get(plate), recipe.radius, random)
-    };
-    sites.iter().enumerate().map(motion).collect()
+        motions.push(plate_motion(
+            recipe.plates.get(plate),
+            recipe.radius,
+            random,
+        ));
+    }
+    motions
 }
 
 /// The motion of a plate as far as it is given, on a planet of `radius` km.

@@ -65,7 +65,8 @@ impl PlateSite {
         }
     }
 
-    /// Distance in rad by which a cap of the given radius around `p` is farther away than it must be.
+    /// Distance in rad by which a cap of the given radius around `p` is farther away than it must
+    /// be.
     fn room(&self, p: DVec3, radius: f64) -> f64 {
         math::angle_between(p, self.centroid) - SEPARATION * (radius + self.radius)
     }
@@ -103,6 +104,7 @@ fn shares(recipe: &PlanetRecipe) -> Vec<f64> {
         |k: usize| math::pow(k as f64 + 2.0, -RANK_POWER) * stream.range(k as u64, low, high);
     let mut shares: Vec<_> = (0..n).map(share).collect();
     let mean = shares.iter().sum::<f64>() / n as f64;
+    // Raised before they are scaled to the sum 1, so the least ends a little below.
     for share in &mut shares {
         *share = share.max(SMALLEST_SHARE * mean);
     }

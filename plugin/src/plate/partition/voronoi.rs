@@ -94,13 +94,6 @@ impl<'a> Cells<'a> {
         let cells = (0..).zip(centroids).zip(weights);
         let spacing = mean_spacing(centroids);
         let frequency = PERIODS_PER_SPACING / spacing;
-        let finest = PERIODS_PER_SAMPLE / mesh.spacing();
-        let resolved = |octave: &u32| frequency * f64::from(1 << octave) <= finest;
-        let octaves = if warp > 0.0 {
-            (0..MAX_OCTAVES).take_while(resolved).count() as u32
-        } else {
-            0
-        };
         Self {
             cells: cells
                 .map(|((index, &centroid), weight)| Cell {
@@ -112,7 +105,11 @@ impl<'a> Cells<'a> {
             noise,
             amplitude: 2.0 * warp * spacing,
             frequency,
-            octaves,
+            octaves: if warp > 0.0 {
+                resolved_octaves(mesh, frequency)
+            } else {
+                0
+            },
         }
     }
 
@@ -143,6 +140,7 @@ impl<'a> Cells<'a> {
         let mut at = p;
         for octave in 0.. {
             let (index, gap) = closest(at, near);
+            // The nearest distance can grow by the reach, the second shrink by as much.
             let reach = self.reach(octave);
             if reach == 0.0 || gap > 2.0 * reach {
                 return index;
@@ -159,6 +157,13 @@ impl<'a> Cells<'a> {
         let push = COMPONENT_SHIFTS.map(|shift| self.noise.octave(q + DVec3::splat(shift)));
         DVec3::from_array(push).clamp_length_max(LONGEST) * (self.amplitude / scale)
     }
+}
+
+/// Number of octaves that the samples can show.
+fn resolved_octaves(mesh: &SphereMesh, frequency: f64) -> u32 {
+    let finest = PERIODS_PER_SAMPLE / mesh.spacing();
+    let resolved = |octave: &u32| frequency * f64::from(1 << octave) <= finest;
+    (0..MAX_OCTAVES).take_while(resolved).count() as u32
 }
 
 /// The index of the nearest cell, and how much farther the next one is.

@@ -3,7 +3,8 @@
 use super::{FacePoint, project, unproject};
 use bevy::math::DVec3;
 
-/// Gnomonic coordinates change by less than this times a small chord, at the corners of a face, too.
+/// Gnomonic coordinates change by less than this times a small chord, at the corners of a face,
+/// too.
 const LARGEST_STRETCH: f64 = 3.5;
 
 /// Chord up to which [`LARGEST_STRETCH`] holds.
@@ -57,7 +58,7 @@ impl CubeGrid {
     }
 
     /// Calls `visit` for every bin that may lie within the chord `reach` of the unit direction `p`.
-    /// Bins near the limit may be visited without lying within it; none within it is left out.
+    /// All bins within reach are visited, and some just beyond.
     #[inline]
     pub(crate) fn visit_near(&self, p: DVec3, reach: f64, mut visit: impl FnMut(usize)) {
         match self.only_cell(p, reach) {

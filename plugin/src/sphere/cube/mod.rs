@@ -1,7 +1,7 @@
 //! The sphere as the six square faces of a cube around it.
 //!
-//! A direction is projected from the centre to a face (gnomonic projection). Two grids are laid over
-//! the faces, because no single map of a face serves both purposes:
+//! A direction is projected from the centre to a face (gnomonic projection). Two grids are laid
+//! over the faces, because no single map of a face serves both purposes:
 //!
 //! ```text
 //! bins       equal squares of the flat face, where great circles are straight lines: all bins

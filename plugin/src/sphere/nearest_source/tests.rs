@@ -65,15 +65,16 @@ fn closed_links_are_not_crossed() {
 /// Sources in random places with a slowness of 1 to `slowest`.
 fn travel_sources(mesh: &SphereMesh, slowest: f64) -> Vec<TravelSource> {
     let stream = Stream::new(4, Purpose::Coast, 99);
-    let source = |k| {
-        let point = stream.direction(k);
-        TravelSource {
+    let points = (0..40).map(|k| stream.direction(k));
+    let slowness = (200..).map(|k| stream.range(k, 1.0, slowest));
+    points
+        .zip(slowness)
+        .map(|(point, slowness)| TravelSource {
             sample: mesh.nearest(point),
             point,
-            slowness: stream.range(200 + k, 1.0, slowest),
-        }
-    };
-    (0..40).map(source).collect()
+            slowness,
+        })
+        .collect()
 }
 
 #[test]

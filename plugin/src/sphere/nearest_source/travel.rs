@@ -32,50 +32,63 @@ pub(crate) struct TravelTimes {
 
 /// Finds the source of least travel time for every sample, the first among equals.
 pub(crate) fn least_travel_times(mesh: &SphereMesh, sources: &[TravelSource]) -> TravelTimes {
-    let mut found = TravelTimes {
-        time: vec![f64::INFINITY; mesh.len()],
-        source: vec![0; mesh.len()],
-    };
-    let fastest = sources
-        .iter()
-        .map(|s| s.slowness)
-        .fold(f64::INFINITY, f64::min);
-    // The fastest source takes half a spacing per bucket.
-    let width = 0.5 * mesh.spacing() * fastest;
-    let bucket = |time: f64| (time / width) as usize;
-    let mut queue = BucketQueue::new();
+    let mut wave = TravelWave::new(mesh, sources);
     for (number, source) in (0..).zip(sources) {
-        let time = source.time(mesh.point(source.sample));
-        if found.improve(source.sample, number, time) {
-            queue.push(bucket(time), source.sample);
-        }
+        wave.offer(
+            source.sample,
+            number,
+            source.time(mesh.point(source.sample)),
+        );
     }
-    while let Some((current, sample)) = queue.pop() {
+    while let Some((bucket, sample)) = wave.queue.pop() {
+        let found = &wave.found;
         // A sample that found a nearer source meanwhile has handed that on already.
-        if bucket(found.time[sample as usize]) < current {
+        if wave.bucket(found.time[sample as usize]) < bucket {
             continue;
         }
         let number = found.source[sample as usize];
         let source = sources[number as usize];
         for &j in mesh.ring(sample) {
-            let time = source.time(mesh.point(j));
-            if found.improve(j, number, time) {
-                queue.push(bucket(time), j);
-            }
+            wave.offer(j, number, source.time(mesh.point(j)));
         }
     }
-    found
+    wave.found
 }
 
-impl TravelTimes {
+/// A search under way.
+struct TravelWave {
+    found: TravelTimes,
+    /// Time that a bucket of the queue spans.
+    width: f64,
+    queue: BucketQueue<u32>,
+}
+
+impl TravelWave {
+    fn new(mesh: &SphereMesh, sources: &[TravelSource]) -> Self {
+        let slowness = sources.iter().map(|source| source.slowness);
+        let fastest = slowness.fold(f64::INFINITY, f64::min);
+        Self {
+            found: TravelTimes {
+                time: vec![f64::INFINITY; mesh.len()],
+                source: vec![0; mesh.len()],
+            },
+            // The fastest source takes half a spacing per bucket.
+            width: 0.5 * mesh.spacing() * fastest,
+            queue: BucketQueue::new(),
+        }
+    }
+
+    fn bucket(&self, time: f64) -> usize {
+        (time / self.width) as usize
+    }
+
     /// Gives a sample a source if that is nearer in time than the one it has.
     #[inline]
-    fn improve(&mut self, sample: u32, source: u32, time: f64) -> bool {
-        let nearer = time < self.time[sample as usize];
-        if nearer {
-            self.time[sample as usize] = time;
-            self.source[sample as usize] = source;
+    fn offer(&mut self, sample: u32, source: u32, time: f64) {
+        if time < self.found.time[sample as usize] {
+            self.found.time[sample as usize] = time;
+            self.found.source[sample as usize] = source;
+            self.queue.push(self.bucket(time), sample);
         }
-        nearer
     }
 }

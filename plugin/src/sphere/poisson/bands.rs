@@ -2,6 +2,7 @@
 
 use crate::math;
 use bevy::math::DVec3;
+use core::ops::Range;
 
 /// Bands per block. Two would be enough to keep blocks apart; more leave fewer seams.
 pub(super) const BANDS_PER_BLOCK: usize = 12;
@@ -82,6 +83,20 @@ impl Band {
             reach: reach * 1.0001,
             borders: [north, south],
         }
+    }
+
+    /// The cells within `reach` (below 0.5) turns of `turn`, as three ranges: what lies beyond the
+    /// meridian 0 goes on at the other end of the band.
+    pub(super) fn cells_near(&self, turn: f64, reach: f64) -> [Range<usize>; 3] {
+        let len = self.cells as i64;
+        let from = ((turn - reach) * self.cells as f64).floor() as i64;
+        let end = ((turn + reach) * self.cells as f64).floor() as i64 + 1;
+        let range = |from: i64, end: i64| from.clamp(0, len) as usize..end.clamp(0, len) as usize;
+        [
+            range(from, end),
+            range(from + len, len),
+            range(0, end - len),
+        ]
     }
 
     /// Sine and cosine of the longitude of every cell's western border, and the first again.

@@ -8,7 +8,8 @@ use core::ops::Range;
 /// Darts per cell. What is free after so many is too small to be seen.
 const ROUNDS: u64 = 12;
 
-/// Rounds in which only a quarter of the cells gets a dart, or the direction of the scan would show.
+/// Rounds in which only a quarter of the cells gets a dart, or the direction of the scan would
+/// show.
 const SPARSE_ROUNDS: u64 = 4;
 
 /// A block that is being filled. Cells without a point hold the zero vector.
@@ -72,6 +73,7 @@ impl<'a> Block<'a> {
         if self.own[slot] != DVec3::ZERO {
             return;
         }
+        // Numbered by cell and round alone, so that no dart depends on what was hit before.
         let bits = stream.bits(mix((k as u64) << 32 | cell as u64) ^ round);
         if round < SPARSE_ROUNDS && (bits ^ round) & 3 != 0 {
             return;
@@ -107,20 +109,15 @@ impl<'a> Block<'a> {
         let cells = &points[band.first..band.first + band.cells];
         let chord2 = self.bands.chord2;
         let taken = |p: &DVec3| *p != DVec3::ZERO && (*p - dart).length_squared() < chord2;
+        // Beside a pole every cell is near.
         if reach >= 0.5 {
             return !cells.iter().any(taken);
         }
-        let n = band.cells as f64;
-        let len = band.cells as i64;
-        let from = ((turn - reach) * n).floor() as i64;
-        let to = ((turn + reach) * n).floor() as i64;
-        // What lies beyond the meridian 0 goes on at the other end of the band.
-        !((from.max(0)..(to + 1).min(len)).any(|c| taken(&cells[c as usize]))
-            || (from..0).any(|c| taken(&cells[(c + len).max(0) as usize]))
-            || (len..to + 1).any(|c| taken(&cells[(c - len).min(len - 1) as usize])))
+        let near = band.cells_near(turn, reach).into_iter();
+        !near.flat_map(|range| &cells[range]).any(taken)
     }
 
-    /// The points of a block; none for one that is not filled yet.
+    /// The points of a block; an empty list for one that is not filled yet.
     fn points(&self, block: usize) -> &[DVec3] {
         if block == self.number {
             &self.own

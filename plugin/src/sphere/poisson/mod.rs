@@ -41,6 +41,7 @@ pub fn poisson_disk(seed: u64, distance: f64) -> Vec<DVec3> {
     let nothing = vec![Vec::new(); bands.block_count()];
     let even = fill_blocks(&bands, stream, 0, &nothing);
     let odd = fill_blocks(&bands, stream, 1, &even);
+    // Each block is empty in one of the two lists.
     let mut points = Vec::new();
     for (a, b) in even.into_iter().zip(odd) {
         points.extend(a.into_iter().chain(b).filter(|p| *p != DVec3::ZERO));
@@ -56,13 +57,15 @@ fn fill_blocks(
     parity: usize,
     done: &[Vec<DVec3>],
 ) -> Vec<Vec<DVec3>> {
-    let block = |number: usize| {
-        let is_due = number % 2 == parity;
-        is_due.then(|| Block::new(bands, number, done).filled(stream))
-    };
-    (0..bands.block_count())
-        .into_par_iter()
-        .map(|number| block(number).unwrap_or_default())
+    let blocks = (0..bands.block_count()).into_par_iter();
+    blocks
+        .map(|number| {
+            if number % 2 == parity {
+                Block::new(bands, number, done).filled(stream)
+            } else {
+                Vec::new()
+            }
+        })
         .collect()
 }
 

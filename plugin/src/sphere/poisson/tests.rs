@@ -58,11 +58,8 @@ fn points_are_even_but_have_no_lattice() {
 
 #[test]
 fn the_same_points_on_any_number_of_threads() {
-    let on = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        pool.build().unwrap().install(|| poisson_disk(5, 0.02))
-    };
-    let one = on(1);
-    assert_eq!(one, on(3));
+    let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let one = pool(1).unwrap().install(|| poisson_disk(5, 0.02));
+    assert_eq!(one, pool(3).unwrap().install(|| poisson_disk(5, 0.02)));
     assert_ne!(one, poisson_disk(6, 0.02));
 }
