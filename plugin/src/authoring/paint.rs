@@ -8,7 +8,7 @@ use crate::params::TectonicParams;
 use crate::plate::PlateId;
 use crate::sphere::SphereMesh;
 
-/// What a brush reads and writes.
+/// The parts of a planet that a brush reads and writes.
 pub(super) struct Scene<'a> {
     /// Samples.
     pub mesh: &'a SphereMesh,

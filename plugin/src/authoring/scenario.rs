@@ -3,7 +3,7 @@
 use super::command::TectonicCommand;
 use bevy::prelude::*;
 
-/// A command and when it took effect.
+/// A command with the time at which it took effect, or shall.
 #[derive(Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TimedCommand {
@@ -13,7 +13,7 @@ pub struct TimedCommand {
     pub command: TectonicCommand,
 }
 
-/// What was done to a planet since it was made, in order.
+/// The commands that were carried out on a planet since it was made, in order.
 #[derive(Component, Clone, Debug, Default, PartialEq, Reflect)]
 #[reflect(Component)]
 pub struct Recording(pub Vec<TimedCommand>);
