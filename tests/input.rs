@@ -1,8 +1,7 @@
 //! Bad input: every number of a recipe that no planet can have is refused, and every one that it
 //! may have works.
 
-use bevy::prelude::*;
-use bevy_pangaea::planet::{DiscRecipe, PlanetError, PlateRecipe};
+use bevy::prelude::App;
 use bevy_pangaea::prelude::*;
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{app, get, heard, listen, planet_app, steps};

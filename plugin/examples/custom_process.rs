@@ -11,7 +11,7 @@
 //! thickness, ledger. It follows [`Stage::SurfaceProcesses`], so that a step's erosion meets the
 //! volcano in the next step.
 //!
-//! What a process must do:
+//! Every process has to
 //! - work on [`CurrentPlanet`] alone, in a set of [`TectonicStep`] after the stage that it follows;
 //! - keep the mathematics in functions that know no ECS: the system gathers, calls and writes;
 //! - sum in the order of samples, so that the same seed gives the same bits;

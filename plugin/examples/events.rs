@@ -6,7 +6,7 @@ use bevy::prelude::*;
 use bevy_pangaea::math::lat_lon;
 use bevy_pangaea::prelude::*;
 
-/// What the game keeps of the planet's history.
+/// The planet's history as the game keeps it.
 #[derive(Resource, Default)]
 struct Chronicle {
     collisions: u32,

@@ -148,6 +148,9 @@
 //! | feature | default | what it adds |
 //! |---|---|---|
 //! | `render` | yes | [`render`]: the globe; without it no renderer is built |
+//! | `export` | yes | [`io::export`], [`io::png`]: the ground as GeoTIFF, PNG, glTF; maps as PNG |
+//! | `dem` | yes | [`io::load_dem`], [`io::load_map`]: GeoTIFF, PNG and HGT are read |
+//! | `relief_stats` | yes | [`relief_stats`]: slopes, relief in windows, spectra |
 //! | `window` | no | a window through winit and X11, for the example `minimal` |
 //!
 //! To reload presets when their files change, switch on Bevy's own feature `file_watcher`.
@@ -246,6 +249,7 @@ pub mod overlay;
 
 pub mod query;
 
+#[cfg(feature = "relief_stats")]
 pub mod relief_stats;
 
 pub mod spawn;

@@ -6,6 +6,7 @@
 use super::{digests_alone, lively};
 use bevy::ecs::schedule::{InternedScheduleLabel, ScheduleLabel};
 use bevy::prelude::*;
+use bevy_pangaea::authoring::AuthoringPlugin;
 use bevy_pangaea::control::{BakePlugin, BakeSettings};
 use bevy_pangaea::io::PresetPlugin;
 use bevy_pangaea::prelude::*;
@@ -14,13 +15,14 @@ use bevy_pangaea::process::commit::CommitPlugin;
 use bevy_pangaea::process::contact::ContactPlugin;
 use bevy_pangaea::process::drift::DriftPlugin;
 use bevy_pangaea::process::margin::MarginPlugin;
-use bevy_pangaea::process::relief::ReliefPlugin;
 use bevy_pangaea::process::rifting::RiftingPlugin;
 use bevy_pangaea::process::slab_pull::SlabPullPlugin;
 use bevy_pangaea::process::subduction::SubductionPlugin;
-use bevy_pangaea::resample::{ResamplePlugin, SurfaceDemand};
+use bevy_pangaea::process::surface_processes::SurfaceProcessesPlugin;
+use bevy_pangaea::process::terranes::TerranePlugin;
+use bevy_pangaea::resample::{ResamplePlugin, SurfaceProjection};
 use bevy_pangaea::schedule::TectonicSchedulePlugin;
-use bevy_pangaea::spawn::PlanetState;
+use bevy_pangaea::spawn::{PlanetState, SpawnPlugin};
 use fastrand::Rng;
 use pangaea_tests::world::{app, digest, planet_app, steps};
 use std::time::Duration;
@@ -42,16 +44,19 @@ fn shuffled_app(rng: &mut Rng) -> App {
         SlabPullPlugin,
         CollisionPlugin,
         RiftingPlugin,
-        ReliefPlugin,
+        SurfaceProcessesPlugin,
         MarginPlugin,
         ResamplePlugin,
+        TerranePlugin,
         CommitPlugin,
+        AuthoringPlugin,
+        SpawnPlugin,
         BakePlugin,
         PresetPlugin,
     );
     rng.shuffle(&mut adders);
     let mut app = App::new();
-    app.add_plugins(TectonicSchedulePlugin);
+    app.add_plugins(TectonicSchedulePlugin::default());
     adders.iter().for_each(|add| add(&mut app));
     app
 }
@@ -84,7 +89,7 @@ fn any_order_of_plugins_gives_the_same_bits() {
         let planet = PlanetState::new(&recipe).unwrap().spawn(app.world_mut());
         app.world_mut()
             .entity_mut(planet)
-            .insert(SurfaceDemand::EveryStep);
+            .insert(SurfaceProjection::EveryStep);
         steps(&mut app, planet, 30);
         assert_eq!(digest(&app, planet), expected, "order {seed}");
     }
@@ -101,17 +106,17 @@ fn set_going(world: &mut World, planet: Entity) {
     };
     world
         .entity_mut(planet)
-        .insert((SurfaceDemand::EveryStep, bake));
-    let mut clock = world.get_mut::<GeologicClock>(planet).unwrap();
-    clock.paused = true;
-    clock.single_steps = STEPS;
-    clock.frame_budget = Duration::from_millis(2);
+        .insert((SurfaceProjection::EveryStep, bake));
+    let mut controls = world.get_mut::<ClockControls>(planet).unwrap();
+    controls.paused = true;
+    controls.single_steps = STEPS;
+    controls.frame_budget = Duration::from_millis(2);
 }
 
 /// Whether a planet has taken all its steps.
 fn is_done(app: &App, planet: Entity) -> bool {
-    let clock = app.world().get::<GeologicClock>(planet);
-    clock.is_some_and(|clock| clock.single_steps == 0)
+    let controls = app.world().get::<ClockControls>(planet);
+    controls.is_some_and(|controls| controls.single_steps == 0)
 }
 
 /// Digests of planets that lived in one game, in the order of `recipes`, spawned in the order of

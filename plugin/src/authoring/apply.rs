@@ -5,15 +5,16 @@ use super::command::TectonicCommand;
 use super::error::CommandError;
 use super::events::{CommandApplied, CommandRejected};
 use super::inbox::Inbox;
-use super::paint::{self, paint};
+use super::paint::{CrustEdit, paint, set_plate_kind};
 use super::scenario::{Recording, Scenario, TimedCommand};
 use crate::crust::{Cause, Crust, Frames, Ledger, ledger};
 use crate::params::TectonicParams;
-use crate::planet::{GeologicClock, Lattice, Planet, planet_radius};
+use crate::planet::{GeologicClock, planet_radius};
 use crate::plate::{PlateId, PlateMotion, PlateRow, caches, plate_table};
 use crate::process::rifting::{rift_along, rift_at_random};
 use crate::resample::{SurfaceProjection, project_now};
 use crate::schedule::StepCursor;
+use crate::view::PlanetQuery;
 use bevy::prelude::*;
 
 /// Carries out all commands that are due: those of a scenario first, then those in the inbox.
@@ -97,12 +98,10 @@ fn apply(world: &mut World, planet: Entity, command: &TectonicCommand) -> Result
         } => rift(world, planet, *plate, line, *fragments)?,
         TectonicCommand::SetPlateCrust { plate, kind } => {
             plate_row(world, planet, *plate)?;
-            edit_crust(world, planet, |scene| {
-                paint::kind_of_plate(scene, *plate, *kind)
-            })?;
+            edit_crust(world, planet, |edit| set_plate_kind(edit, *plate, *kind))?;
         }
         TectonicCommand::PaintCrust { target, brush } => {
-            edit_crust(world, planet, |scene| paint(scene, target, brush))?;
+            edit_crust(world, planet, |edit| paint(edit, target, brush))?;
         }
         TectonicCommand::SetParam { name, value } => set_param(world, planet, name, *value)?,
         TectonicCommand::SetProcess { name, on } => {
@@ -202,24 +201,20 @@ fn slow_down(world: &mut World, planet: Entity, limit: f64) {
 fn edit_crust(
     world: &mut World,
     planet: Entity,
-    edit: impl FnOnce(&mut paint::Scene),
+    edit: impl FnOnce(&mut CrustEdit),
 ) -> Result<(), CommandError> {
-    let mut query = world.query::<(
-        (&Planet, &Lattice, &TectonicParams, &Frames),
-        (&mut Crust, &mut Ledger),
-    )>();
-    let ((body, mesh, params, frames), (mut crust, mut ledger)) = query
+    let mut query = world.query::<(PlanetQuery, &Frames, &mut Crust, &mut Ledger)>();
+    let (body, frames, mut crust, mut ledger) = query
         .get_mut(world, planet)
         .map_err(|_| CommandError::NoPlanet)?;
-    let before = ledger::measure(&crust, mesh, body.radius);
-    edit(&mut paint::Scene {
-        mesh,
-        params,
+    let view = body.view();
+    let before = ledger::measure(&crust, view.mesh, view.radius);
+    edit(&mut CrustEdit {
+        planet: view,
         frames,
-        radius: body.radius,
         crust: &mut crust,
     });
-    let after = ledger::measure(&crust, mesh, body.radius);
+    let after = ledger::measure(&crust, view.mesh, view.radius);
     let (area, volume) = (after.area - before.area, after.volume - before.volume);
     ledger.book(Cause::Command, area, volume);
     caches::recompute_stats(world, planet);

@@ -40,9 +40,9 @@ pub enum TectonicCommand {
     },
     /// Changes crust.
     PaintCrust {
-        /// Where.
+        /// The place.
         target: PaintTarget,
-        /// What.
+        /// The change.
         brush: Brush,
     },
     /// Changes a parameter.
@@ -72,7 +72,7 @@ fn two() -> u32 {
     2
 }
 
-/// Where a brush works.
+/// The place where a brush works.
 #[derive(Clone, Copy, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum PaintTarget {
@@ -87,7 +87,7 @@ pub enum PaintTarget {
     },
 }
 
-/// What a brush does.
+/// The change that a brush makes.
 #[derive(Clone, Copy, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Brush {

@@ -3,26 +3,37 @@
 use super::command::TectonicCommand;
 use bevy::prelude::*;
 
-/// A command and when it took effect.
+/// A command with the time at which it took effect, or shall.
 #[derive(Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TimedCommand {
-    /// Number of steps that had been taken.
+    /// Number of steps that the planet has taken before.
     pub step: u64,
     /// The command.
     pub command: TectonicCommand,
 }
 
-/// What was done to a planet since it was made, in order.
-#[derive(Component, Clone, Debug, Default, PartialEq, Reflect)]
-#[reflect(Component)]
-pub struct Recording(pub Vec<TimedCommand>);
-
-/// Commands to come, the content of a `*.scenario.ron` file. Insert it on a planet to play it.
+/// The commands that were carried out on a planet since it was made, in order.
 #[derive(
     Component, Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize,
 )]
-#[reflect(Component)]
+#[reflect(Component, Default, Serialize, Deserialize)]
+pub struct Recording(pub Vec<TimedCommand>);
+
+/// Commands to come, the content of a `*.scenario.ron` file. Insert it on a planet to play it.
+///
+/// ```
+/// use bevy_pangaea::prelude::*;
+///
+/// let tired = TectonicCommand::SetProcess { name: "rifting".into(), on: false };
+/// let mut scenario = Scenario(vec![TimedCommand { step: 40, command: tired.clone() }]);
+/// assert!(scenario.take_due(39).is_empty());
+/// assert_eq!(scenario.take_due(40), [tired]);
+/// ```
+#[derive(
+    Component, Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize,
+)]
+#[reflect(Component, Default, Serialize, Deserialize)]
 pub struct Scenario(pub Vec<TimedCommand>);
 
 impl Scenario {

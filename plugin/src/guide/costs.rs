@@ -1,4 +1,4 @@
-//! What everything costs, on two cores of a server (2 GHz) with 40 plates.
+//! The costs of everything, on two cores of a server (2 GHz) with 40 plates.
 //!
 //! # Steps
 //!

@@ -1,6 +1,8 @@
 //! Why a file could not be read or written.
 
+#[cfg(feature = "dem")]
 use super::dem::DemError;
+#[cfg(feature = "dem")]
 use super::maps::MapFileError;
 use crate::crust::ColumnError;
 use std::io;
@@ -35,6 +37,7 @@ pub enum IoError {
         source: SaveError,
     },
     /// The file is no elevation model, or one that is not read.
+    #[cfg(feature = "dem")]
     #[error("{}: {source}", path.display())]
     Dem {
         /// The file.
@@ -43,6 +46,7 @@ pub enum IoError {
         source: DemError,
     },
     /// The file is no map of a planet, or one that is not read.
+    #[cfg(feature = "dem")]
     #[error("{}: {source}", path.display())]
     Map {
         /// The file.
@@ -92,6 +96,7 @@ impl IoError {
         }
     }
 
+    #[cfg(feature = "dem")]
     pub(super) fn dem(path: &Path, source: DemError) -> Self {
         Self::Dem {
             path: path.to_path_buf(),
@@ -99,6 +104,7 @@ impl IoError {
         }
     }
 
+    #[cfg(feature = "dem")]
     pub(super) fn map(path: &Path, source: MapFileError) -> Self {
         Self::Map {
             path: path.to_path_buf(),

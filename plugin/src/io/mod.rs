@@ -45,26 +45,35 @@ pub mod scenario;
 
 pub mod stats;
 
+#[cfg(feature = "export")]
 pub mod png;
 
+#[cfg(any(feature = "dem", feature = "export"))]
 mod sidecar;
 
+#[cfg(feature = "export")]
 pub mod export;
 
+#[cfg(feature = "dem")]
 mod dem;
 
+#[cfg(feature = "dem")]
 mod maps;
 
 pub use capture::capture;
+#[cfg(feature = "dem")]
 pub use dem::{Dem, DemError, dem_files, load_dem};
 pub use digest::digest;
 pub use error::{IoError, SaveError};
+#[cfg(feature = "export")]
 pub use export::{ExportError, export};
 pub use files::{write_all_atomically, write_atomically};
+#[cfg(feature = "dem")]
 pub use maps::{MapFileError, load_map};
 pub use preset::{PlanetPreset, PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{load, save};
 pub use scenario::load_scenario;
+#[cfg(any(feature = "dem", feature = "export"))]
 pub use sidecar::Sidecar;
 pub use stats::{Stats, Timings};
 pub use text::TextError;

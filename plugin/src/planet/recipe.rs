@@ -1,4 +1,4 @@
-//! What a planet is grown from.
+//! Recipes: all that a planet is grown from.
 
 use crate::params::{ParamError, TectonicParams};
 use crate::sphere::SphereError;
@@ -7,7 +7,7 @@ use bevy::math::DVec3;
 use bevy::prelude::*;
 use thiserror::Error;
 
-/// What a planet is grown from. Spawn it, and the planet grows on the same entity.
+/// All that a planet is grown from. Spawn it, and the planet grows on the same entity.
 ///
 /// ```
 /// # use bevy::prelude::*;

@@ -43,6 +43,7 @@ mod tree;
 pub use coarse::CoarseGround;
 pub use ground::{Ground, LEVELS, checked, direction_at, level_for, spacing};
 pub use pangaea_shaders::amplify::rules::Rules;
+#[cfg(feature = "export")]
 pub(crate) use patch::grid_triangles;
 pub use patch::{Patch, collider_patch};
 pub use planet::PlanetGround;

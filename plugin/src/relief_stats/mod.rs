@@ -87,5 +87,5 @@ pub fn median(mut values: Vec<f64>) -> Option<f64> {
     })
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "dem"))]
 mod tests;

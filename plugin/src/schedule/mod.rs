@@ -30,3 +30,6 @@ pub use stage::{
     BetweenSteps, BetweenStepsSystems, CurrentPlanet, Stage, TectonicStep, TectonicSystems,
 };
 pub use timings::StageTimings;
+
+#[cfg(test)]
+mod tests;

@@ -8,7 +8,8 @@ use bevy::prelude::*;
 #[derive(ScheduleLabel, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct TectonicStep;
 
-/// What is done to a planet that rests between two steps, once a frame; [`CurrentPlanet`] names it.
+/// The schedule of a planet that rests between two steps, run once a frame; [`CurrentPlanet`] names
+/// the planet.
 #[derive(ScheduleLabel, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct BetweenSteps;
 
@@ -17,7 +18,7 @@ pub struct BetweenSteps;
 pub enum BetweenStepsSystems {
     /// Commands of the user take effect.
     Commands,
-    /// What follows from the state is brought up to date.
+    /// Caches are brought up to date.
     Caches,
 }
 

@@ -4,7 +4,7 @@
 //! state      PlanetState: a planet before it is in a world
 //! prepare    what follows from the state, found before the planet enters its world
 //! events     PlanetReady, PlanetFailed
-//! task       building in the background, on an entity with a recipe
+//! build      building a planet on an entity, at once or in the background
 //! commands   commands.spawn_planet(recipe)
 //! ```
 //!
@@ -18,14 +18,14 @@ mod events;
 
 mod prepare;
 
-mod task;
+mod build;
 
 mod commands;
 
+pub use build::{PlanetTask, SpawnPlugin};
 pub use commands::SpawnPlanet;
 pub use events::{PlanetFailed, PlanetReady};
 pub use state::PlanetState;
-pub use task::{PlanetTask, SpawnPlugin};
 
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,5 @@
-//! What follows from a planet's state, found before the planet enters the world of its game: most
-//! of the time that a planet takes to appear is spent here, and none of it needs that world.
+//! Caches of a new planet, found before the planet enters the world of its game: most of the time
+//! that a planet takes to appear is spent here, and none of it needs that world.
 
 use super::state::PlanetState;
 use crate::authoring::{Inbox, Recording, Scenario};
@@ -37,7 +37,7 @@ struct StateBundle {
     fronts: FrontField,
 }
 
-/// What follows from the state or is worked on in time slices: never saved.
+/// All that follows from the state or is worked on in time slices: never saved.
 #[derive(Bundle, Default)]
 struct CacheBundle {
     overlap: OverlapIndex,

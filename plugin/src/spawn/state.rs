@@ -1,7 +1,5 @@
 //! The state of a planet, before it is in a world.
 
-use super::events::PlanetReady;
-use super::task::PlanetTask;
 use crate::authoring::{Recording, Scenario};
 use crate::crust::{Crust, Frame, Frames, Ledger, ledger};
 use crate::params::TectonicParams;
@@ -27,8 +25,8 @@ pub struct PlanetState {
     pub frames: Frames,
     /// Plates in order of their numbers: number, motion, time of birth in My.
     pub plates: Vec<(PlateId, PlateMotion, f64)>,
-    /// What each of the plates is made of, as it was found when frames last gained or lost samples:
-    /// the plates' rifting and pull go by it until the next time.
+    /// Sizes and shares of the plates, in the same order, as they were found when frames last gained
+    /// or lost samples: rifting and slab pull go by them until the next time.
     pub stats: Vec<PlateStats>,
     /// The clock.
     pub clock: GeologicClock,
@@ -38,7 +36,7 @@ pub struct PlanetState {
     pub params: TectonicParams,
     /// The account of continental crust.
     pub ledger: Ledger,
-    /// What was done to the planet.
+    /// The commands that were carried out.
     pub recording: Recording,
     /// Commands to come.
     pub pending: Scenario,
@@ -104,28 +102,5 @@ impl PlanetState {
             pending: Scenario::default(),
             polarity: PolarityMemory::default(),
         })
-    }
-
-    /// Puts the planet into a world. Returns its entity.
-    pub fn spawn(self, world: &mut World) -> Entity {
-        let planet = world.spawn_empty().id();
-        self.insert(world, planet);
-        planet
-    }
-
-    /// Puts the planet onto an entity, in place of the planet that it may have been; what does not
-    /// belong to its state stays as it is: the clock's controls, the inbox, how it is drawn. Where a
-    /// task is building another planet on that entity, it is cancelled. Then [`PlanetReady`] is
-    /// triggered.
-    ///
-    /// Nothing happens if the entity is gone.
-    pub fn insert(self, world: &mut World, planet: Entity) {
-        let Ok(mut entity) = world.get_entity_mut(planet) else {
-            return;
-        };
-        entity.remove::<PlanetTask>();
-        if self.prepare().insert(world, planet) {
-            world.trigger(PlanetReady { planet });
-        }
     }
 }

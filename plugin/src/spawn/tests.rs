@@ -11,7 +11,7 @@ use crate::schedule::run_steps;
 use bevy::prelude::*;
 use core::time::Duration;
 
-/// What was heard of planets.
+/// The events of planets so far.
 #[derive(Resource, Default)]
 struct Heard {
     ready: Vec<Entity>,

@@ -123,5 +123,5 @@ pub(super) fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
     Ok(bytes)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "export"))]
 mod tests;

@@ -100,5 +100,5 @@ pub fn export(
     Ok(files.into_iter().map(|(path, _)| path).collect())
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "dem"))]
 mod tests;

@@ -108,5 +108,5 @@ fn picture(bytes: &[u8], [black, white]: [f32; 2]) -> Result<EquirectMap, MapFil
     Ok(EquirectMap::new(greys.size[0], greys.size[1], values)?)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "export"))]
 mod tests;

@@ -1,6 +1,6 @@
 //! Presets as assets.
 
-use super::text::parse_recipe;
+use super::recipe::parse_recipe;
 use crate::io::TextError;
 use crate::planet::PlanetRecipe;
 use bevy::asset::io::Reader;

@@ -15,12 +15,12 @@
 //! Fields that are left out have their defaults; an unknown field is an error.
 //!
 //! ```text
-//! text       from a text to a recipe, or to the line of the mistake
+//! recipe     from a text to a recipe, or to the line of the mistake
 //! loader     presets as assets
 //! follow     PlanetPreset: a planet that follows its preset
 //! ```
 
-mod text;
+mod recipe;
 
 mod loader;
 
@@ -28,7 +28,7 @@ mod follow;
 
 pub use follow::PlanetPreset;
 pub use loader::{PlanetRecipeLoader, RecipeLoadError};
-pub use text::{load_preset, parse_recipe};
+pub use recipe::{load_preset, parse_recipe};
 
 use crate::planet::PlanetRecipe;
 use bevy::prelude::*;

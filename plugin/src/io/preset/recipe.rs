@@ -72,5 +72,5 @@ pub fn load_preset(path: &Path) -> Result<PlanetRecipe, IoError> {
 }
 
 #[cfg(test)]
-#[path = "text_tests.rs"]
+#[path = "recipe_tests.rs"]
 mod tests;

@@ -1,4 +1,4 @@
-//! Building a planet in the background, on the entity that has a recipe.
+//! Building a planet on an entity: at once from a state, in the background from a recipe.
 
 use super::events::{PlanetFailed, PlanetReady};
 use super::prepare::PreparedPlanet;
@@ -8,6 +8,29 @@ use crate::parallel;
 use crate::planet::{PlanetError, PlanetRecipe};
 use bevy::prelude::*;
 use bevy::tasks::{AsyncComputeTaskPool, Task, TaskPool, futures::check_ready};
+
+impl PlanetState {
+    /// Puts the planet into a world. Returns its entity.
+    pub fn spawn(self, world: &mut World) -> Entity {
+        let planet = world.spawn_empty().id();
+        self.insert(world, planet);
+        planet
+    }
+
+    /// Puts the planet onto an entity, in place of the planet that it may have been; what does not
+    /// belong to its state stays as it is: the clock's controls, the inbox, how it is drawn. Where a
+    /// task is building another planet on that entity, it is cancelled. Then [`PlanetReady`] is
+    /// triggered.
+    ///
+    /// Nothing happens if the entity is gone.
+    pub fn insert(self, world: &mut World, planet: Entity) {
+        let Ok(mut entity) = world.get_entity_mut(planet) else {
+            return;
+        };
+        entity.remove::<PlanetTask>();
+        enter(world, planet, self.prepare());
+    }
+}
 
 /// Builds a planet on every entity that gets a [`PlanetRecipe`].
 ///
@@ -47,23 +70,30 @@ fn start(event: On<Insert, PlanetRecipe>, recipes: Query<&PlanetRecipe>, mut com
 }
 
 /// Puts planets that are built onto their entities.
-fn finish(mut tasks: Query<(Entity, &mut PlanetTask)>, mut commands: Commands) {
-    for (planet, mut task) in &mut tasks {
-        let Some(built) = check_ready(&mut task.0) else {
-            continue;
-        };
-        commands.entity(planet).remove::<PlanetTask>();
-        commands.queue(move |world: &mut World| match built {
-            Ok(prepared) => take_over(world, planet, prepared),
+fn finish(world: &mut World, tasks: &mut QueryState<(Entity, &mut PlanetTask)>) {
+    // One after the other: whoever hears that a planet is there may start to build others.
+    while let Some((planet, built)) = next_built(world, tasks) {
+        world.entity_mut(planet).remove::<PlanetTask>();
+        match built {
+            Ok(prepared) => enter(world, planet, prepared),
             Err(error) => {
                 error!("there is no planet of this recipe: {error}");
                 world.trigger(PlanetFailed { planet, error });
             }
-        });
+        }
     }
 }
 
-fn take_over(world: &mut World, planet: Entity, prepared: PreparedPlanet) {
+fn next_built(
+    world: &mut World,
+    tasks: &mut QueryState<(Entity, &mut PlanetTask)>,
+) -> Option<(Entity, Result<PreparedPlanet, PlanetError>)> {
+    tasks
+        .iter_mut(world)
+        .find_map(|(planet, mut task)| Some((planet, check_ready(&mut task.0)?)))
+}
+
+fn enter(world: &mut World, planet: Entity, prepared: PreparedPlanet) {
     if prepared.insert(world, planet) {
         world.trigger(PlanetReady { planet });
     }
