@@ -30,6 +30,7 @@ use pangaea_shaders::amplify::fixed::ONE;
 use pangaea_shaders::amplify::ground::{Caps, refine};
 use pangaea_shaders::amplify::mark::View;
 use pangaea_shaders::amplify::topology::Mark;
+use pangaea_shaders::amplify::vertex::Vertex;
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{get, heard, listen, planet_app, plates, spawn, state, steps};
 
@@ -239,30 +240,37 @@ fn a_raster_has_the_heights_of_its_pixels() {
     }
 }
 
+/// The corners of all leaves of a level in the whole refinement around a point.
+fn leaves_around(ground: &PlanetGround, direction: DVec3, level: u8) -> Vec<[Vertex; 3]> {
+    let at = (direction * f64::from(ONE))
+        .round()
+        .to_array()
+        .map(|x| x as i32);
+    let radius_m = (200_000 >> level).max(2);
+    let view = View::disc(at, radius_m, u32::from(level));
+    let refined = refine(ground.base(), ground.rules(), &view, &Caps::default());
+    let faces = refined.levels[usize::from(level)].faces.iter();
+    faces
+        .filter(|face| face.mark != Mark::Split)
+        .map(|face| face.vertices.map(|v| refined.vertices[v as usize]))
+        .collect()
+}
+
 #[test]
 fn a_point_has_a_leaf_of_the_refinement_around_it() {
     let (app, planet) = baked(9);
     let ground = ground(&app, planet);
     for (lat, lon, level) in [
-        (0.0, 0.0, 3),
+        (1.0, 2.0, 3),
         (40.0, -100.0, 6),
         (-70.0, 20.0, 9),
         (12.0, 77.0, 11),
     ] {
         let direction = direction_at(lat, lon).unwrap();
-        let at = (direction * f64::from(ONE))
-            .round()
-            .to_array()
-            .map(|x| x as i32);
         let leaf = ground.leaf(direction, level).unwrap();
-        let radius = (200_000 >> level).max(2);
-        let view = View::disc(at, radius, u32::from(level));
-        let refined = refine(ground.base(), ground.rules(), &view, &Caps::default());
-        let faces = &refined.levels[usize::from(level)].faces;
-        let corners = |vertices: [u32; 3]| vertices.map(|v| refined.vertices[v as usize]);
-        let mut leaves = faces.iter().filter(|face| face.mark != Mark::Split);
+        let leaves = leaves_around(&ground, direction, level);
         assert!(
-            leaves.any(|face| corners(face.vertices) == leaf.vertices),
+            leaves.contains(&leaf.vertices),
             "no such leaf at {lat} {lon}, level {level}"
         );
     }

@@ -41,37 +41,31 @@ fn a_planet_grows_for_long_and_takes_no_more_memory() {
 /// Asserts that all numbers of a planet are finite and that its ledger is closed.
 fn assert_sound(app: &App, planet: Entity) {
     let state = state(app, planet);
-    let crust = &state.crust;
-    let scalars = [
+    assert_finite(&state.crust);
+    for frame in state.frames.iter() {
+        assert!(frame.rotation.is_normalized());
+    }
+    for (id, motion, _) in &state.plates {
+        assert!(
+            motion.speed.is_finite() && motion.axis.is_normalized(),
+            "{id:?}"
+        );
+    }
+    let ledger = &state.ledger;
+    assert!(ledger.unexplained_volume_max < 1e-5, "{ledger:?}");
+    assert!(ledger.unexplained_max < 1e-4, "{ledger:?}");
+}
+
+fn assert_finite(crust: &Crust) {
+    for column in [
         &crust.thickness,
         &crust.elevation,
         &crust.ocean_age,
         &crust.orogeny_age,
-    ];
-    assert!(
-        scalars
-            .iter()
-            .all(|column| column.iter().all(|x| x.is_finite()))
-    );
-    let vectors = [&crust.fold, &crust.ridge];
-    assert!(
-        vectors
-            .iter()
-            .all(|column| column.iter().all(|v| v.is_finite()))
-    );
-    assert!(
-        state
-            .frames
-            .iter()
-            .all(|frame| frame.rotation.is_normalized())
-    );
-    assert!(
-        state
-            .plates
-            .iter()
-            .all(|(_, motion, _)| motion.speed.is_finite())
-    );
-    let ledger = &state.ledger;
-    assert!(ledger.unexplained_volume_max < 1e-5, "{ledger:?}");
-    assert!(ledger.unexplained_max < 1e-4, "{ledger:?}");
+    ] {
+        assert!(column.iter().all(|x| x.is_finite()));
+    }
+    for column in [&crust.fold, &crust.ridge] {
+        assert!(column.iter().all(|v| v.is_finite()));
+    }
 }

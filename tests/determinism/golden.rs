@@ -10,7 +10,7 @@ use bevy_pangaea::prelude::*;
 use bevy_pangaea::query::{Ground, LEVELS, PlanetGround, Rules};
 use bevy_pangaea::random::{Purpose, Stream};
 use bevy_pangaea::sphere::SphereMesh;
-use pangaea_tests::probe::{Snapshot, probe};
+use pangaea_tests::probe::{Change, Snapshot, probe};
 use pangaea_tests::world::{digest, get, planet_app, steps};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
@@ -94,12 +94,7 @@ fn stages() -> Vec<String> {
     let seen = Arc::new(Mutex::new(Vec::new()));
     let log = Arc::clone(&seen);
     probe(&mut app, move |change| {
-        let ends_step = matches!(change.stage, Stage::Commit | Stage::Projection);
-        if STEPS.contains(&change.step) && !ends_step {
-            let (step, name) = (change.step, change.stage.name());
-            let line = format!("step {step}, {name}: {}", hash(&change.after));
-            log.lock().unwrap().push(line);
-        }
+        log.lock().unwrap().extend(stage(change))
     });
     steps(&mut app, planet, 20);
     lines.append(&mut seen.lock().unwrap());
@@ -108,6 +103,14 @@ fn stages() -> Vec<String> {
     lines.push(format!("after 60 steps: {}", digest(&app, planet)));
     lines.append(&mut ground(&mut app, planet));
     lines
+}
+
+/// The line of a stage, if it has one.
+fn stage(change: &Change) -> Option<String> {
+    let ends_step = matches!(change.stage, Stage::Commit | Stage::Projection);
+    let has_line = STEPS.contains(&change.step) && !ends_step;
+    let (step, name) = (change.step, change.stage.name());
+    has_line.then(|| format!("step {step}, {name}: {}", hash(&change.after)))
 }
 
 /// Spacing of the base mesh in radians: some 9000 vertices.

@@ -1,6 +1,7 @@
 //! A recording of commands, replayed on the same recipe, gives the same bits.
 
 use super::lively;
+use bevy::prelude::*;
 use bevy_pangaea::io::scenario::parse_scenario;
 use bevy_pangaea::plate::PlateId;
 use bevy_pangaea::prelude::*;
@@ -31,10 +32,9 @@ fn session() -> Vec<(u64, TectonicCommand)> {
 
 const STEPS: u64 = 24;
 
-#[test]
-fn a_recording_replays_to_the_same_digest() {
-    let recipe = lively(7, 6000);
-    let (mut app, planet) = planet_app(&recipe);
+/// A planet whose user does what [`session`] says.
+fn played(recipe: &PlanetRecipe) -> (App, Entity) {
+    let (mut app, planet) = planet_app(recipe);
     listen::<CommandRejected>(&mut app);
     listen::<CommandApplied>(&mut app);
     for step in 0..STEPS {
@@ -43,15 +43,21 @@ fn a_recording_replays_to_the_same_digest() {
         }
         steps(&mut app, planet, 1);
     }
-    assert_eq!(heard::<CommandRejected>(&app).len(), 2);
-    assert_eq!(heard::<CommandApplied>(&app).len(), session().len() - 2);
+    (app, planet)
+}
+
+#[test]
+fn a_recording_replays_to_the_same_digest() {
+    let recipe = lively(7, 6000);
+    let (app, planet) = played(&recipe);
     let recording = get::<Recording>(&app, planet).clone();
-    assert_eq!(recording.0.len(), session().len() - 2);
+    let accepted = session().len() - 2;
+    assert_eq!(heard::<CommandRejected>(&app).len(), 2);
+    assert_eq!(heard::<CommandApplied>(&app).len(), accepted);
+    assert_eq!(recording.0.len(), accepted);
     let (mut again, replayed) = planet_app(&recipe);
-    again
-        .world_mut()
-        .entity_mut(replayed)
-        .insert(Scenario::from(recording));
+    let world = again.world_mut();
+    world.entity_mut(replayed).insert(Scenario::from(recording));
     steps(&mut again, replayed, STEPS);
     assert_eq!(digest(&app, planet), digest(&again, replayed));
 }

@@ -109,10 +109,7 @@ fn damaged_hgt_tiles_and_names_are_refused_or_have_heights() {
         let (name, content) = if count % WHOLE == 0 {
             ("N44W072".into(), tile(bytes))
         } else {
-            (
-                String::from_utf8_lossy(bytes).replace(['/', '\0'], "_"),
-                bytes.to_vec(),
-            )
+            (file_name(bytes), bytes.to_vec())
         };
         let path = folder.path().join(format!("{name}.hgt"));
         if fs::write(&path, content).is_ok() {
@@ -120,6 +117,13 @@ fn damaged_hgt_tiles_and_names_are_refused_or_have_heights() {
             fs::remove_file(&path).unwrap();
         }
     });
+}
+
+/// A text that a file can be named by, without line breaks, which messages would repeat.
+fn file_name(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes);
+    let is_bad = |c: char| c == '/' || c.is_control();
+    text.replace(is_bad, "_")
 }
 
 /// A tile that repeats `bytes`, with voids in rows between.

@@ -1,8 +1,9 @@
 //! Good pictures of both kinds that are read, as small as they come.
 
-use std::io::Cursor;
+use std::io::{Cursor, Seek, Write};
+use tiff::TiffResult;
 use tiff::encoder::colortype::{ColorType, Gray32Float, GrayI16};
-use tiff::encoder::{Compression, TiffEncoder, TiffValue};
+use tiff::encoder::{Compression, DirectoryEncoder, TiffEncoder, TiffKind, TiffValue};
 use tiff::tags::Tag;
 
 /// Bytes of a PNG before its first chunk, and of a chunk's head.
@@ -107,24 +108,26 @@ where
     let mut image = encoder
         .new_image::<C>(width, height)
         .expect("a size that there is");
-    let Place {
-        pixel,
-        corner: [x, y],
-        is_geographic,
-    } = place;
-    let model = if is_geographic { 2_u16 } else { 1 };
-    let tags = image.encoder();
-    let mut result = tags.write_tag(Tag::ModelPixelScaleTag, &[pixel, pixel, 0.0][..]);
-    result = result.and(tags.write_tag(Tag::ModelTiepointTag, &[0.0, 0.0, 0.0, x, y, 0.0][..]));
-    result = result.and(tags.write_tag(
-        Tag::GeoKeyDirectoryTag,
-        &[1_u16, 1, 0, 1, 1024, 0, 1, model][..],
-    ));
-    result = result.and(tags.write_tag(Tag::GdalNodata, "-9999"));
-    result
-        .and(image.write_data(values))
+    place
+        .write(image.encoder())
+        .and_then(|()| image.write_data(values))
         .expect("memory can be written");
     bytes.into_inner()
+}
+
+impl Place {
+    fn write<W: Write + Seek, K: TiffKind>(
+        self,
+        tags: &mut DirectoryEncoder<'_, W, K>,
+    ) -> TiffResult<()> {
+        let [x, y] = self.corner;
+        let model = if self.is_geographic { 2 } else { 1 };
+        let keys = [1_u16, 1, 0, 1, 1024, 0, 1, model];
+        tags.write_tag(Tag::ModelPixelScaleTag, &[self.pixel, self.pixel, 0.0][..])?;
+        tags.write_tag(Tag::ModelTiepointTag, &[0.0, 0.0, 0.0, x, y, 0.0][..])?;
+        tags.write_tag(Tag::GeoKeyDirectoryTag, &keys[..])?;
+        tags.write_tag(Tag::GdalNodata, "-9999")
+    }
 }
 
 /// A grey PNG of 16 bits, and one of 8.

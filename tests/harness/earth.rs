@@ -2,6 +2,7 @@
 
 use bevy_pangaea::climate::EquirectMap;
 use flate2::read::GzDecoder;
+use std::fs::File;
 use std::io::Read;
 use std::path::PathBuf;
 
@@ -15,21 +16,23 @@ pub fn earth() -> Option<EquirectMap> {
     let beside = || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data");
     let folder = std::env::var_os("PANGAEA_DATA").map_or_else(beside, PathBuf::from);
     let path = folder.join("earth/etopo20data.gz");
-    let Ok(file) = std::fs::File::open(&path) else {
+    let Ok(file) = File::open(&path) else {
         eprintln!("skipped: {} is missing", path.display());
         return None;
     };
-    let mut text = String::new();
-    GzDecoder::new(file)
-        .read_to_string(&mut text)
-        .expect("the relief is gzipped text");
-    let metres: Vec<f32> = text
-        .split_ascii_whitespace()
-        .map(|x| x.parse().expect("a number"))
-        .collect();
+    let metres = numbers(file);
     assert_eq!(metres.len(), SIZE.0 * SIZE.1);
     let height_km = |lat, lon| metres[pixel(lat, lon)] / 1000.0;
     Some(EquirectMap::from_fn(SIZE.0 as u32, height_km).expect("540 rows"))
+}
+
+/// All numbers of a gzipped text.
+fn numbers(file: File) -> Vec<f32> {
+    let mut text = String::new();
+    let read = GzDecoder::new(file).read_to_string(&mut text);
+    read.expect("the relief is gzipped text");
+    let words = text.split_ascii_whitespace();
+    words.map(|word| word.parse().expect("a number")).collect()
 }
 
 /// Place in the file of a point at the middle of a pixel.

@@ -38,8 +38,19 @@ pub struct Format<'a> {
 /// # Panics
 /// If `read` panicked; the message names the files that hold the inputs.
 pub fn fuzz(format: &Format, mut read: impl FnMut(&[u8])) {
+    let name = format.name;
     format.good.iter().for_each(|good| read(good));
     let peak = soak::memory("VmPeak");
+    let failed = broken(format, &mut read);
+    assert!(failed.is_empty(), "{name} broke on {failed:?}");
+    if let (Some(before), Some(after)) = (peak, soak::memory("VmPeak")) {
+        let grown = after - before;
+        assert!(grown < MEMORY, "reading {name} took {} MiB", grown >> 20);
+    }
+}
+
+/// Files with the inputs on which `read` panicked.
+fn broken(format: &Format, read: &mut impl FnMut(&[u8])) -> Vec<PathBuf> {
     let watch = Watch::start(format.name);
     let mut failed = Vec::new();
     for number in 0..soak::count(INPUTS[0], INPUTS[1]) {
@@ -54,21 +65,7 @@ pub fn fuzz(format: &Format, mut read: impl FnMut(&[u8])) {
             break;
         }
     }
-    assert!(
-        failed.is_empty(),
-        "{} broke on {} inputs: {failed:?}",
-        format.name,
-        failed.len()
-    );
-    if let (Some(before), Some(after)) = (peak, soak::memory("VmPeak")) {
-        let grown = after - before;
-        assert!(
-            grown < MEMORY,
-            "reading {} took {} MiB",
-            format.name,
-            grown >> 20
-        );
-    }
+    failed
 }
 
 /// Writes an input to a file of the temporary folder.

@@ -80,26 +80,27 @@ fn visit(world: &mut World, stage: Stage) {
 
 /// The state of a planet now, between any two systems.
 pub fn snapshot(world: &World, planet: Entity) -> Snapshot {
-    let planet_ref = world.entity(planet);
-    let get = "a component of every planet";
-    let crust = planet_ref.get::<Crust>().expect(get).clone();
-    let mesh = planet_ref.get::<Lattice>().expect(get);
-    let radius = planet_ref.get::<Planet>().expect(get).radius;
+    let crust: Crust = part(world, planet);
+    let mesh: Lattice = part(world, planet);
+    let body: Planet = part(world, planet);
     let table = plate_table(world, planet);
+    let plates = table.rows().iter();
     Snapshot {
-        continents: continents(&crust, mesh, radius),
+        continents: continents(&crust, &mesh, body.radius),
         crust,
-        frames: planet_ref.get::<Frames>().expect(get).clone(),
-        plates: table
-            .rows()
-            .iter()
-            .map(|row| (row.id, row.motion, row.born))
-            .collect(),
-        polarity: planet_ref.get::<PolarityMemory>().expect(get).clone(),
-        ledger: planet_ref.get::<Ledger>().expect(get).clone(),
-        clock: planet_ref.get::<GeologicClock>().expect(get).clone(),
-        numbers: *planet_ref.get::<PlateNumbers>().expect(get),
+        frames: part(world, planet),
+        plates: plates.map(|row| (row.id, row.motion, row.born)).collect(),
+        polarity: part(world, planet),
+        ledger: part(world, planet),
+        clock: part(world, planet),
+        numbers: part(world, planet),
     }
+}
+
+/// A copy of a component that every planet has.
+fn part<C: Component + Clone>(world: &World, planet: Entity) -> C {
+    let part = world.get::<C>(planet);
+    part.expect("a component of every planet").clone()
 }
 
 impl Change {
@@ -121,18 +122,9 @@ impl Change {
 
     /// Names of all that has changed.
     pub fn changed(&self) -> Vec<&'static str> {
+        let mut names = changed_columns(&self.before.crust, &self.after.crust);
         let (a, b) = (&self.before, &self.after);
-        let (c, d) = (&a.crust, &b.crust);
         let checks = [
-            ("frame", c.frame != d.frame),
-            ("kind", c.kind != d.kind),
-            ("thickness", c.thickness != d.thickness),
-            ("elevation", c.elevation != d.elevation),
-            ("ocean_age", c.ocean_age != d.ocean_age),
-            ("ridge", c.ridge != d.ridge),
-            ("orogeny_age", c.orogeny_age != d.orogeny_age),
-            ("orogeny", c.orogeny != d.orogeny),
-            ("fold", c.fold != d.fold),
             ("frames", a.frames != b.frames),
             ("plates", a.plates != b.plates),
             ("polarity", a.polarity != b.polarity),
@@ -140,10 +132,24 @@ impl Change {
             ("clock", a.clock != b.clock),
             ("numbers", a.numbers != b.numbers),
         ];
-        checks
-            .iter()
-            .filter(|(_, changed)| *changed)
-            .map(|(name, _)| *name)
-            .collect()
+        names.extend(checks.iter().filter(|check| check.1).map(|check| check.0));
+        names
     }
+}
+
+/// Names of the columns that differ.
+fn changed_columns(a: &Crust, b: &Crust) -> Vec<&'static str> {
+    let checks = [
+        ("frame", a.frame != b.frame),
+        ("kind", a.kind != b.kind),
+        ("thickness", a.thickness != b.thickness),
+        ("elevation", a.elevation != b.elevation),
+        ("ocean_age", a.ocean_age != b.ocean_age),
+        ("ridge", a.ridge != b.ridge),
+        ("orogeny_age", a.orogeny_age != b.orogeny_age),
+        ("orogeny", a.orogeny != b.orogeny),
+        ("fold", a.fold != b.fold),
+    ];
+    let changed = checks.iter().filter(|check| check.1);
+    changed.map(|check| check.0).collect()
 }

@@ -141,9 +141,8 @@ fn thickened_crust_rises_to_where_it_floats() {
     recipe.params.processes = ProcessSwitches::all(false);
     let mut state = one_continent(&recipe, 0.5);
     let law = Isostasy::new(&recipe.params);
-    let land: Vec<usize> = (0..state.crust.len())
-        .filter(|&i| state.crust.is_continental(i))
-        .collect();
+    let all = 0..state.crust.len();
+    let land: Vec<usize> = all.filter(|&i| state.crust.is_continental(i)).collect();
     land.iter().for_each(|&i| state.crust.thickness[i] += 10.0);
     let target = f64::from(law.elevation(law.thickness(0.5) + 10.0));
     let (mut app, planet) = spawn(state);

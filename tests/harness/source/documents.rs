@@ -28,19 +28,22 @@ impl Named {
                 let is_folder = workspace().join(folder).is_dir();
                 home = if is_folder { folder } else { HOME }.to_string();
             }
-            let mut homes = vec![String::new(), HOME.into(), home.clone()];
-            let spans = links(line).chain(code_spans(line).filter(is_path));
-            for span in spans {
-                match homes.iter().rev().find_map(|home| existing(home, span)) {
-                    Some(path) => {
-                        homes.extend(path.rsplit_once('/').map(|(folder, _)| folder.to_string()));
-                        named.found.insert(path);
-                    }
-                    None => named.missing.push(format!("line {}: {span}", i + 1)),
-                }
-            }
+            named.read_line(line, i + 1, &home);
         }
         named
+    }
+
+    fn read_line(&mut self, line: &str, number: usize, home: &str) {
+        let mut homes = vec![String::new(), HOME.into(), home.into()];
+        for span in links(line).chain(code_spans(line).filter(is_path)) {
+            let found = homes.iter().rev().find_map(|home| existing(home, span));
+            let Some(path) = found else {
+                self.missing.push(format!("line {number}: {span}"));
+                continue;
+            };
+            homes.extend(path.rsplit_once('/').map(|(folder, _)| folder.to_string()));
+            self.found.insert(path);
+        }
     }
 
     /// Whether the document names a file, its folder, or the module that it belongs to.

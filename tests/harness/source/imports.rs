@@ -147,7 +147,7 @@ impl Modules {
         module_path(&self.root, &module.file).is_empty()
     }
 
-    /// The module that defines the end of a path.
+    /// The module that defines the end of a path; imports are followed `chain` times at most.
     fn find(&self, path: &[String], chain: usize) -> Option<&Module> {
         let depth = (0..=path.len())
             .rev()
@@ -159,18 +159,19 @@ impl Modules {
         if chain == 0 || module.defined.contains(name) {
             return Some(module);
         }
-        if let Some(source) = module.imported.get(name) {
-            return self.find(source, chain - 1);
+        match module.imported.get(name) {
+            Some(source) => self.find(source, chain - 1),
+            None => self.find_in_globs(module, name, chain).or(Some(module)),
         }
-        let mut sources = module
-            .globs
-            .iter()
-            .map(|glob| [glob.as_slice(), &[name.clone()]].concat());
-        let behind_glob = sources.find_map(|path| {
+    }
+
+    /// The module that defines a name and all of whose names `module` imports.
+    fn find_in_globs(&self, module: &Module, name: &String, chain: usize) -> Option<&Module> {
+        module.globs.iter().find_map(|glob| {
+            let path = [glob.as_slice(), core::slice::from_ref(name)].concat();
             let target = self.find(&path, chain - 1)?;
             target.defined.contains(name).then_some(target)
-        });
-        behind_glob.or(Some(module))
+        })
     }
 }
 
