@@ -33,6 +33,7 @@ use bevy::prelude::*;
 /// ```
 pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     let entity = world.get_entity(planet).ok()?;
+    // In the middle of a step, columns are of two times.
     if entity
         .get::<StepCursor>()
         .is_some_and(|cursor| !cursor.at_boundary())
