@@ -40,7 +40,7 @@ impl GlobeTask {
 
     fn is_new(&self, lattice: &Lattice) -> bool {
         let known = self.lattice.as_ref();
-        !known.is_some_and(|known| Arc::ptr_eq(known, &lattice.0))
+        known.is_none_or(|known| !Arc::ptr_eq(known, &lattice.0))
     }
 
     fn start(&mut self, input: BuildInput) {

@@ -120,6 +120,7 @@ fn a_planet_without_its_globe_is_not_drawn() {
 #[test]
 fn an_app_may_choose_the_globe_of_its_planets() {
     let mut app = App::new();
+    app.add_plugins(PangaeaPlugins);
     let plain = || Globe {
         air: 0.0,
         ..default()
