@@ -33,6 +33,7 @@ use bevy::prelude::*;
 /// ```
 pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     let entity = world.get_entity(planet).ok()?;
+    // In the middle of a step, columns are of two times.
     if entity
         .get::<StepCursor>()
         .is_some_and(|cursor| !cursor.at_boundary())
@@ -58,12 +59,13 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
     })
 }
 
-/// A plate of a planet's state: number, motion, time of birth in My.
-type SavedPlate = (PlateId, PlateMotion, f64);
-
-/// The plates in order of their numbers, and what each is made of.
-fn plates(world: &World, plates: Option<&Plates>) -> Option<(Vec<SavedPlate>, Vec<PlateStats>)> {
-    let mut rows: Vec<(SavedPlate, PlateStats)> = Vec::new();
+/// The plates in order of their numbers: number, motion, time of birth in My; and what each is made
+/// of.
+fn plates(
+    world: &World,
+    plates: Option<&Plates>,
+) -> Option<(Vec<(PlateId, PlateMotion, f64)>, Vec<PlateStats>)> {
+    let mut rows = Vec::new();
     for plate in plates.into_iter().flat_map(Plates::iter) {
         let plate = world.get_entity(plate).ok()?;
         let id = *plate.get::<PlateId>()?;

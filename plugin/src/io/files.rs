@@ -62,6 +62,7 @@ fn write_hidden(files: &[(PathBuf, Vec<u8>)], hidden: &mut Vec<HiddenFile>) -> R
         let failed = |source| IoError::write(path, source);
         let target = target_of(path);
         let part = hidden_beside(&target).map_err(failed)?;
+        // Before it is written, so that a half of it is removed, too.
         hidden.push(HiddenFile {
             part: part.clone(),
             target,
@@ -124,6 +125,7 @@ fn fill(
 ) -> io::Result<()> {
     let mut writer = BufWriter::new(file);
     content(&mut writer)?;
+    // Dropping the writer would hide an error of its last bytes.
     let file = writer
         .into_inner()
         .map_err(io::IntoInnerError::into_error)?;

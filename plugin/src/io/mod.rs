@@ -19,9 +19,8 @@
 //! maps       maps of the whole planet: climate, terrain
 //! ```
 //!
-//! What is read is never trusted: every error is one line that names the file, and no input makes a
-//! loader panic or allocate more than the input's own size allows. What is written is there whole
-//! or not at all.
+//! Input is never trusted: every error is one line that names the file, and no input makes a loader
+//! panic or allocate more than the input's own size allows. Output is there whole or not at all.
 
 mod error;
 

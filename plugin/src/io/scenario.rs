@@ -4,7 +4,7 @@
 //! [
 //!     (step: 10, command: SetPlateMotion(plate: 3, pole: (60, -30), speed: 80)),
 //!     (step: 20, command: RiftPlate(plate: 5, line: [(0, 10), (20, 14)])),
-//!     (step: 30, command: PaintCrust(target: Disc(center: (10, 20), radius: 800), brush: Raise(2))),
+//!     (step: 30, command: PaintCrust(target: Everywhere, brush: Raise(-0.5))),
 //!     (step: 40, command: SetParam(name: "erosion", value: 0.1)),
 //! ]
 //! ```

@@ -1,5 +1,5 @@
-//! The sidecar NAME.json of a picture of heights: `{"metres_per_pixel", "metres_per_unit"}` for real
-//! ground, or `{"metres_per_pixel", "min_m", "max_m"}` as `export` writes it.
+//! The sidecar NAME.json of a picture of heights: `{"metres_per_pixel", "metres_per_unit"}` for
+//! real ground, or `{"metres_per_pixel", "min_m", "max_m"}` as `export` writes it.
 
 use bevy::prelude::*;
 

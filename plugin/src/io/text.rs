@@ -47,6 +47,7 @@ pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, TextError> {
 
 /// The content of a text file that is not too long.
 pub(super) fn read_text(path: &Path) -> Result<String, IoError> {
+    // One byte more than allowed tells a long file from a full one.
     let mut text = String::new();
     File::open(path)
         .and_then(|file| file.take(MAX_TEXT + 1).read_to_string(&mut text))

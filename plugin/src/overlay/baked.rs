@@ -82,7 +82,7 @@ fn mean(column: &[f32], at: &Location) -> f32 {
     at.interpolate(|i| f64::from(column[i as usize])) as f32
 }
 
-/// Whether a place is covered by the sea. Dry land may lie below its level.
+/// Whether a place is covered by the sea. Hollows of the land may lie below its level.
 fn is_sea(bake: &Bake, at: &Location) -> bool {
     let drainage = &bake.drainage;
     let ground = at.interpolate(|k| f64::from(drainage.ground[k as usize]));

@@ -35,6 +35,13 @@ pub(super) struct Barycentric {
 }
 
 impl Barycentric {
+    /// The weighted mean of a number given at the samples.
+    pub(super) fn interpolate(&self, value: impl Fn(usize) -> f32) -> f32 {
+        (0..3)
+            .map(|c| self.weights[c] * value(self.vertices[c] as usize))
+            .sum()
+    }
+
     /// The entries of `column` at the three samples.
     pub(super) fn of<T: Copy>(&self, column: &[T]) -> [T; 3] {
         self.vertices.map(|v| column[v as usize])
@@ -95,6 +102,7 @@ fn mean_azimuth(axes: [[f32; 2]; 3], weights: [f32; 3]) -> Option<f64> {
     if known < 0.5 {
         return None;
     }
+    // Doubled azimuths are a full turn for half of one; the mean is halved again.
     let part = |k: usize| (0..3).map(|c| weights[c] * axes[c][k]).sum::<f32>();
     Some(0.5 * math::atan2(part(1).into(), part(0).into()).to_degrees())
 }

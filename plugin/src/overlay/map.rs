@@ -46,6 +46,8 @@ impl MapProjection {
         let width = width.clamp(1, Self::MAX_SIDE);
         let height = height.clamp(1, Self::MAX_SIDE);
         let mut pixels = vec![MapPixel::default(); width as usize * height as usize];
+        // A column has one longitude and a row one latitude: two sines a row and a column, not a
+        // pixel.
         let columns: Vec<(f64, f64)> = (0..width)
             .map(|x| math::sin_cos(longitude(x, width)))
             .collect();
@@ -73,16 +75,10 @@ impl MapProjection {
 
     /// A number per pixel, interpolated between samples; rows from the top.
     pub fn interpolate(&self, value: impl Fn(usize) -> f32 + Sync) -> Vec<f32> {
-        let at = |pixel: &MapPixel| {
-            let place = pixel.place();
-            (0..3)
-                .map(|c| place.weights[c] * value(place.vertices[c] as usize))
-                .sum()
-        };
         self.pixels
             .par_iter()
             .with_min_len(self.width as usize)
-            .map(at)
+            .map(|pixel| pixel.place().interpolate(&value))
             .collect()
     }
 

@@ -23,6 +23,7 @@ impl Ramp {
     pub fn at(&self, x: f32) -> Rgba {
         let stops = self.0;
         let after = stops.partition_point(|&(position, _)| position <= x);
+        // NaN is beyond no stop.
         if after == 0 || x.is_nan() {
             return opaque(stops[0].1);
         }
@@ -105,6 +106,8 @@ fn encode(x: f64) -> f64 {
 /// A colour for the `n`-th of many things. Neighbours in number are far apart in hue.
 pub fn distinct(n: u32) -> Rgba {
     let turn = f64::from(n.wrapping_mul(0x9e37_79b9)) / 4_294_967_296.0;
+    // The golden ratio spreads hues evenly, however many there are; three steps of lightness tell
+    // near hues apart.
     let lightness = [0.70, 0.60, 0.78][n as usize % 3];
     oklch(lightness, 0.115, turn)
 }

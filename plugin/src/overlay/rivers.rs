@@ -8,6 +8,7 @@ use super::raster::Raster;
 use crate::control::Bake;
 use crate::hydrology::{Drainage, NONE};
 use crate::math;
+use bevy::math::DVec3;
 
 /// Lowest Horton–Strahler order of a river that is drawn.
 const LOWEST_ORDER: u8 = 2;
@@ -16,7 +17,7 @@ const LOWEST_ORDER: u8 = 2;
 /// be lighter than the shaded ground of a globe.
 const LEAST_DISCHARGE: f64 = 100.0;
 
-/// Width in pixels of the map on which half a line's width is [`RiverReach::half_width`] pixels.
+/// Width in pixels of the map on which [`RiverReach::half_width`] is in pixels.
 const REFERENCE_WIDTH: f64 = 2048.0;
 
 /// The colour of a river's order: the higher, the deeper and the darker.
@@ -56,12 +57,14 @@ impl RiverReach {
 pub(crate) fn reaches(overlay: Overlay, bake: &Bake) -> Vec<RiverReach> {
     let drainage = &bake.drainage;
     let upstream_first = drainage.routes.order.iter().copied();
-    let drawn = upstream_first.filter(|&i| is_drawn(drainage, i as usize));
-    let reach = |i: u32| {
-        let color = river_color(overlay, drainage, i as usize)?;
-        RiverReach::from_vertex(drainage, i, color)
-    };
-    let mut reaches: Vec<_> = drawn.filter_map(reach).collect();
+    let mut reaches: Vec<_> = upstream_first
+        .filter(|&i| is_drawn(drainage, i as usize))
+        .filter_map(|i| {
+            let color = river_color(overlay, drainage, i as usize)?;
+            RiverReach::from_vertex(drainage, i, color)
+        })
+        .collect();
+    // Large rivers lie on top. A stable sort: reaches of one order stay upstream first.
     reaches.sort_by_key(|reach| reach.order);
     reaches
 }
@@ -85,16 +88,18 @@ fn river_color(overlay: Overlay, drainage: &Drainage, i: usize) -> Option<Rgba> 
 
 /// Draws the rivers of an overlay as lines.
 pub(super) fn draw(overlay: Overlay, bake: &Bake, raster: &mut Raster) {
-    let (width, height) = (f64::from(raster.width), f64::from(raster.height));
-    let pixel = |i: u32| {
-        let (lat, lon) = math::lat_lon(bake.mesh().point(i));
-        ((lon + 180.0) / 360.0 * width, (90.0 - lat) / 180.0 * height)
-    };
+    let size = [raster.width, raster.height].map(f64::from);
     for reach in reaches(overlay, bake) {
-        let [from, to] = reach.ends.map(pixel);
-        let half = reach.half_width() * width / REFERENCE_WIDTH;
+        let [from, to] = reach.ends.map(|i| pixel(bake.mesh().point(i), size));
+        let half = reach.half_width() * size[0] / REFERENCE_WIDTH;
         line(raster, from, to, half, reach.color);
     }
+}
+
+/// The place of a direction on a map of this size, in pixels.
+fn pixel(direction: DVec3, [width, height]: [f64; 2]) -> (f64, f64) {
+    let (lat, lon) = math::lat_lon(direction);
+    ((lon + 180.0) / 360.0 * width, (90.0 - lat) / 180.0 * height)
 }
 
 /// A line between two points in pixels, the short way around the date line.

@@ -31,16 +31,14 @@ impl GlobeMaterials {
         assets: &mut GlobeAssets,
     ) -> Self {
         let GlobeUniforms { ground, air, line } = uniforms;
-        let mut surface = |wire| {
-            assets.grounds.add(GroundMaterial {
-                uniform: ground.clone(),
-                samples: samples.clone(),
-                wire,
-            })
-        };
+        let [solid, wire] = [false, true].map(|wire| GroundMaterial {
+            uniform: ground.clone(),
+            samples: samples.clone(),
+            wire,
+        });
         Self {
-            ground: surface(false),
-            edges: surface(true),
+            ground: assets.grounds.add(solid),
+            edges: assets.grounds.add(wire),
             air: assets.airs.add(AirMaterial { uniform: air }),
             lines: assets.lines.add(LineMaterial { uniform: line }),
         }

@@ -17,8 +17,8 @@ use crate::sphere::SphereMesh;
 use bevy::prelude::*;
 use std::sync::Arc;
 
-/// Everything about a surface and a [`Globe`] that a build depends on: equal keys give equal builds.
-/// The sun, the air and the edges of triangles reach the shaders without a build.
+/// Everything about a surface and a [`Globe`] that a build depends on: equal keys give equal
+/// builds. The sun, the air and the edges of triangles reach the shaders without a build.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct BuildKey {
     version: u64,

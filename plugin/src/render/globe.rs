@@ -4,6 +4,7 @@ use crate::overlay::Overlay;
 use crate::plate::PlateId;
 use bevy::math::DVec3;
 use bevy::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// How a planet is drawn. On the planet's entity; [`PangaeaRenderPlugin`] makes it a required
 /// component of planets, so one that is spawned without it has the default.
@@ -11,8 +12,9 @@ use bevy::prelude::*;
 /// Without the component, or once it is removed, the planet is not drawn.
 ///
 /// [`PangaeaRenderPlugin`]: super::PangaeaRenderPlugin
-#[derive(Component, Clone, Debug, PartialEq, Reflect)]
-#[reflect(Component, Default)]
+#[derive(Component, Clone, Debug, PartialEq, Reflect, Serialize, Deserialize)]
+#[reflect(Component, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 #[require(Transform, Visibility)]
 pub struct Globe {
     /// The quantity that the colours show.
@@ -101,15 +103,12 @@ mod tests {
 
     #[test]
     fn absurd_exaggerations_are_tamed() {
-        let relief = |exaggeration| {
+        for (exaggeration, expected) in [(f32::NAN, 0.0), (-3.0, 0.0), (f32::INFINITY, 0.2)] {
             let globe = Globe {
                 exaggeration,
                 ..default()
             };
-            globe.relief(1000.0)
-        };
-        assert_eq!(relief(f32::NAN), 0.0);
-        assert_eq!(relief(-3.0), 0.0);
-        assert_eq!(relief(f32::INFINITY), 0.2);
+            assert_eq!(globe.relief(1000.0), expected);
+        }
     }
 }

@@ -46,7 +46,7 @@ fn patch(mesh: &SphereMesh, triangles: &[[u32; 3]]) -> GlobePatch {
     let mut samples = corners.to_vec();
     samples.sort_unstable();
     samples.dedup();
-    // Every corner is among the samples.
+    // Every corner is among the samples, so the search always succeeds.
     let local = |i: &u32| samples.binary_search(i).unwrap_or_default() as u32;
     let indices = corners.iter().map(local).collect();
     let cap = SphericalCap::around(samples.iter().map(|&i| mesh.point(i)));
@@ -60,6 +60,7 @@ fn patch(mesh: &SphereMesh, triangles: &[[u32; 3]]) -> GlobePatch {
 pub(super) fn edges(mesh: &SphereMesh) -> Mesh {
     let mut indices = Vec::with_capacity(6 * mesh.len());
     for i in 0..mesh.len() as u32 {
+        // From the lower end of an edge only.
         let longer = mesh.ring(i).iter().filter(|&&j| j > i);
         indices.extend(longer.flat_map(|&j| [i, j]));
     }

@@ -72,6 +72,7 @@ pub use picking::{GlobeHit, GlobePicker, GlobeRay};
 
 use crate::planet::Planet;
 use bevy::asset::AssetEventSystems;
+use bevy::ecs::component::RequiredComponentsError;
 use bevy::pbr::PbrPlugin;
 use bevy::prelude::*;
 

@@ -112,6 +112,7 @@ pub(super) fn spawn_parts(
         let Some(patches) = built.patches.take() else {
             continue;
         };
+        // The meshes of another lattice are of no use.
         for part in old.into_iter().flat_map(GlobeParts::entities) {
             commands.entity(part).try_despawn();
         }
@@ -155,13 +156,14 @@ fn spawn_patches(
     materials: &GlobeMaterials,
     meshes: &mut Assets<Mesh>,
 ) -> Vec<Entity> {
-    let mut spawn = |patch: GlobePatch| {
+    let mut entities = Vec::with_capacity(patches.len());
+    for patch in patches {
         let mesh = Mesh3d(meshes.add(patch.mesh));
         let material = MeshMaterial3d(materials.ground.clone());
-        let ground = (part("ground", planet), mesh, material, patch.cap);
-        commands.spawn(ground).id()
-    };
-    patches.into_iter().map(&mut spawn).collect()
+        let ground = commands.spawn((part("ground", planet), mesh, material, patch.cap));
+        entities.push(ground.id());
+    }
+    entities
 }
 
 /// Hands finished builds to the renderer.

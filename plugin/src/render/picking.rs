@@ -71,8 +71,9 @@ impl GlobeHit {
     }
 }
 
-/// Finds where rays meet a globe as it is drawn. [`PangaeaRenderPlugin`](super::PangaeaRenderPlugin)
-/// puts one on the planet's entity and keeps it up to date.
+/// Finds where rays meet a globe as it is drawn.
+/// [`PangaeaRenderPlugin`](super::PangaeaRenderPlugin) puts one on the planet's entity and keeps it
+/// up to date.
 ///
 /// ```
 /// use bevy::math::DVec3;
@@ -134,6 +135,7 @@ impl GlobePicker {
             return None;
         }
         let direction = direction / length;
+        // From the sphere around everything inwards, so that f32 has no long way to go.
         let entry = entry(origin, direction, self.highest)?;
         let start = origin + entry * direction;
         let (distance, point) = self.nearest_triangle(start, direction)?;
@@ -220,6 +222,7 @@ fn hit_triangle(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Optio
     let (ab, ac) = (b - a, c - a);
     let p = direction.cross(ac);
     let det = ab.dot(p);
+    // The ray lies in the plane of the triangle.
     if det.abs() < 1e-300 {
         return None;
     }

@@ -46,6 +46,7 @@ impl DrawnRelief {
             land.clone()
         };
         let (coast, rough) = coasts(mesh, &raw);
+        // Of the surface that is seen, which does not lean towards the other at the coast.
         let gradient = parallel::map(mesh.len(), |i| {
             let seen = if coast[i as usize] > 0.0 {
                 &land

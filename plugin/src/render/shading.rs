@@ -9,11 +9,11 @@ use crate::planet::{Lattice, Planet};
 use bevy::prelude::*;
 
 /// Globes that look different from the frame before.
-type Changes = Or<(Changed<Globe>, Changed<GlobeParts>)>;
+type ChangedGlobe = Or<(Changed<Globe>, Changed<GlobeParts>)>;
 
 /// Hands new uniforms to the shaders.
 pub(super) fn update_materials(
-    globes: Query<(&Planet, &Lattice, &Globe, &GlobeParts), Changes>,
+    globes: Query<(&Planet, &Lattice, &Globe, &GlobeParts), ChangedGlobe>,
     mut assets: GlobeAssets,
 ) {
     for (planet, lattice, globe, parts) in &globes {
@@ -25,7 +25,7 @@ pub(super) fn update_materials(
 /// Spawns the edges of triangles when they are first asked for.
 pub(super) fn spawn_edges(
     mut commands: Commands,
-    mut globes: Query<(Entity, &Lattice, &Globe, &mut GlobeParts), Changes>,
+    mut globes: Query<(Entity, &Lattice, &Globe, &mut GlobeParts), ChangedGlobe>,
     mut assets: GlobeAssets,
 ) {
     for (planet, lattice, globe, mut parts) in &mut globes {
@@ -40,7 +40,7 @@ pub(super) fn spawn_edges(
 
 /// Shows or hides the air and the edges of triangles.
 pub(super) fn update_visibility(
-    globes: Query<(&Globe, &GlobeParts), Changes>,
+    globes: Query<(&Globe, &GlobeParts), ChangedGlobe>,
     mut visibilities: Query<&mut Visibility>,
 ) {
     for (globe, parts) in &globes {

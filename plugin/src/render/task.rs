@@ -40,7 +40,7 @@ impl GlobeTask {
 
     fn is_new(&self, lattice: &Lattice) -> bool {
         let known = self.lattice.as_ref();
-        !known.is_some_and(|known| Arc::ptr_eq(known, &lattice.0))
+        known.is_none_or(|known| !Arc::ptr_eq(known, &lattice.0))
     }
 
     fn start(&mut self, input: BuildInput) {
@@ -81,6 +81,7 @@ pub(super) fn queue_builds(mut globes: Query<GlobeQuery>, plates: Query<PlatePar
         let key = BuildKey::new(globe.surface, globe.globe, radius, globe.bake);
         let is_known = globe.task.key.as_ref() == Some(&key);
         let is_projected = globe.surface.len() == globe.lattice.len();
+        // One build at a time: a busy globe is looked at again when its build is done.
         if globe.task.is_busy() || is_known || !is_projected {
             continue;
         }
@@ -115,17 +116,18 @@ fn plate_table(members: Option<&Plates>, plates: &Query<PlateParts>) -> PlateTab
 /// threads that a step of the simulation waits for.
 fn on_own_thread<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
-    let build = || {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(1)
-            .thread_name(|_| "globe build".to_string())
-            .build()
-            .ok()
-    };
-    match POOL.get_or_init(build) {
+    match POOL.get_or_init(one_thread) {
         Some(pool) => pool.install(work),
         None => work(),
     }
+}
+
+fn one_thread() -> Option<rayon::ThreadPool> {
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .thread_name(|_| "globe build".to_string())
+        .build()
+        .ok()
 }
 
 /// Receives finished builds.

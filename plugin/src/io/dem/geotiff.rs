@@ -44,6 +44,7 @@ impl<'a> Band<'a> {
         let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(refused)?;
         let (width, height) = decoder.dimensions().map_err(refused)?;
         check(width, height)?;
+        // Refused before the decoder makes room for what its header promises.
         let most = (bytes.len() as u64).saturating_mul(MAX_COMPRESSION);
         if u64::from(width) * u64::from(height) * 8 > most {
             return Err(invalid("the file is too short for so many pixels").into());
@@ -75,6 +76,7 @@ impl<'a> Band<'a> {
         let &[column, row, _, lon, lat, ..] = tie.as_slice() else {
             return None;
         };
+        // The tie point need not be a corner.
         let (west, north) = (lon - column * across, lat + row * down);
         let [width, height] = self.size.map(f64::from);
         let extent = [west, west + width * across, north - height * down, north];
@@ -95,7 +97,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Dem, DemError> {
 fn texts_fit(bytes: &[u8]) -> Option<bool> {
     const ASCII: u64 = 2;
     const BIG_TIFF: u64 = 43;
-    // Where the offset of the directory is, bytes of an offset, of the number of tags, and of a tag.
+    // Where the directory's offset is; bytes of an offset, of the number of tags, and of a tag.
     let (first, offset, counter, tag) = match number(bytes, 2, 2)? {
         BIG_TIFF => (8, 8, 8, 20),
         _ => (4, 4, 2, 12),
@@ -173,6 +175,7 @@ fn middle(
     let &[column, row, _, lon, lat, ..] = tie.as_slice() else {
         return Err(invalid("the file has no ModelTiepoint"));
     };
+    // From the tie point to the middle.
     let lat = lat - (0.5 * f64::from(height) - row) * down;
     let lon = lon + (0.5 * f64::from(width) - column) * across;
     Ok((lat, lon))
@@ -221,9 +224,9 @@ fn values(image: DecodingResult, void: f64) -> Result<Vec<f32>, DemError> {
 }
 
 fn without_voids<T: Copy + Into<f64>>(values: &[T], void: f64) -> Vec<f32> {
-    let number = |&value: &T| {
-        let z: f64 = value.into();
-        if z == void { f32::NAN } else { z as f32 }
-    };
-    values.iter().map(number).collect()
+    values
+        .iter()
+        .map(|&value| value.into())
+        .map(|z: f64| if z == void { f32::NAN } else { z as f32 })
+        .collect()
 }

@@ -113,6 +113,7 @@ impl DemFormat {
 
 /// The bytes of a file that is not too large.
 pub(super) fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
+    // One byte more than allowed tells a large file from a full one.
     let mut bytes = Vec::new();
     File::open(path)
         .and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))

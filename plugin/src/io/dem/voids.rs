@@ -7,11 +7,14 @@ pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
     if missing.len() == values.len() {
         return None;
     }
+    // The first ring: voids beside known values.
     let mut ring: Vec<(usize, f32)> = missing
         .iter()
         .filter_map(|&i| Some((i, mean_around(width, values, i)?)))
         .collect();
     while !ring.is_empty() {
+        // All means of a ring are taken before one of them is written: the order of voids does not
+        // matter.
         for &(i, mean) in &ring {
             values[i] = mean;
         }

@@ -22,6 +22,7 @@ pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, Expo
     let positions = positions(square, grid);
     let normals = normals(square.pixels(), &positions);
     let triangles = grid_triangles(square.pixels());
+    // One buffer: positions, normals, indices.
     let json = scene(&positions, 3 * triangles.len()).to_string();
     let vectors = [&positions, &normals].into_iter().flatten();
     let floats = vectors
@@ -82,6 +83,7 @@ fn buffer_view(offset: usize, length: usize, target: u32) -> Value {
 
 /// A header and two chunks, each a multiple of four bytes long.
 fn glb(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, ExportError> {
+    // JSON may end in blanks; the binary chunk is a multiple of four bytes as it is.
     json.resize(json.len().next_multiple_of(4), b' ');
     let total = u32::try_from(12 + 8 + json.len() + 8 + binary.len())
         .map_err(|_| cannot_encode("the mesh does not fit into a .glb file"))?;
@@ -98,29 +100,36 @@ fn glb(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, ExportError> {
 
 /// Where the centre of each pixel is.
 fn positions(square: &Square, grid: &HeightGrid) -> Vec<Vec3> {
+    (0..grid.values.len())
+        .into_par_iter()
+        .map(|i| position(square, grid, i))
+        .collect()
+}
+
+/// Where the centre of pixel `i` is: relative to the middle of the square, before it is an f32, or
+/// the planet's radius would cost its metres.
+fn position(square: &Square, grid: &HeightGrid, i: usize) -> Vec3 {
     let projection = square.projection();
     let (up, (east, north)) = (projection.centre(), projection.axes());
     let origin = up * projection.radius_m();
-    let place = |i: usize| {
-        let direction = square.direction(i % grid.width, i / grid.width);
-        let p = direction * (projection.radius_m() + f64::from(grid.values[i])) - origin;
-        DVec3::new(p.dot(east), p.dot(up), -p.dot(north)).as_vec3()
-    };
-    (0..grid.values.len()).into_par_iter().map(place).collect()
+    let direction = square.direction(i % grid.width, i / grid.width);
+    let p = direction * (projection.radius_m() + f64::from(grid.values[i])) - origin;
+    DVec3::new(p.dot(east), p.dot(up), -p.dot(north)).as_vec3()
 }
 
 /// Unit normals of the surface through the neighbours of each vertex.
 fn normals(side: usize, positions: &[Vec3]) -> Vec<Vec3> {
+    (0..positions.len())
+        .into_par_iter()
+        .map(|i| normal(side, positions, i % side, i / side))
+        .collect()
+}
+
+/// The normal at a vertex, from central differences; at the rim from one-sided ones.
+fn normal(side: usize, positions: &[Vec3], x: usize, y: usize) -> Vec3 {
     let at = |x: usize, y: usize| positions[y * side + x].as_dvec3();
-    let normal = |i: usize| {
-        let (x, y) = (i % side, i / side);
-        let eastward = at((x + 1).min(side - 1), y) - at(x.saturating_sub(1), y);
-        let northward = at(x, y.saturating_sub(1)) - at(x, (y + 1).min(side - 1));
-        eastward
-            .cross(northward)
-            .try_normalize()
-            .unwrap_or(DVec3::Y)
-            .as_vec3()
-    };
-    (0..positions.len()).into_par_iter().map(normal).collect()
+    let eastward = at((x + 1).min(side - 1), y) - at(x.saturating_sub(1), y);
+    let northward = at(x, y.saturating_sub(1)) - at(x, (y + 1).min(side - 1));
+    let normal = eastward.cross(northward).try_normalize();
+    normal.unwrap_or(DVec3::Y).as_vec3()
 }

@@ -205,28 +205,20 @@ impl Glb {
         let binary = &bytes[end + 8..];
         assert!(word(12) % 4 == 0 && word(end) == binary.len());
         let json = serde_json::from_slice(&bytes[20..end]).unwrap();
-        let vectors = |k| {
-            let (vectors, _) = accessor(&json, binary, k).as_chunks();
-            vectors.iter().map(|&bytes| vector(bytes)).collect()
-        };
         let (indices, _) = accessor(&json, binary, 2).as_chunks();
         Self {
-            positions: vectors(0),
-            normals: vectors(1),
+            positions: vectors(accessor(&json, binary, 0)),
+            normals: vectors(accessor(&json, binary, 1)),
             indices: indices.iter().map(|&b| u32::from_le_bytes(b)).collect(),
             json,
         }
     }
 }
 
-fn vector(bytes: [u8; 12]) -> Vec3 {
+fn vectors(bytes: &[u8]) -> Vec<Vec3> {
     let (words, _) = bytes.as_chunks();
-    Vec3::from_slice(
-        &words
-            .iter()
-            .map(|&b| f32::from_le_bytes(b))
-            .collect::<Vec<_>>(),
-    )
+    let floats: Vec<f32> = words.iter().map(|&b| f32::from_le_bytes(b)).collect();
+    floats.chunks(3).map(Vec3::from_slice).collect()
 }
 
 /// The bytes that an accessor sees.

@@ -99,13 +99,15 @@ fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
 
 /// Reads a picture with these values of black and white.
 fn picture(bytes: &[u8], [black, white]: [f32; 2]) -> Result<EquirectMap, MapFileError> {
-    let greys = Greys::read(bytes, check_size)?;
-    let value = |&grey: &u16| {
-        let share = f64::from(grey) / 65_535.0;
-        (f64::from(black) * (1.0 - share) + f64::from(white) * share) as f32
-    };
-    let values = greys.values.iter().map(value).collect();
-    Ok(EquirectMap::new(greys.size[0], greys.size[1], values)?)
+    let Greys { size, values, .. } = Greys::read(bytes, check_size)?;
+    let values = values.iter().map(|&grey| between(black, white, grey));
+    Ok(EquirectMap::new(size[0], size[1], values.collect())?)
+}
+
+/// The value of a grey.
+fn between(black: f32, white: f32, grey: u16) -> f32 {
+    let share = f64::from(grey) / 65_535.0;
+    (f64::from(black) * (1.0 - share) + f64::from(white) * share) as f32
 }
 
 #[cfg(all(test, feature = "export"))]

@@ -68,6 +68,7 @@ pub(super) fn write_hashed(
         out.put(&(content.len() as u64).to_le_bytes())?;
         out.put(&content)?;
     }
+    // The hash is not part of what it covers.
     let hash = out.hasher.finalize();
     out.out.write_all(hash.as_bytes())?;
     Ok(hash)

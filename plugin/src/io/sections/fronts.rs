@@ -1,5 +1,5 @@
-//! The memory of fronts: which plate goes under, and how far the overriding plates' samples are from
-//! their front.
+//! The memory of fronts: which plate goes under, and how far the overriding plates' samples are
+//! from their front.
 
 use crate::crust::{decode_column, encode_column};
 use crate::io::SaveError;

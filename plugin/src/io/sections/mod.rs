@@ -74,6 +74,7 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
     let (planet, clock, numbers) = planet::read(head)?;
     let (plates, stats) = plates::read_plates(plat, numbers.next)?;
     let frames = plates::read_frames(frms, numbers.next)?;
+    // Only the count is read of the mesh; it is made when all else is good.
     let samples = crust::sample_count(mesh)?;
     let crust = Crust::decode_columns(columns, samples as usize)?;
     crust::check_frames(&crust, &frames, &plates)?;

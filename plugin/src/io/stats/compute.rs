@@ -129,6 +129,7 @@ fn ocean_age_figures(shares: &AreaShares, crust: &Crust) -> OceanAgeFigures {
     let oceanic = |i: usize| crust.kind[i] == CrustKind::Oceanic;
     let age = |i: usize| f64::from(crust.ocean_age[i]);
     let area = shares.of(oceanic);
+    // Continents have an ocean age that means nothing.
     let age_sum = parallel::sum(shares.samples, |i| {
         if oceanic(i) {
             age(i) * shares.area(i)

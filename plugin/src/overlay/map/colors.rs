@@ -122,6 +122,7 @@ impl<'a> MapColors<'a> {
         } else {
             (sea, SEA_EXAGGERATION)
         };
+        // The normal is taken where the pixel is, or triangles would show as facets.
         let p: Vec3 = corners()
             .map(|(v, w)| w * self.mesh.point(v as u32).as_vec3())
             .sum();
@@ -132,6 +133,7 @@ impl<'a> MapColors<'a> {
 
     /// The colour of the boundary where two plates meet, else the overlay's.
     fn bordered(&self, color: Rgba, place: &Barycentric, kinds: &[BoundaryKind]) -> Rgba {
+        // The boundary runs where no plate has most of the weight.
         let plates = place.of(&self.surface.plate);
         if plates[0] == plates[1] && plates[1] == plates[2] {
             return color;

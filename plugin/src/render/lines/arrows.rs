@@ -95,13 +95,15 @@ pub(super) fn add_axes(lines: &mut Lines, ground: &LineGround, axes: &[Vec3]) {
 fn sites(mesh: &SphereMesh, count: usize) -> Vec<u32> {
     let count = count.min(mesh.len() / 3);
     let golden = math::PI * (3.0 - 5.0_f64.sqrt());
-    let nearest = |k: usize| {
-        let z = 1.0 - (2.0 * k as f64 + 1.0) / count as f64;
-        let (sin, cos) = math::sin_cos(golden * k as f64);
-        let r = (1.0 - z * z).sqrt();
-        mesh.nearest(DVec3::new(r * cos, r * sin, z))
-    };
-    let mut sites: Vec<u32> = (0..count).map(nearest).collect();
+    let mut sites: Vec<u32> = (0..count)
+        .map(|k| {
+            let z = 1.0 - (2.0 * k as f64 + 1.0) / count as f64;
+            let (sin, cos) = math::sin_cos(golden * k as f64);
+            let r = (1.0 - z * z).sqrt();
+            mesh.nearest(DVec3::new(r * cos, r * sin, z))
+        })
+        .collect();
+    // Two points of the lattice may have one nearest sample.
     sites.sort_unstable();
     sites.dedup();
     sites

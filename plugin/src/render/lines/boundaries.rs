@@ -28,7 +28,7 @@ pub(super) fn add_boundaries(lines: &mut Lines, ground: &LineGround) {
     }
 }
 
-/// What plates do at each sample.
+/// The planet, and the kind of boundary at each sample.
 struct BoundaryMap<'a> {
     ground: &'a LineGround<'a>,
     kinds: Vec<BoundaryKind>,

@@ -107,15 +107,14 @@ fn the_boundary_between_two_halves_goes_once_round_the_equator() {
 
 #[test]
 fn the_selected_plate_is_outlined_even_without_boundaries() {
-    let lines = |plate| {
+    let [outline, nothing] = [1, 9].map(|plate| {
         TwoHalves::new().lines(&Globe {
             selected: Some(PlateId(plate)),
             ..default()
         })
-    };
-    let outline = lines(1);
+    });
     assert!(outline.len() > 0 && outline.colors.iter().all(|&c| c == OUTLINE));
-    assert_eq!(lines(9).len(), 0, "there is no such plate");
+    assert_eq!(nothing.len(), 0, "there is no such plate");
 }
 
 #[test]

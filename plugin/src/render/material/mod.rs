@@ -14,6 +14,7 @@ use super::globe::Globe;
 use air::AirUniform;
 use bevy::pbr::MaterialPlugin;
 use bevy::prelude::*;
+use bevy::shader::Shader;
 use ground::GroundUniform;
 use line::LineUniform;
 
@@ -22,7 +23,7 @@ pub(super) struct GlobeMaterialPlugin;
 
 impl Plugin for GlobeMaterialPlugin {
     fn build(&self, app: &mut App) {
-        shaders::insert(&mut app.world_mut().resource_mut());
+        shaders::insert(&mut app.world_mut().resource_mut::<Assets<Shader>>());
         app.add_plugins((
             MaterialPlugin::<GroundMaterial>::default(),
             MaterialPlugin::<AirMaterial>::default(),

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::PangaeaPlugins;
-use crate::planet::PlanetRecipe;
+use crate::planet::{ClockControls, PlanetRecipe};
 use crate::render::GlobePlugin;
 use crate::render::material::{AirMaterial, GroundMaterial, LineMaterial};
 use crate::spawn::PlanetState;
@@ -28,9 +28,13 @@ fn planet(app: &mut App) -> Entity {
         plate_count: 8,
         ..default()
     };
-    let mut state = PlanetState::new(&recipe).unwrap();
-    state.clock.paused = true;
-    state.spawn(app.world_mut())
+    let planet = PlanetState::new(&recipe).unwrap().spawn(app.world_mut());
+    let paused = ClockControls {
+        paused: true,
+        ..default()
+    };
+    app.world_mut().entity_mut(planet).insert(paused);
+    planet
 }
 
 /// Runs frames until the planet is drawn.
@@ -116,6 +120,7 @@ fn a_planet_without_its_globe_is_not_drawn() {
 #[test]
 fn an_app_may_choose_the_globe_of_its_planets() {
     let mut app = App::new();
+    app.add_plugins(PangaeaPlugins);
     let plain = || Globe {
         air: 0.0,
         ..default()

@@ -1,4 +1,4 @@
-//! What is written is read again, and goes on as if nothing had been.
+//! Saved planets are read again, and go on as if they had never stopped.
 
 use super::*;
 use crate::authoring::Inbox;
