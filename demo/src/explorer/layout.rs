@@ -53,7 +53,7 @@ pub struct Readings<'w> {
 /// A frame of the panels.
 struct Panels<'a, 'w> {
     view: Option<&'a ShownView<'a>>,
-    readings: &'a Readings<'w>,
+    readings: &'a Readings<'a>,
     forms: &'a mut Forms<'w>,
     pointer: &'a Pointer,
     out: Outbox,

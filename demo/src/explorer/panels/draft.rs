@@ -60,8 +60,11 @@ pub fn edit(
 
 /// Keeps a draft until the next frame, or forgets it.
 fn keep(ui: &Ui, id: Id, draft: Option<Draft>) {
-    ui.data_mut(|data| match draft {
-        Some(draft) => data.insert_temp(id, draft),
-        None => data.remove::<Draft>(id),
+    ui.data_mut(|data| {
+        if let Some(draft) = draft {
+            data.insert_temp(id, draft);
+        } else {
+            data.remove::<Draft>(id);
+        }
     });
 }
