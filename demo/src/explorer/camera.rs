@@ -115,7 +115,7 @@ impl SteeringInput<'_> {
     fn drag(&self, camera: &mut OrbitCamera, dt: f32) {
         // The globe stands still while a plate is dragged over it.
         if self.plate_drag.0.is_some() {
-            camera.grab();
+            camera.stop();
             return;
         }
         if self.pointer.on_globe && self.buttons.any_just_pressed(DRAG_BUTTONS) {

@@ -92,7 +92,8 @@ struct Marks<'a, 'w, 's> {
 impl Marks<'_, '_, '_> {
     /// The poles about which the selected plate turns.
     fn poles_of(&mut self, selection: &Selection) {
-        if let Some(plate) = selection.0.and_then(|id| self.view.plates.get(id)) {
+        let plates = self.view.plates;
+        if let Some(plate) = selection.0.and_then(|id| plates.get(id)) {
             self.pole(plate.motion.axis, FIXED_COLOR);
             self.pole(-plate.motion.axis, FIXED_COLOR);
         }

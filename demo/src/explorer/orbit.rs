@@ -63,10 +63,16 @@ impl OrbitCamera {
         }
     }
 
-    /// The pointer takes hold of the globe, which stands still.
-    pub fn grab(&mut self) {
-        self.dragging = true;
+    /// The globe stands still, whatever holds it.
+    pub fn stop(&mut self) {
+        self.dragging = false;
         self.spin = Vec2::ZERO;
+    }
+
+    /// The pointer takes hold of the globe, which stands still until it is dragged.
+    pub fn grab(&mut self) {
+        self.stop();
+        self.dragging = true;
     }
 
     /// The pointer lets go of the globe, which swings out.
