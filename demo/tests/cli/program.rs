@@ -9,12 +9,12 @@ use std::sync::OnceLock;
 use tempfile::TempDir;
 
 /// Runs the program with nothing on its standard input.
-pub fn pangaea(folder: &Path, args: &[&str]) -> Output {
+pub(super) fn pangaea(folder: &Path, args: &[&str]) -> Output {
     pangaea_with_input(folder, args, "")
 }
 
 /// Runs the program with `input` on its standard input.
-pub fn pangaea_with_input(folder: &Path, args: &[&str], input: &str) -> Output {
+pub(super) fn pangaea_with_input(folder: &Path, args: &[&str], input: &str) -> Output {
     let mut child = begun(folder, args, Stdio::piped());
     // A program that refuses its options does not read.
     let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
@@ -22,7 +22,7 @@ pub fn pangaea_with_input(folder: &Path, args: &[&str], input: &str) -> Output {
 }
 
 /// The program at work, its output held.
-pub fn begun(folder: &Path, args: &[&str], input: Stdio) -> Child {
+pub(super) fn begun(folder: &Path, args: &[&str], input: Stdio) -> Child {
     Command::new(env!("CARGO_BIN_EXE_pangaea"))
         .args(args)
         .current_dir(folder)
@@ -34,34 +34,34 @@ pub fn begun(folder: &Path, args: &[&str], input: Stdio) -> Child {
 }
 
 /// Runs the program, asserts that it succeeds, and returns its standard output.
-pub fn succeed(folder: &Path, args: &[&str]) -> String {
+pub(super) fn succeed(folder: &Path, args: &[&str]) -> String {
     succeed_with_input(folder, args, "")
 }
 
 /// As [`succeed`], with `input` on the standard input.
-pub fn succeed_with_input(folder: &Path, args: &[&str], input: &str) -> String {
+pub(super) fn succeed_with_input(folder: &Path, args: &[&str], input: &str) -> String {
     let output = pangaea_with_input(folder, args, input);
     assert!(output.status.success(), "{args:?}: {}", stderr(&output));
     String::from_utf8(output.stdout).unwrap()
 }
 
-pub fn stderr(output: &Output) -> String {
+pub(super) fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 /// As [`assert_refused_in`], in an empty folder.
-pub fn assert_refused(args: &[&str], words: &[&str]) {
+pub(super) fn assert_refused(args: &[&str], words: &[&str]) {
     let folder = TempDir::new().unwrap();
     assert_refused_in(folder.path(), args, words);
 }
 
 /// Asserts exit code 2, one line on stderr that contains all of `words`, and nothing written.
-pub fn assert_refused_in(folder: &Path, args: &[&str], words: &[&str]) {
+pub(super) fn assert_refused_in(folder: &Path, args: &[&str], words: &[&str]) {
     assert_refused_input(folder, args, "", words);
 }
 
 /// As [`assert_refused_in`], with `input` on the standard input.
-pub fn assert_refused_input(folder: &Path, args: &[&str], input: &str, words: &[&str]) {
+pub(super) fn assert_refused_input(folder: &Path, args: &[&str], input: &str, words: &[&str]) {
     let before = names_in(folder);
     let output = pangaea_with_input(folder, args, input);
     let text = stderr(&output);
@@ -74,14 +74,14 @@ pub fn assert_refused_input(folder: &Path, args: &[&str], input: &str, words: &[
 }
 
 /// Asserts that a text contains all of `words`.
-pub fn assert_contains(text: &str, words: &[&str]) {
+pub(super) fn assert_contains(text: &str, words: &[&str]) {
     for word in words {
         assert!(text.contains(word), "{text:?} does not name {word:?}");
     }
 }
 
 /// The names of all files and folders in a folder, sorted.
-pub fn names_in(folder: &Path) -> Vec<String> {
+pub(super) fn names_in(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
@@ -102,12 +102,12 @@ const SMALL: [&str; 7] = [
 ];
 
 /// All files of a planet of 500 samples at 30 My in `folder`/`name`.
-pub fn small_planet(folder: &Path, name: &str, more: &[&str]) {
+pub(super) fn small_planet(folder: &Path, name: &str, more: &[&str]) {
     succeed(folder, &[&SMALL[..], &["--out", name], more].concat());
 }
 
 /// A folder with planet.pangaea in it: 500 samples at 30 My.
-pub fn planet() -> TempDir {
+pub(super) fn planet() -> TempDir {
     static PLANET: OnceLock<Vec<u8>> = OnceLock::new();
     let bytes = PLANET.get_or_init(|| {
         let folder = TempDir::new().unwrap();
@@ -120,10 +120,10 @@ pub fn planet() -> TempDir {
 }
 
 /// The statistics in a folder that `generate` wrote.
-pub fn stats(folder: &Path) -> Value {
+pub(super) fn stats(folder: &Path) -> Value {
     read_json(&folder.join("stats.json"))
 }
 
-pub fn read_json(path: &Path) -> Value {
+pub(super) fn read_json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
