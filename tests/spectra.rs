@@ -9,7 +9,7 @@
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use bevy_pangaea::control::{Bake, PlanetBake, bake_now};
-use bevy_pangaea::hydrology::Site;
+use bevy_pangaea::hydrology::ShoreClass;
 use bevy_pangaea::query::{Ground, PlanetGround, Rules};
 use core::f64::consts::{LN_2, PI};
 use pangaea_tests::shape::small;
@@ -156,12 +156,12 @@ fn no_edge_of_the_control_mesh_shows_in_the_spectra_of_land_shelf_and_slope() {
     bake_now(app.world_mut(), planet).unwrap();
     let bake = &get::<PlanetBake>(&app, planet).0;
     let ground = PlanetGround::of_bake(bake, Rules::default()).unwrap();
-    let (sites, km) = (&bake.drainage.sites, &bake.terrain.elevation_km());
+    let (sites, km) = (&bake.drainage.shore, &bake.terrain.elevation_km());
     let dry = |v: usize| bake.control.vertices[v].flow == 0 && !bake.drainage.is_lake(v);
-    let land = edges(bake, |v| sites[v] == Site::Land && dry(v));
+    let land = edges(bake, |v| sites[v] == ShoreClass::Land && dry(v));
     let sea = |low: f32, high: f32| {
         edges(bake, move |v| {
-            sites[v] == Site::Sea && km[v] > low && km[v] < high
+            sites[v] == ShoreClass::Sea && km[v] > low && km[v] < high
         })
     };
     let (shelf, slope) = (sea(-0.25, 0.0), sea(-3.5, -0.25));

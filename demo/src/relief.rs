@@ -10,9 +10,7 @@ use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::io::{dem_files, load_dem};
 use bevy_pangaea::planet::{Lattice, Planet};
-use bevy_pangaea::relief_stats::{
-    CLASSES, Relief, SiteInput, class_relief, medians, relief as relief_of, sites,
-};
+use bevy_pangaea::relief_stats::{CLASSES, ReliefStats, SiteInput, class_relief, medians, sites};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -27,7 +25,7 @@ struct Row {
 }
 
 impl Row {
-    fn new(name: String, reliefs: &[Relief]) -> Self {
+    fn new(name: String, reliefs: &[ReliefStats]) -> Self {
         let [relief10_median_m, slope_p90_deg, spectral_exponent] = medians(reliefs);
         Self {
             name,
@@ -133,7 +131,7 @@ fn tiles(folder: &Path) -> Result<Vec<Row>, CliError> {
         } else {
             name
         };
-        let found = relief_of(&load_dem(&path)?.grid)
+        let found = ReliefStats::of(&load_dem(&path)?.grid)
             .ok_or_else(|| CliError::input(format!("{}: the tile is too small", path.display())))?;
         rows.push(Row::new(name, &[found]));
     }

@@ -5,20 +5,23 @@
 //!
 //! ```text
 //! topology   edges and faces of the base mesh; once per seed
+//! rivers     which vertices are rivers, and where their edges lead
 //! pack       C, A, W, P, B, rivers and lakes per vertex, in the packed form
 //! bake       all stages from the surface to the control mesh
 //! plugin     a bake that follows a running planet in the background
 //! ```
 
-pub mod topology;
+mod topology;
 
-pub mod pack;
+mod rivers;
 
-pub mod bake;
+mod pack;
 
-pub mod plugin;
+mod bake;
+
+mod plugin;
 
 pub use bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
-pub use pack::{RiverRule, control_mesh};
 pub use plugin::{BakeFinished, BakePlugin, BakeSettings, PlanetBake, bake_now};
+pub use rivers::RiverRule;
 pub use topology::Topology;

@@ -8,10 +8,12 @@
 
 use super::bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
 use crate::crust::{PlanetSurface, Surface};
-use crate::hydrology::base::SPACING;
+use crate::hydrology::BASE_SPACING;
 use crate::planet::{Lattice, Planet};
 use crate::sphere::SphereMesh;
+use bevy::ecs::query::QueryData;
 use bevy::prelude::*;
+use bevy::reflect::{ReflectDeserialize, ReflectSerialize};
 use core::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
 
@@ -25,7 +27,22 @@ impl Plugin for BakePlugin {
 }
 
 /// Asks for bakes of a planet, and says how.
-#[derive(Component, Clone, Debug, PartialEq)]
+///
+/// ```
+/// use bevy::prelude::*;
+/// use bevy_pangaea::control::{BakePlugin, BakeSettings};
+///
+/// let mut app = App::new();
+/// app.add_plugins(BakePlugin);
+/// // A base mesh four times as coarse: a sixteenth of the vertices.
+/// let fine = BakeSettings::default();
+/// let coarse = BakeSettings { spacing: 4.0 * fine.spacing, ..fine };
+/// assert!(coarse.check().is_ok());
+/// app.world_mut().spawn(coarse); // beside a `Planet`
+/// ```
+#[derive(Component, Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
+#[reflect(Component, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct BakeSettings {
     /// Smallest distance of the base mesh's vertices in radians.
     pub spacing: f64,
@@ -34,7 +51,7 @@ pub struct BakeSettings {
 }
 
 impl BakeSettings {
-    /// Refuses a spacing that is none.
+    /// Refuses a spacing that is not a finite number above 0.
     ///
     /// # Errors
     /// [`BakeError::Spacing`].
@@ -47,17 +64,16 @@ impl BakeSettings {
         }
     }
 
-    /// Whether both ask for the same bake. Numbers are compared by their bits: one that is none
-    /// would never equal itself, and the planet would be baked for ever.
+    /// Whether both ask for the same bake. Numbers are compared by their bits: NaN never equals
+    /// itself, and the planet would be baked for ever.
     fn asks_for_the_same(&self, other: &Self) -> bool {
-        let bits =
-            |settings: &Self| [settings.spacing, settings.rules.rivers.discharge].map(f64::to_bits);
         let BakeRules {
             climate,
             network,
             rivers,
         } = &self.rules;
-        bits(self) == bits(other)
+        self.spacing.to_bits() == other.spacing.to_bits()
+            && rivers.discharge.to_bits() == other.rules.rivers.discharge.to_bits()
             && rivers.order == other.rules.rivers.order
             && *network == other.rules.network
             && *climate == other.rules.climate
@@ -67,35 +83,37 @@ impl BakeSettings {
 impl Default for BakeSettings {
     fn default() -> Self {
         Self {
-            spacing: SPACING,
+            spacing: BASE_SPACING,
             rules: BakeRules::default(),
         }
     }
 }
 
 /// The last finished bake of a planet.
-#[derive(Component, Clone, Deref)]
+#[derive(Component, Clone, Deref, Reflect)]
+#[reflect(Component, Clone)]
 pub struct PlanetBake(pub Arc<Bake>);
 
 /// Bakes a planet as its [`Surface`] is now, and waits for it: for tools and tests. Uses its
 /// [`BakeSettings`], or the default ones.
 ///
 /// # Errors
-/// [`BakeError`] for settings of which there is no bake; the planet keeps its last one.
+/// [`BakeError`] for settings that no bake can have; the planet keeps its last one.
 pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
     let settings = world
         .get::<BakeSettings>(planet)
         .cloned()
         .unwrap_or_default();
-    let (Some(own), Some(lattice), Some(surface)) = (
-        world.get::<Planet>(planet),
-        world.get::<Lattice>(planet),
-        world.get::<PlanetSurface>(planet),
-    ) else {
+    let Ok(entity) = world.get_entity(planet) else {
+        return Ok(());
+    };
+    let Ok((own, lattice, surface)) =
+        entity.get_components::<(&Planet, &Lattice, &PlanetSurface)>()
+    else {
         return Ok(());
     };
     settings.check()?;
-    let frame = reusable(world.get::<PlanetBake>(planet), own, lattice, &settings);
+    let frame = reusable(entity.get::<PlanetBake>(), own, lattice, &settings);
     let bake = bake(frame, own, &lattice.0, surface, &settings)?;
     world.entity_mut(planet).insert(PlanetBake(Arc::new(bake)));
     Ok(())
@@ -142,7 +160,7 @@ fn reusable(
 }
 
 /// A bake is finished; the planet's [`PlanetBake`] is new.
-#[derive(EntityEvent, Clone, Debug)]
+#[derive(EntityEvent, Clone, Debug, Reflect)]
 pub struct BakeFinished {
     /// The planet.
     #[event_target]
@@ -158,14 +176,21 @@ pub struct BakeFinished {
 /// A bake under way.
 #[derive(Component)]
 struct BakeJob {
+    /// Jobs are collected in the order in which they began.
     serial: u64,
-    outcome: Arc<Mutex<Option<Outcome>>>,
+    /// Where the pool leaves the outcome.
+    slot: Arc<Mutex<Option<BakeOutcome>>>,
 }
 
-/// The bake, or why there is none, and its wall-clock time in ms.
-type Outcome = (Result<Bake, BakeError>, f64);
+/// A finished job.
+struct BakeOutcome {
+    bake: Result<Bake, BakeError>,
+    /// Wall-clock time that it took in ms.
+    milliseconds: f64,
+}
 
-/// What a planet was last baked from, so that a failure is not tried again and again.
+/// The surface and settings of a planet's last bake, so that a failure is not tried again and
+/// again.
 #[derive(Component)]
 struct Baked {
     version: u64,
@@ -175,100 +200,113 @@ struct Baked {
 /// The pool of all bakes: two threads, or the half of a large machine's.
 fn pool() -> Option<&'static rayon::ThreadPool> {
     static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
-    POOL.get_or_init(|| {
+    let build = || {
         let cores = std::thread::available_parallelism().map_or(1, core::num::NonZero::get);
-        let name = |k| format!("bake {k}");
         rayon::ThreadPoolBuilder::new()
             .num_threads(cores.min(2).max(cores / 2))
-            .thread_name(name)
+            .thread_name(|k| format!("bake {k}"))
             .build()
             .ok()
-    })
-    .as_ref()
+    };
+    POOL.get_or_init(build).as_ref()
 }
 
-fn start(
-    mut commands: Commands,
-    planets: Query<
-        (
-            Entity,
-            &Planet,
-            &Lattice,
-            &PlanetSurface,
-            &BakeSettings,
-            Option<&PlanetBake>,
-            Option<&Baked>,
-        ),
-        Without<BakeJob>,
-    >,
-) {
-    static SERIAL: AtomicU64 = AtomicU64::new(0);
-    for (entity, planet, lattice, surface, settings, last, baked) in &planets {
-        let same = baked.filter(|baked| baked.settings.asks_for_the_same(settings));
-        if surface.is_empty() || same.is_some_and(|baked| baked.version == surface.version) {
-            continue;
-        }
-        let wanted = Baked {
-            version: surface.version,
-            settings: settings.clone(),
-        };
-        if let Err(error) = settings.check() {
-            if same.is_none() {
-                warn!("the planet is not baked: {error}");
-                commands.entity(entity).insert(wanted);
-            }
-            continue;
-        }
-        let Some(pool) = pool() else { return };
-        let frame = reusable(last, planet, lattice, settings);
-        let (planet, lattice, surface, settings) = (
-            *planet,
-            lattice.0.clone(),
-            surface.0.clone(),
-            settings.clone(),
-        );
-        let outcome = Arc::new(Mutex::new(None));
-        let result = outcome.clone();
+/// A planet as bakes read it.
+#[derive(QueryData)]
+struct BakeQuery {
+    planet: &'static Planet,
+    lattice: &'static Lattice,
+    surface: &'static PlanetSurface,
+    settings: &'static BakeSettings,
+    last: Option<&'static PlanetBake>,
+    baked: Option<&'static Baked>,
+}
+
+impl BakeQueryItem<'_, '_> {
+    /// Whether the surface was baked, or refused, with the same settings.
+    fn is_done(&self) -> bool {
+        self.same_settings()
+            .is_some_and(|baked| baked.version == self.surface.version)
+    }
+
+    /// The last attempt, if it had the same settings.
+    fn same_settings(&self) -> Option<&Baked> {
+        self.baked
+            .filter(|baked| baked.settings.asks_for_the_same(self.settings))
+    }
+
+    /// Starts a job on a pool. It takes copies along: the planet may change or go meanwhile.
+    fn spawn_job(&self, pool: &rayon::ThreadPool) -> BakeJob {
+        static SERIAL: AtomicU64 = AtomicU64::new(0);
+        let frame = reusable(self.last, self.planet, self.lattice, self.settings);
+        let planet = *self.planet;
+        let lattice = self.lattice.0.clone();
+        let surface = self.surface.0.clone();
+        let settings = self.settings.clone();
+        let slot = Arc::new(Mutex::new(None));
+        let result = slot.clone();
         pool.spawn(move || {
             let began = std::time::Instant::now();
             let bake = bake(frame, &planet, &lattice, &surface, &settings);
             let milliseconds = began.elapsed().as_secs_f64() * 1e3;
             if let Ok(mut slot) = result.lock() {
-                *slot = Some((bake, milliseconds));
+                *slot = Some(BakeOutcome { bake, milliseconds });
             }
         });
-        let serial = SERIAL.fetch_add(1, Ordering::Relaxed);
-        commands
-            .entity(entity)
-            .insert((BakeJob { serial, outcome }, wanted));
+        BakeJob {
+            serial: SERIAL.fetch_add(1, Ordering::Relaxed),
+            slot,
+        }
     }
 }
 
+/// Starts bakes of planets whose surface or settings have changed.
+fn start(mut commands: Commands, planets: Query<(Entity, BakeQuery), Without<BakeJob>>) {
+    for (entity, planet) in &planets {
+        if planet.surface.is_empty() || planet.is_done() {
+            continue;
+        }
+        let attempt = Baked {
+            version: planet.surface.version,
+            settings: planet.settings.clone(),
+        };
+        if let Err(error) = planet.settings.check() {
+            // Told once, not at every new surface.
+            if planet.same_settings().is_none() {
+                warn!("the planet is not baked: {error}");
+                commands.entity(entity).insert(attempt);
+            }
+            continue;
+        }
+        let Some(pool) = pool() else { return };
+        let job = planet.spawn_job(pool);
+        commands.entity(entity).insert((job, attempt));
+    }
+}
+
+/// Takes finished bakes in.
 fn collect(mut commands: Commands, jobs: Query<(Entity, &BakeJob)>) {
     let mut jobs: Vec<_> = jobs.iter().collect();
     jobs.sort_by_key(|(_, job)| job.serial);
     for (planet, job) in jobs {
-        let Some((bake, milliseconds)) =
-            job.outcome.try_lock().ok().and_then(|mut slot| slot.take())
-        else {
+        // A job that just writes its outcome is asked again in the next frame.
+        let Some(outcome) = job.slot.try_lock().ok().and_then(|mut slot| slot.take()) else {
             continue;
         };
         commands.entity(planet).remove::<BakeJob>();
-        let bake = match bake {
-            Ok(bake) => bake,
-            Err(error) => {
-                warn!("the planet is not baked: {error}");
-                continue;
+        match outcome.bake {
+            Ok(bake) => {
+                let finished = BakeFinished {
+                    planet,
+                    version: bake.version,
+                    time: bake.time,
+                    milliseconds: outcome.milliseconds,
+                };
+                commands.entity(planet).insert(PlanetBake(Arc::new(bake)));
+                commands.trigger(finished);
             }
-        };
-        let (version, time) = (bake.version, bake.time);
-        commands.entity(planet).insert(PlanetBake(Arc::new(bake)));
-        commands.trigger(BakeFinished {
-            planet,
-            version,
-            time,
-            milliseconds,
-        });
+            Err(error) => warn!("the planet is not baked: {error}"),
+        }
     }
 }
 

@@ -9,7 +9,7 @@ use super::palette::{self, Rgba};
 use super::{Overlay, field, rivers};
 use crate::climate::EARTH_RADIUS;
 use crate::control::Bake;
-use crate::hydrology::{NONE, Site};
+use crate::hydrology::{NO_VERTEX, ShoreClass};
 use crate::math;
 use crate::parallel;
 use crate::random::mix;
@@ -107,7 +107,7 @@ fn color_at(overlay: Overlay, bake: &Bake, at: &Location) -> Rgba {
     let mean = |column: &[f32]| at.interpolate(|i| f64::from(column[i as usize])) as f32;
     let i = at.nearest as usize;
     let ground = at.interpolate(|k| f64::from(drainage.ground[k as usize]));
-    let backdrop = if ground < 0.0 && drainage.sites[i] != Site::Land {
+    let backdrop = if ground < 0.0 && drainage.shore[i] != ShoreClass::Land {
         SEA
     } else {
         LAND
@@ -125,7 +125,7 @@ fn color_at(overlay: Overlay, bake: &Bake, at: &Location) -> Rgba {
                 at.interpolate(|k| discharge_position(drainage.earth_like_discharge(k as usize)));
             palette::DISCHARGE.at(position as f32)
         }
-        Overlay::Basins if backdrop == LAND && drainage.basin[i] != NONE => {
+        Overlay::Basins if backdrop == LAND && drainage.basin[i] != NO_VERTEX => {
             let color = palette::distinct(mix(u64::from(drainage.basin[i])) as u32);
             if drainage.is_endorheic(i) {
                 palette::mix(color, CLOSED, 0.6)
@@ -207,7 +207,8 @@ pub(crate) mod tests {
         };
         let darkness = |i: u32| -colour(i)[..3].iter().map(|&c| i32::from(c)).sum::<i32>();
         let routes = &bake.drainage.routes;
-        let on_land = |i: &u32| *i != NONE && bake.drainage.sites[*i as usize] == Site::Land;
+        let on_land =
+            |i: &u32| *i != NO_VERTEX && bake.drainage.shore[*i as usize] == ShoreClass::Land;
         let streams = routes
             .order
             .iter()

@@ -5,7 +5,7 @@ use super::map::Raster;
 use super::palette::{self, Rgba};
 use super::{Overlay, ground};
 use crate::control::Bake;
-use crate::hydrology::{Drainage, NONE};
+use crate::hydrology::{Drainage, NO_VERTEX};
 use crate::math;
 
 /// Lowest order of a river that is drawn.
@@ -66,7 +66,7 @@ pub(crate) fn stretches(overlay: Overlay, bake: &Bake) -> Vec<Stretch> {
             drainage.strahler[i as usize],
         );
         let color = color(drainage, i as usize);
-        (to != NONE).then_some(Stretch {
+        (to != NO_VERTEX).then_some(Stretch {
             order,
             ends: [i, to],
             color,

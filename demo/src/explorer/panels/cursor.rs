@@ -6,7 +6,7 @@ use crate::explorer::text;
 use bevy::math::DVec3;
 use bevy_egui::egui::Ui;
 use bevy_pangaea::control::Bake;
-use bevy_pangaea::hydrology::{LakeKind, flow};
+use bevy_pangaea::hydrology::LakeKind;
 use bevy_pangaea::math::azimuth;
 use bevy_pangaea::prelude::*;
 
@@ -87,7 +87,7 @@ fn weather(ui: &mut Ui, bake: &Bake, direction: DVec3) {
         row(
             ui,
             "Discharge",
-            format!("{:.0} m³/s", flow::per_second(drainage.discharge[i])),
+            format!("{:.0} m³/s", drainage.discharge_m3s(i)),
         );
     }
     if let Some(kind) = drainage.lake_kind(i) {

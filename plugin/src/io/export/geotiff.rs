@@ -2,7 +2,7 @@
 //! equidistant about the middle of the square, on a sphere of the planet's radius.
 
 use super::ExportError;
-use crate::query::{HeightGrid, Square};
+use crate::query::{HeightGrid, MapSquare};
 use std::io::Cursor;
 use tiff::encoder::{TiffEncoder, colortype};
 use tiff::tags::Tag;
@@ -17,7 +17,7 @@ enum Value<'a> {
     Text(&'a str),
 }
 
-pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
+pub(super) fn encode(square: &MapSquare, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
     let refused = |error: tiff::TiffError| ExportError::Encode(error.to_string());
     let mut bytes = Cursor::new(Vec::new());
     let mut encoder = TiffEncoder::new(&mut bytes).map_err(refused)?;
@@ -48,7 +48,7 @@ pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, Expo
 }
 
 /// The directory of keys, ascending by number, and the doubles and letters that they point to.
-fn keys(square: &Square) -> (Vec<u16>, Vec<f64>, String) {
+fn keys(square: &MapSquare) -> (Vec<u16>, Vec<f64>, String) {
     use Value::{Double, Short, Text};
     let projection = square.projection();
     let (lat, lon) = projection.lat_lon();

@@ -6,7 +6,7 @@
 //! as glTF has it. Lengths are in m.
 
 use super::ExportError;
-use crate::query::{HeightGrid, Square, grid_triangles};
+use crate::query::{HeightGrid, MapSquare, grid_triangles};
 use bevy::math::{DVec3, Vec3};
 use rayon::prelude::*;
 use serde_json::json;
@@ -17,7 +17,7 @@ const UNSIGNED_INT: u32 = 5125;
 const ARRAY_BUFFER: u32 = 34_962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34_963;
 
-pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
+pub(super) fn encode(square: &MapSquare, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
     let positions = positions(square, grid);
     let normals = normals(square.pixels(), &positions);
     let triangles = grid_triangles(square.pixels());
@@ -80,7 +80,7 @@ fn glb(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, ExportError> {
     Ok(bytes)
 }
 
-fn positions(square: &Square, grid: &HeightGrid) -> Vec<Vec3> {
+fn positions(square: &MapSquare, grid: &HeightGrid) -> Vec<Vec3> {
     let projection = square.projection();
     let (up, (east, north)) = (projection.centre(), projection.axes());
     let origin = up * projection.radius_m();

@@ -15,7 +15,7 @@ mod grey;
 mod mesh;
 
 use super::{IoError, write_all_atomically};
-use crate::query::{Ground, GroundError, HeightGrid, Square};
+use crate::query::{Ground, GroundError, HeightGrid, MapSquare};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -88,7 +88,7 @@ impl Format {
     /// Most pixels to a side: a mesh of more would not fit into a file of four gigabytes.
     pub fn max_pixels(self) -> usize {
         match self {
-            Self::GeoTiff | Self::Grey => Square::MAX_PIXELS,
+            Self::GeoTiff | Self::Grey => MapSquare::MAX_PIXELS,
             Self::Mesh => 8192,
         }
     }
@@ -117,7 +117,7 @@ impl Format {
 /// # Errors
 /// [`ExportError::Extension`], [`ExportError::Pixels`], [`ExportError::Encode`].
 pub fn encode(
-    square: &Square,
+    square: &MapSquare,
     grid: &HeightGrid,
     path: &Path,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, ExportError> {
@@ -150,7 +150,7 @@ pub fn encode(
 /// [`ExportError`]; nothing is written then.
 pub fn export(
     ground: &(impl Ground + ?Sized),
-    square: &Square,
+    square: &MapSquare,
     path: &Path,
 ) -> Result<Vec<PathBuf>, ExportError> {
     // Refused before the ground is asked a million times.
