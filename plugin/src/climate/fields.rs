@@ -3,7 +3,7 @@
 use super::map::{EquirectMap, MapError};
 use super::rain::rain;
 use super::temperature::mean_temperature;
-use super::wetness::{OPEN_WATER_FACTOR, potential_evaporation, runoff, wetness};
+use super::wetness::{open_water_loss, potential_evaporation, runoff, wetness};
 use super::wind::Winds;
 use crate::parallel;
 use crate::sphere::SphereMesh;
@@ -100,6 +100,7 @@ impl Climate {
         let mut height = elevation.to_vec();
         height.resize(n, MISSING_ELEVATION_KM);
 
+        // Each field follows from those before it, given or not.
         let temperature = sampled(mesh, &maps.temperature, TEMPERATURES_C).unwrap_or_else(|| {
             parallel::map(n, |i| mean_temperature(mesh.point(i).z, height[i as usize]))
         });
@@ -107,18 +108,14 @@ impl Climate {
             .unwrap_or_else(|| rain(mesh, winds, &temperature, &height));
 
         let evaporation = parallel::map(n, |i| potential_evaporation(temperature[i as usize]));
-        let of_rain = |law: fn(f32, f32) -> f32| {
-            parallel::map(n, |i| law(rain[i as usize], evaporation[i as usize]))
-        };
-        let wetness = sampled(mesh, &maps.wetness, 0.0..=1.0).unwrap_or_else(|| of_rain(wetness));
-        let runoff = of_rain(runoff);
-        let open_water_loss = of_rain(|rain, evaporation| OPEN_WATER_FACTOR * evaporation - rain);
+        let wetness = sampled(mesh, &maps.wetness, 0.0..=1.0)
+            .unwrap_or_else(|| by_vertex(wetness, &rain, &evaporation));
         Self {
             temperature,
-            rain,
             wetness,
-            runoff,
-            open_water_loss,
+            runoff: by_vertex(runoff, &rain, &evaporation),
+            open_water_loss: by_vertex(open_water_loss, &rain, &evaporation),
+            rain,
         }
     }
 
@@ -131,6 +128,13 @@ impl Climate {
     pub fn is_empty(&self) -> bool {
         self.rain.is_empty()
     }
+}
+
+/// A law of rain and potential evaporation at every vertex.
+fn by_vertex(law: fn(f32, f32) -> f32, rain: &[f32], evaporation: &[f32]) -> Vec<f32> {
+    parallel::map(rain.len(), |i| {
+        law(rain[i as usize], evaporation[i as usize])
+    })
 }
 
 /// The values of a given map at the vertices of a mesh, clamped to a range.

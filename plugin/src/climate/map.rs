@@ -190,6 +190,8 @@ impl EquirectMap {
     /// The value at the unit direction `p`.
     pub fn at(&self, p: DVec3) -> f32 {
         let (lat, lon) = math::lat_lon(p);
+        // Pixels stand for their centres, half a pixel from the edge; beyond the last row's the
+        // poles take its value.
         let last_row = f64::from(self.height - 1);
         let y = ((90.0 - lat) / 180.0 * f64::from(self.height) - 0.5).clamp(0.0, last_row);
         let x = (lon + 180.0) / 360.0 * f64::from(self.width) - 0.5;

@@ -81,12 +81,14 @@ pub(super) fn rain(
     // Air does not follow every peak and hollow.
     let smoothed = smooth(mesh, temperature);
     let [north, south] = &winds.seasons;
+    // Each season is one sweep after the other; the two do not depend on each other.
     let (north, south) = rayon::join(
         || season(mesh, north, &smoothed, height),
         || season(mesh, south, &smoothed, height),
     );
     let rain = parallel::map(mesh.len(), |i| {
         let mean = 0.5 * (north[i as usize] + south[i as usize]);
+        // Bends off smoothly instead of cutting peaks.
         mean / (1.0 + (mean / HEAVIEST_MM) * (mean / HEAVIEST_MM)).sqrt()
     });
     // Rain falls downwind of where it forms, by a vertex or two.
@@ -118,6 +120,7 @@ fn season(mesh: &SphereMesh, belts: &Belts, temperature: &[f32], height: &[f32])
         // In place and in the order of the wind: one sweep carries water around the planet.
         for &i in &belts.order {
             let k = i as usize;
+            // At least a kilometre: rain is divided by the way.
             let way = (belts.upwind[k].distance * EARTH_RADIUS as f32).max(1.0);
             let arriving = arriving(mesh, &water, i, belts.upwind[k], way);
             (water[k], rain[k]) = columns[k].pass(arriving, way);
@@ -228,9 +231,11 @@ impl Column {
     fn pass(&self, water: f32, way: f32) -> (f32, f32) {
         let humidity = (water / self.capacity).min(1.0);
         let falls = water * share(self.zone.rising * humidity * way / RAIN_LENGTH_KM);
+        // Air that rises over ground cools, and holds less than it brought along.
         let excess = (water - self.capacity).max(0.0) * CONDENSATION;
         let rain = falls + excess;
         let left = if self.is_sea {
+            // Moistened towards the sea's humidity, but never dried by it.
             let dry = (water - rain).max(0.0);
             let humidity = SEA_HUMIDITY * (1.0 - SEA_HUMIDITY_LOST * self.zone.sinking);
             dry + (humidity * self.capacity - dry).max(0.0) * share(way / MOISTENING_KM)
@@ -257,42 +262,5 @@ fn capacity(temperature: f32) -> f32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn capacity_doubles_within_11_degrees() {
-        assert!((capacity(15.0) - 1.0).abs() < 0.01);
-        assert!((1.8..2.2).contains(&(capacity(26.0) / capacity(15.0))));
-        assert!((1.9..2.5).contains(&(capacity(5.0) / capacity(-5.0))));
-    }
-
-    #[test]
-    fn water_is_spent_on_land_and_regained_at_sea() {
-        let land = Column {
-            capacity: 1.0,
-            zone: Zone {
-                rising: 1.0,
-                sinking: 0.0,
-            },
-            recycling: 0.5,
-            is_sea: false,
-        };
-        let (left, rain) = land.pass(0.6, 50.0);
-        assert!(left < 0.6 && rain > 0.0);
-        let half_recycled = (0.6 - left) * MM_PER_YEAR / 50.0;
-        assert!((half_recycled / (0.5 * rain) - 1.0).abs() < 1e-3);
-        let sea = Column {
-            is_sea: true,
-            ..land
-        };
-        assert!(sea.pass(0.1, 50.0).0 > 0.1);
-        // Lifted air rains more, and the air behind the crest less.
-        let crest = Column {
-            capacity: 0.3,
-            ..land
-        };
-        let (behind, much) = crest.pass(0.6, 50.0);
-        assert!(much > 3.0 * rain && land.pass(behind, 50.0).1 < 0.75 * rain);
-    }
-}
+#[path = "rain_tests.rs"]
+mod tests;

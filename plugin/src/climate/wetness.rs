@@ -20,7 +20,7 @@ const EVAPORATION_AT_FREEZING_MM: f32 = 350.0;
 
 /// Evaporation of open water, relative to that of ground with plants (ratio of pan to reference
 /// evaporation, Allen et al. 1998: 1.2 to 1.5).
-pub(super) const OPEN_WATER_FACTOR: f32 = 1.3;
+const OPEN_WATER_FACTOR: f32 = 1.3;
 
 /// How fast wetness saturates with the ratio of rain to evaporation: 0.67 where both are equal,
 /// the border of dry and humid provinces.
@@ -38,6 +38,12 @@ pub(super) fn potential_evaporation(temperature: f32) -> f32 {
 pub(super) fn runoff(rain: f32, evaporation: f32) -> f32 {
     let ratio = rain / evaporation.max(1.0);
     rain - rain / (1.0 + ratio * ratio).sqrt()
+}
+
+/// Evaporation of open water less the rain on it, in mm of a rain and a potential evaporation in
+/// mm.
+pub(super) fn open_water_loss(rain: f32, evaporation: f32) -> f32 {
+    OPEN_WATER_FACTOR * evaporation - rain
 }
 
 /// Wetness W: 0 in deserts, 0.67 where rain and evaporation could balance, near 1 in rain forests.

@@ -159,6 +159,7 @@ fn upwind(mesh: &SphereMesh, i: u32, shift: f64) -> Upwind {
     } else {
         east
     };
+    // Seen from the vertex, the air comes from there.
     let against = -to.normalize();
     crossed_edge(mesh, i, against).unwrap_or_else(|| most_upwind_neighbour(mesh, i, against))
 }
@@ -168,6 +169,7 @@ fn crossed_edge(mesh: &SphereMesh, i: u32, against: DVec3) -> Option<Upwind> {
     let p = mesh.point(i);
     let across = p.cross(against);
     let ring = mesh.ring(i);
+    // Edge after edge around the vertex, which sees the ray leave through exactly one of them.
     let mut previous = ring[ring.len() - 1];
     for &j in ring {
         let (a, b) = (mesh.point(previous) - p, mesh.point(j) - p);
@@ -206,61 +208,5 @@ fn most_upwind_neighbour(mesh: &SphereMesh, i: u32, against: DVec3) -> Upwind {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn belts_blow_as_on_earth() {
-        for lat in [5.0, 15.0, 25.0] {
-            let (u, v) = wind(lat);
-            assert!(u < 0.0 && v < 0.0, "trades at {lat}: {u} {v}");
-            assert_eq!(wind(-lat), (u, -v));
-        }
-        let (u, v) = wind(47.0);
-        assert!(u > 0.9 && v > 0.0);
-        assert!(wind(75.0).0 < 0.0);
-    }
-
-    /// Holds the point upwind of vertex `i` against the wind there.
-    fn assert_upwind(mesh: &SphereMesh, i: u32, upwind: Upwind) {
-        let p = mesh.point(i);
-        let [a, b] = upwind.from.map(|j| mesh.point(j));
-        let at = a.lerp(b, f64::from(upwind.weight)) - p;
-        let (east, north) = east_north(p);
-        let (u, v) = wind(math::lat_lon(p).0);
-        let to = (east * u + north * v).normalize();
-        let cosine = at.normalize().dot(to);
-        assert!(cosine < -0.99, "{i}: {cosine}");
-        assert!((f64::from(upwind.distance) / at.dot(-to) - 1.0).abs() < 1e-3);
-    }
-
-    #[test]
-    fn upwind_points_lie_against_the_wind() {
-        let mesh = SphereMesh::fibonacci(4000).unwrap();
-        let winds = Belts::new(&mesh, 0.0);
-        for i in 0..mesh.len() as u32 {
-            if math::lat_lon(mesh.point(i)).0.abs() <= 85.0 {
-                assert_upwind(&mesh, i, winds.upwind[i as usize]);
-            }
-        }
-        let mut seen = winds.order.clone();
-        seen.sort_unstable();
-        assert!(seen.iter().enumerate().all(|(i, &j)| i as u32 == j));
-    }
-
-    #[test]
-    fn upwind_comes_first_nearly_everywhere() {
-        let mesh = SphereMesh::fibonacci(4000).unwrap();
-        let winds = Belts::new(&mesh, 0.0);
-        let mut rank = vec![0; mesh.len()];
-        for (k, &i) in winds.order.iter().enumerate() {
-            rank[i as usize] = k;
-        }
-        let is_late = |i: usize| {
-            let from = winds.upwind[i].from;
-            from.iter().any(|&j| rank[j as usize] > rank[i])
-        };
-        let count = (0..mesh.len()).filter(|&i| is_late(i)).count();
-        assert!(count < mesh.len() / 5, "{count}");
-    }
-}
+#[path = "wind_tests.rs"]
+mod tests;

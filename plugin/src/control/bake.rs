@@ -143,6 +143,7 @@ impl Bake {
         if !(radius > 0.0 && radius <= Self::MAX_RADIUS) {
             return Err(BakeError::Radius(radius));
         }
+        // Maps come from users: refused before anything is built on them.
         rules.climate.check()?;
         if let BakeSource::Maps(maps) = source {
             maps.check()?;

@@ -76,6 +76,8 @@ fn edges(input: &ControlInput, rivers: &RiverEdges) -> Vec<ControlEdge> {
         }
         if let Some(e) = input.topology.edge(input.mesh, i, to) {
             let edge = &mut edges[e as usize];
+            // Water runs from the first vertex of a river's edge to the second; its faces turn
+            // with it.
             edge.river = 1;
             if edge.vertices[0] != i {
                 edge.vertices.swap(0, 1);

@@ -6,14 +6,13 @@
 //! and [`BakeFinished`] is triggered on the planet. The planet's state and its digest are not
 //! touched.
 
-use super::bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
+use super::bake::{Bake, BakeError, BakeFrame, BakeSource};
+use super::settings::BakeSettings;
 use crate::crust::{PlanetSurface, Surface};
-use crate::hydrology::BASE_SPACING;
 use crate::planet::{Lattice, Planet};
 use crate::sphere::SphereMesh;
 use bevy::ecs::query::QueryData;
 use bevy::prelude::*;
-use bevy::reflect::{ReflectDeserialize, ReflectSerialize};
 use core::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
 
@@ -22,70 +21,8 @@ pub struct BakePlugin;
 
 impl Plugin for BakePlugin {
     fn build(&self, app: &mut App) {
+        // Collected first: a planet may begin its next bake in the frame that ends its last.
         app.add_systems(Update, (collect, start).chain());
-    }
-}
-
-/// Asks for bakes of a planet, and says how.
-///
-/// ```
-/// use bevy::prelude::*;
-/// use bevy_pangaea::control::{BakePlugin, BakeSettings};
-///
-/// let mut app = App::new();
-/// app.add_plugins(BakePlugin);
-/// // A base mesh four times as coarse: a sixteenth of the vertices.
-/// let fine = BakeSettings::default();
-/// let coarse = BakeSettings { spacing: 4.0 * fine.spacing, ..fine };
-/// assert!(coarse.check().is_ok());
-/// app.world_mut().spawn(coarse); // beside a `Planet`
-/// ```
-#[derive(Component, Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
-#[reflect(Component, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct BakeSettings {
-    /// Smallest distance of the base mesh's vertices in radians.
-    pub spacing: f64,
-    /// Maps, network and rivers.
-    pub rules: BakeRules,
-}
-
-impl BakeSettings {
-    /// Refuses a spacing that is not a finite number above 0.
-    ///
-    /// # Errors
-    /// [`BakeError::Spacing`].
-    pub fn check(&self) -> Result<(), BakeError> {
-        let spacing = self.spacing;
-        if spacing > 0.0 && spacing.is_finite() {
-            Ok(())
-        } else {
-            Err(BakeError::Spacing(spacing))
-        }
-    }
-
-    /// Whether both ask for the same bake. Numbers are compared by their bits: NaN never equals
-    /// itself, and the planet would be baked for ever.
-    fn asks_for_the_same(&self, other: &Self) -> bool {
-        let BakeRules {
-            climate,
-            network,
-            rivers,
-        } = &self.rules;
-        self.spacing.to_bits() == other.spacing.to_bits()
-            && rivers.discharge.to_bits() == other.rules.rivers.discharge.to_bits()
-            && rivers.order == other.rules.rivers.order
-            && *network == other.rules.network
-            && *climate == other.rules.climate
-    }
-}
-
-impl Default for BakeSettings {
-    fn default() -> Self {
-        Self {
-            spacing: BASE_SPACING,
-            rules: BakeRules::default(),
-        }
     }
 }
 
@@ -151,6 +88,7 @@ fn reusable(
     settings: &BakeSettings,
 ) -> Option<Arc<BakeFrame>> {
     let frame = last?.frame.clone();
+    // A user may have given the planet another seed, or another lattice, since.
     let same = frame.spacing == settings.spacing && frame.base.seed == planet.seed;
     let fits = frame
         .transfer
@@ -200,15 +138,15 @@ struct Baked {
 /// The pool of all bakes: two threads, or the half of a large machine's.
 fn pool() -> Option<&'static rayon::ThreadPool> {
     static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
-    let build = || {
+    POOL.get_or_init(|| {
         let cores = std::thread::available_parallelism().map_or(1, core::num::NonZero::get);
         rayon::ThreadPoolBuilder::new()
             .num_threads(cores.min(2).max(cores / 2))
             .thread_name(|k| format!("bake {k}"))
             .build()
             .ok()
-    };
-    POOL.get_or_init(build).as_ref()
+    })
+    .as_ref()
 }
 
 /// A planet as bakes read it.
@@ -238,6 +176,7 @@ impl BakeQueryItem<'_, '_> {
     /// Starts a job on a pool. It takes copies along: the planet may change or go meanwhile.
     fn spawn_job(&self, pool: &rayon::ThreadPool) -> BakeJob {
         static SERIAL: AtomicU64 = AtomicU64::new(0);
+        // Most bakes share the base mesh and its winds with the last one.
         let frame = reusable(self.last, self.planet, self.lattice, self.settings);
         let planet = *self.planet;
         let lattice = self.lattice.0.clone();

@@ -1,37 +1,6 @@
 use super::*;
 use crate::plate::PlateId;
 
-fn with_spacing(spacing: f64) -> BakeSettings {
-    BakeSettings {
-        spacing,
-        ..BakeSettings::default()
-    }
-}
-
-#[test]
-fn settings_of_nan_equal_themselves_and_are_refused() {
-    let odd = with_spacing(f64::NAN);
-    assert!(odd.asks_for_the_same(&odd) && !odd.asks_for_the_same(&BakeSettings::default()));
-    for spacing in [f64::NAN, f64::INFINITY, 0.0, -0.01] {
-        let refused = with_spacing(spacing).check();
-        assert!(matches!(refused, Err(BakeError::Spacing(_))), "{spacing}");
-    }
-    let mut rivers = BakeSettings::default();
-    rivers.rules.rivers.discharge = f64::NAN;
-    assert!(rivers.check().is_ok() && rivers.asks_for_the_same(&rivers.clone()));
-    assert!(!rivers.asks_for_the_same(&BakeSettings::default()));
-}
-
-#[test]
-fn settings_come_back_from_files() {
-    let mut settings = with_spacing(0.02);
-    settings.rules.rivers.order = 3;
-    let text = ron::to_string(&settings).unwrap();
-    assert_eq!(ron::from_str(&text), Ok(settings));
-    assert_eq!(ron::from_str("(rules: ())"), Ok(BakeSettings::default()));
-    assert!(ron::from_str::<BakeSettings>("(spacings: 0.02)").is_err());
-}
-
 /// A surface of 500 samples without crust.
 fn surface(version: u64) -> PlanetSurface {
     PlanetSurface(Arc::new(Surface {
@@ -49,9 +18,13 @@ fn a_planet_that_cannot_be_baked_is_refused_once() {
         radius: 6370.0,
         seed: 1,
     };
+    let settings = BakeSettings {
+        spacing: f64::NAN,
+        ..BakeSettings::default()
+    };
     let lattice = Lattice(Arc::new(SphereMesh::fibonacci(500).unwrap()));
     let world = app.world_mut();
-    let planet = world.spawn((planet, lattice, with_spacing(f64::NAN))).id();
+    let planet = world.spawn((planet, lattice, settings)).id();
     for version in 1..4 {
         app.world_mut().entity_mut(planet).insert(surface(version));
         app.update();

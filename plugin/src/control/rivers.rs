@@ -70,6 +70,7 @@ impl RiverEdges {
                 mouths.push(to);
             }
         }
+        // Mouths become rivers last: a coast is no river by the rule, however much reaches it.
         for mouth in mouths {
             rivers.is_river[mouth as usize] = true;
             rivers.reach_sea(mesh, drainage, mouth);

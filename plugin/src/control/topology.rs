@@ -48,6 +48,7 @@ impl Topology {
     fn number_edges(&mut self, mesh: &SphereMesh) {
         for i in 0..mesh.len() as u32 {
             self.first.push(self.edges.len() as u32);
+            // Each pair once, by its lower vertex.
             let higher = mesh.ring(i).iter().filter(|&&j| j > i);
             self.edges.extend(higher.map(|&j| ControlEdge {
                 vertices: [i, j],

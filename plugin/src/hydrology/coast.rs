@@ -38,23 +38,20 @@ pub(super) fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<ShoreClas
         let land = |j: u32| !is_sea[j as usize];
         land(i) && !borders(mesh, i, |j| !land(j))
     });
+    // Land gives way where it is lower than the sea is deep, unless it is an islet or a spit:
+    // without hinterland it would vanish.
     let becomes_coast = parallel::map(mesh.len(), |i| {
         !is_sea[i as usize]
             && borders(mesh, i, |j| is_hinterland[j as usize])
             && is_nearer_to_sea_level(mesh, ground, &is_sea, i)
     });
-    let shore = parallel::map(mesh.len(), |i| {
-        let stays_land = |j: u32| !is_sea[j as usize] && !becomes_coast[j as usize];
-        if becomes_coast[i as usize] {
-            ShoreClass::Coast
-        } else if !is_sea[i as usize] {
-            ShoreClass::Land
-        } else if borders(mesh, i, stays_land) {
-            // Where the land does not give way the sea does.
-            ShoreClass::Coast
-        } else {
-            ShoreClass::Sea
-        }
+    let stays_land = |j: u32| !is_sea[j as usize] && !becomes_coast[j as usize];
+    let shore = parallel::map(mesh.len(), |i| match is_sea[i as usize] {
+        // Where the land does not give way the sea does.
+        true if borders(mesh, i, stays_land) => ShoreClass::Coast,
+        true => ShoreClass::Sea,
+        false if becomes_coast[i as usize] => ShoreClass::Coast,
+        false => ShoreClass::Land,
     });
     for (z, class) in ground.iter_mut().zip(&shore) {
         if *class == ShoreClass::Coast {

@@ -4,7 +4,8 @@ use super::base::BaseMesh;
 use super::coast::{ShoreClass, regularise};
 use super::flood::{NO_VERTEX, Routes, priority_flood};
 use super::flow;
-use super::growth::{RiverNetwork, grow};
+use super::growth::grow;
+use super::network::RiverNetwork;
 use super::order;
 use super::profile::{Channels, NO_LAKE, Profile};
 use super::sinks::{ClosedLake, WaterBalance, close_basins};
@@ -81,12 +82,15 @@ impl Drainage {
     ) -> Self {
         let mesh = &base.mesh;
         let mut ground = terrain.ground.clone();
+        // Vertices that a terrain lacks lie just under the sea.
         ground.resize(mesh.len(), -1);
         let shore = regularise(mesh, &mut ground);
         let (routes, closed) = match network {
             RiverNetwork::Drainage => drain(base, radius, &shore, &ground, climate),
             RiverNetwork::Grown => (grow(base, &shore, &ground, terrain), Vec::new()),
         };
+        // Closed basins have turned receivers around: supply and discharge are those of the final
+        // routes.
         let supply = flow::supply(mesh, radius, climate, &routes);
         let discharge = flow::accumulate(&routes, &supply);
         let earth_like = parallel::map(mesh.len(), |i| {

@@ -138,12 +138,14 @@ fn every_planet_keeps_the_laws() {
     }
 }
 
+/// Discharge of the greatest river in m³/s.
+fn strongest(drainage: &Drainage) -> f64 {
+    let all = (0..drainage.len()).map(|i| drainage.earth_like_discharge(i));
+    all.fold(0.0, f64::max)
+}
+
 #[test]
 fn small_planets_have_the_rivers_of_large_ones() {
-    let strongest = |d: &Drainage| {
-        let all = (0..d.len()).map(|i| d.earth_like_discharge(i));
-        all.fold(0.0, f64::max)
-    };
     let small = rough(11, 50.0, false);
     assert_lawful(&small);
     let ratio = strongest(&small) / strongest(&rough(11, 6370.0, false));

@@ -130,6 +130,8 @@ impl<'a> Flood<'a> {
 
     /// Lets the flood rise until all land is reached.
     fn rise(&mut self, shore: &[ShoreClass]) {
+        // The lowest vertex of the shoreline first: whatever it reaches drains over the lowest
+        // saddle there is.
         while let Some((level, i)) = self.shoreline.pop() {
             if shore[i as usize] == ShoreClass::Land {
                 self.routes.order.push(i);
@@ -189,6 +191,7 @@ impl<'a> Flood<'a> {
                 in_depression[i as usize] = true;
             }
         }
+        // The order stays true: lower levels were reached earlier.
         let receiver = parallel::map(self.mesh.len(), |i| {
             let flooded_from = self.routes.receiver[i as usize];
             if flooded_from == NO_VERTEX || in_depression[i as usize] {
@@ -214,6 +217,7 @@ impl<'a> Flood<'a> {
             if drop <= 0 || level == SEA {
                 continue;
             }
+            // Squares spare the root: the steepest stays the steepest.
             let drop = drop as f64;
             let steepness = drop * drop / (self.mesh.point(j) - p).length_squared();
             if steepness > steepest {

@@ -39,6 +39,7 @@ pub(super) fn supply(
     routes: &Routes,
 ) -> Vec<u64> {
     let all = volumes(mesh, radius, &climate.runoff);
+    // Coasts and sea are not in the order: their rain is of no river.
     let mut supply = vec![0; mesh.len()];
     for &i in &routes.order {
         supply[i as usize] = all[i as usize].max(0) as u64;
@@ -49,6 +50,7 @@ pub(super) fn supply(
 /// Discharge of every vertex: its own supply and all from upstream. Coasts hold what reaches them.
 pub(super) fn accumulate(routes: &Routes, supply: &[u64]) -> Vec<u64> {
     let mut discharge = supply.to_vec();
+    // Upstream first: a vertex has all its water before it passes it on.
     for &i in routes.order.iter().rev() {
         let to = routes.receiver[i as usize];
         if to != NO_VERTEX {
@@ -77,12 +79,11 @@ mod tests {
     #[test]
     fn rivers_of_small_planets_count_as_those_of_large_ones() {
         let mesh = SphereMesh::fibonacci(1000).unwrap();
-        let half_a_metre = |radius: f64| {
-            let water: i64 = volumes(&mesh, radius, &[500.0; 1000]).iter().sum();
-            earth_like(water as u64, radius)
-        };
-        let earth = half_a_metre(6370.0);
-        assert!((earth / half_a_metre(200.0) - 1.0).abs() < 1e-3);
+        let [earth, small] = [6370.0, 200.0].map(|radius| {
+            let half_a_metre: i64 = volumes(&mesh, radius, &[500.0; 1000]).iter().sum();
+            earth_like(half_a_metre as u64, radius)
+        });
+        assert!((earth / small - 1.0).abs() < 1e-3);
         // 4πr² times half a metre.
         assert!((earth - 0.5 * 5.099e14 / SECONDS_PER_YEAR).abs() < 1e4);
     }

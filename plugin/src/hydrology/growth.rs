@@ -16,9 +16,9 @@
 //! elevation, whichever is higher, and at l > L.
 //!
 //! Departs from the paper: land that no river reaches drains to the nearest river or coast by
-//! edges, so that all land has a way to the sea and the rain decides the flow; beds follow from that
-//! by the same profile as those of the drainage, but cut through whatever is in their way: the grown
-//! network does not follow the relief.
+//! edges, so that all land has a way to the sea and the rain decides the flow; beds follow from
+//! that by the same profile as those of the drainage, but cut through whatever is in their way: the
+//! grown network does not follow the relief.
 
 use super::base::BaseMesh;
 use super::coast::ShoreClass;
@@ -28,21 +28,8 @@ use crate::math;
 use crate::random::{Purpose, Stream, mix};
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
-use bevy::reflect::Reflect;
 use pangaea_shaders::amplify::fixed::GRAINS;
 use std::collections::VecDeque;
-
-/// How the network of rivers is found.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Reflect, serde::Serialize, serde::Deserialize,
-)]
-pub enum RiverNetwork {
-    /// Water runs down the relief.
-    #[default]
-    Drainage,
-    /// Rivers grow from the coasts, as in paper 002.
-    Grown,
-}
 
 /// L: longest way of a river in radians (as all constants here, from the authors' program).
 const LONGEST_RAD: f64 = 1.6;
@@ -160,6 +147,7 @@ impl Growth<'_> {
             if !is_mouth {
                 continue;
             }
+            // The river enters by the lowest way.
             let free = ring.iter().copied().filter(|&j| self.is_free(j));
             if let Some(first) = free.min_by_key(|&j| (ground[j as usize], j)) {
                 taken[i as usize] = true;
@@ -189,6 +177,7 @@ impl Growth<'_> {
             if !self.is_tip[i as usize] && !self.branches(i, draw) {
                 continue;
             }
+            // A tip that cannot go on becomes a spring; it may still branch.
             match self.best_step(i, round) {
                 Some(j) => self.join(j, i),
                 None => self.is_tip[i as usize] = false,
@@ -198,14 +187,17 @@ impl Growth<'_> {
 
     /// The part of the front that takes a step: low crust first, with some chance.
     fn next_to_grow(&self, round: u64) -> Vec<u32> {
-        let rank = |i: u32| {
-            let lowness = (1.0 - self.crust_km(i) / LAST_CRUST_KM).clamp(0.0, 1.0);
-            ((1.0 - self.draw(i, round, DRAW_RANK) * lowness) * 1e9) as u64
-        };
-        let mut ranked: Vec<(u64, u32)> = self.front.iter().map(|&i| (rank(i), i)).collect();
+        let ranks = self.front.iter().map(|&i| (self.rank(i, round), i));
+        let mut ranked: Vec<(u64, u32)> = ranks.collect();
         ranked.sort_unstable();
         ranked.truncate(FEWEST_PER_ROUND.max(ranked.len() / FRONT_PER_ROUND));
         ranked.into_iter().map(|(_, i)| i).collect()
+    }
+
+    /// How late vertex `i` takes its step, in billionths.
+    fn rank(&self, i: u32, round: u64) -> u64 {
+        let lowness = (1.0 - self.crust_km(i) / LAST_CRUST_KM).clamp(0.0, 1.0);
+        ((1.0 - self.draw(i, round, DRAW_RANK) * lowness) * 1e9) as u64
     }
 
     /// Takes ended rivers out of the front. A vertex that did not branch mostly stays, until its
@@ -238,6 +230,7 @@ impl Growth<'_> {
         let p = self.mesh.point(i);
         let downstream = self.mesh.point(self.receiver[i as usize]);
         let along = (p - downstream).normalize_or_zero();
+        // Equal costs go by vertex number, so the order around the ring does not matter.
         let mut best: Option<(f64, u32)> = None;
         for &j in self.mesh.ring(i) {
             let edge = (self.mesh.point(j) - p).normalize_or_zero();
@@ -285,33 +278,39 @@ impl Growth<'_> {
         // Rivers first, mouths before springs.
         let mut order: Vec<u32> = all.clone().filter(|&i| self.is_river(i)).collect();
         order.sort_by_key(|&i| (self.edges[i as usize], i));
-        let mut queue = VecDeque::from(order.clone());
-        queue.extend(
-            all.clone()
-                .filter(|&i| self.shore[i as usize] == ShoreClass::Coast),
-        );
-        if queue.is_empty() {
+        let mut sources = order.clone();
+        let is_coast = |i: &u32| self.shore[*i as usize] == ShoreClass::Coast;
+        sources.extend(all.clone().filter(is_coast));
+        if sources.is_empty() {
             // A planet without a sea drains to its first vertex.
-            queue.extend(all.clone().find(|&i| self.is_land(i)));
-            order.extend(queue.iter());
+            sources.extend(all.clone().find(|&i| self.is_land(i)));
+            order.extend(&sources);
         }
-        let is_known = |i: u32| self.is_river(i) || !self.is_land(i);
-        let mut known: Vec<bool> = all.map(is_known).collect();
-        order.iter().for_each(|&i| known[i as usize] = true);
+        self.drain_to(&sources, &mut order);
+        Routes {
+            order,
+            receiver: self.receiver,
+            depressions: Vec::new(),
+        }
+    }
+
+    /// Lets land that is in no order drain to the nearest source by edges.
+    fn drain_to(&mut self, sources: &[u32], order: &mut Vec<u32>) {
+        let mut is_known: Vec<bool> = (0..self.mesh.len() as u32)
+            .map(|i| self.is_river(i) || !self.is_land(i))
+            .collect();
+        order.iter().for_each(|&i| is_known[i as usize] = true);
+        // Breadth first from all sources at once: land drains over the fewest edges.
+        let mut queue: VecDeque<u32> = sources.iter().copied().collect();
         while let Some(i) = queue.pop_front() {
             for &j in self.mesh.ring(i) {
-                if !known[j as usize] {
-                    known[j as usize] = true;
+                if !is_known[j as usize] {
+                    is_known[j as usize] = true;
                     self.receiver[j as usize] = i;
                     order.push(j);
                     queue.push_back(j);
                 }
             }
-        }
-        Routes {
-            order,
-            receiver: self.receiver,
-            depressions: Vec::new(),
         }
     }
 }
@@ -322,45 +321,5 @@ fn km(grains: i32) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::climate::{Climate, ClimateMaps, EquirectMap};
-    use crate::hydrology::{Drainage, TerrainMaps};
-
-    /// The grown drainage of a continent about the equator.
-    fn grown(base: &BaseMesh) -> Drainage {
-        let crust = EquirectMap::from_fn(64, |lat, _| (1.0 - lat.abs() / 30.0) as f32 * 2.0);
-        let maps = TerrainMaps {
-            crust: crust.unwrap(),
-            age: None,
-            plateau: None,
-            hills: None,
-        };
-        let terrain = Terrain::from_maps(base, &maps);
-        let elevation = terrain.elevation_km();
-        let climate = Climate::new(&base.mesh, &base.winds, &elevation, &ClimateMaps::default());
-        Drainage::new(base, 6370.0, &terrain, &climate, RiverNetwork::Grown)
-    }
-
-    #[test]
-    fn grown_rivers_cover_the_land_and_reach_the_sea() {
-        let base = BaseMesh::new(3, 0.015).unwrap();
-        let drainage = grown(&base);
-        let mut rank = vec![usize::MAX; base.mesh.len()];
-        for (k, &i) in drainage.routes.order.iter().enumerate() {
-            rank[i as usize] = k;
-        }
-        let level = &drainage.profile.level;
-        for i in 0..base.mesh.len() {
-            if drainage.shore[i] != ShoreClass::Land {
-                continue;
-            }
-            let to = drainage.routes.receiver[i] as usize;
-            assert!(drainage.shore[to] == ShoreClass::Coast || rank[to] < rank[i]);
-            assert!(level[i] >= level[to]);
-            assert!(!drainage.is_endorheic(i));
-        }
-        assert!(drainage.strahler.iter().max() >= Some(&3));
-        assert_eq!(drainage, grown(&base));
-    }
-}
+#[path = "growth_tests.rs"]
+mod tests;

@@ -11,8 +11,8 @@
 //! quarters of its mean elevation, however old (Scottish Highlands 1.2, Patagonia 1.75).
 //!
 //! - P, plateau: high, level crust of young belts, as behind the Andean and Himalayan fronts, less
-//!   where ranges cross it. Its relief is two fifths of its belt's (Altiplano: 1.3 km, beside 2.1 km
-//!   at Aconcagua).
+//!   where ranges cross it. Its relief is two fifths of its belt's (Altiplano: 1.3 km, beside 2.1
+//!   km at Aconcagua).
 //! - B, hills: old belts, and the forelands of moderate height.
 //!
 //! Policies. Values are interpolated; ages and directions come from those corners that have them.
@@ -105,12 +105,14 @@ impl CrustSample {
     /// R in km.
     pub(super) fn relief(&self, plateau: f32) -> f32 {
         let z = self.elevation;
+        // Even plains have banks and dunes: 50 m, and more on high ground.
         let plain = 0.05 + 0.08 * z.clamp(0.0, 3.0);
         let range = COLLISION_RELIEF_KM - SUBDUCTION_RELIEF_KM;
         let young = SUBDUCTION_RELIEF_KM + range * self.collision;
         let belt =
             (WORN_RELIEF_KM + (young - WORN_RELIEF_KM) * self.youth()).min(RELIEF_OF_MEAN * z);
         let relief = plain + (belt - plain).max(0.0) * self.folded;
+        // Under water waves and sediment level the relief.
         relief * (1.0 - LEVELLED * plateau) * smoothstep((z + 0.3) / 0.4)
     }
 
@@ -123,6 +125,7 @@ impl CrustSample {
         } else {
             z
         };
+        // 60 m of noise even on plains, or rivers would run along the triangles.
         let rough = 0.06 + 0.2 * relief + SLOPE_ROUGHNESS_KM * steepness.min(0.02);
         // The deep floor gets its relief from the amplifier alone.
         valleys + self.noise * noise * rough * smoothstep((z + 1.5) / 1.3)

@@ -10,6 +10,7 @@
 //! flood     which way water leaves every place
 //! flow      discharge, to the last cubic metre
 //! sinks     basins without an outlet
+//! network   the choice of a river network
 //! growth    the paper's own network, grown from the coasts; a preset
 //! profile   levels, beds and lakes along the rivers
 //! order     Horton-Strahler order, basins
@@ -34,6 +35,8 @@ mod flow;
 
 mod sinks;
 
+mod network;
+
 mod growth;
 
 mod profile;
@@ -48,7 +51,7 @@ pub use base::{BASE_SPACING, BaseMesh, Transfer};
 pub use coast::ShoreClass;
 pub use drainage::{Drainage, LakeKind};
 pub use flood::{Depression, NO_VERTEX, Routes};
-pub use growth::RiverNetwork;
+pub use network::RiverNetwork;
 pub(crate) use profile::MIN_FALL;
 pub use profile::{Lake, NO_LAKE, Profile};
 pub use stats::{Horton, HydrologyStats};

@@ -16,6 +16,7 @@ pub(super) fn strahler_of(routes: &Routes, is_channel: impl Fn(u32) -> bool) -> 
     let n = routes.receiver.len();
     let mut upstream = vec![Tributaries::default(); n];
     let mut order = vec![0; n];
+    // Upstream first: all tributaries have joined before a vertex takes its order.
     for &i in routes.order.iter().rev().filter(|&&i| is_channel(i)) {
         let own = upstream[i as usize].order_below();
         order[i as usize] = own;
@@ -60,6 +61,7 @@ impl Tributaries {
 /// coasts without a river.
 pub(super) fn basins(routes: &Routes) -> Vec<u32> {
     let mut basin = vec![NO_VERTEX; routes.receiver.len()];
+    // Downstream first: the basin of the receiver is known.
     for &i in &routes.order {
         let to = routes.receiver[i as usize];
         if to == NO_VERTEX {

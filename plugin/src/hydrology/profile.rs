@@ -12,7 +12,7 @@
 //! planet.
 
 use super::flood::{NO_VERTEX, Routes};
-use super::growth::RiverNetwork;
+use super::network::RiverNetwork;
 use super::sinks::{ClosedLake, incision};
 use crate::math;
 use crate::parallel;
@@ -20,7 +20,7 @@ use bevy::reflect::Reflect;
 use pangaea_shaders::amplify::fixed::GRAINS;
 
 /// Least fall of a river between two vertices, grains: 1 m, 2 cm per km, that of the lower Amazon.
-pub const MIN_FALL: i32 = GRAINS;
+pub(crate) const MIN_FALL: i32 = GRAINS;
 
 /// The number that stands for no lake.
 pub const NO_LAKE: u32 = u32::MAX;
@@ -121,6 +121,7 @@ impl Channels<'_> {
             if to == NO_VERTEX {
                 continue;
             }
+            // The receiver must lie lower than everything that drains to it, or dam it up.
             // Closed lakes have their levels: nothing is breached into or under them.
             let r = to as usize;
             if lake[k] == NO_LAKE && lake[r] == NO_LAKE {
@@ -148,6 +149,7 @@ impl Channels<'_> {
             let below = level[to as usize];
             // How deep the water below would stand over the wanted level.
             let hollow = below.saturating_sub(wanted[k]);
+            // Shallow hollows hold no lake: sediment fills them until the water runs off.
             level[k] = if lakes.cover(i, to, below, hollow) {
                 below
             } else {
@@ -218,6 +220,8 @@ impl Lakes {
     /// shallow.
     fn cover(&mut self, i: u32, receiver: u32, level: i32, hollow: i32) -> bool {
         let lake = match self.at(receiver as usize) {
+            // A lake reaches as far upstream as its level does. One without an outlet does not: it
+            // covers what it can hold, and no more.
             Some(lake) if lake.outlet != NO_VERTEX && hollow > 0 => self.of[receiver as usize],
             None if hollow > LEAST_LAKE_DEPTH => {
                 self.all.push(Lake {
@@ -237,62 +241,5 @@ impl Lakes {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Grains in a km.
-    const KM: i32 = 1000 * GRAINS;
-
-    #[test]
-    fn deep_rivers_are_those_of_much_water() {
-        assert_eq!(depth(0.0), 0);
-        assert_eq!(depth(1.0), 276);
-        // The Mississippi at its mouth: some 17,000 m3/s and 5 m in the mean.
-        assert!((4.0..8.0).contains(&(f64::from(depth(17_000.0)) / 1024.0)));
-    }
-
-    /// The profile of a chain 5 -> 4 -> 3 -> 2 -> 1 -> 0, the coast; 3 is a sill, 4 a hollow behind
-    /// it.
-    fn chain(discharge: f64) -> Profile {
-        let routes = Routes {
-            order: vec![1, 2, 3, 4, 5],
-            receiver: vec![NO_VERTEX, 0, 1, 2, 3, 4],
-            depressions: vec![],
-        };
-        let channels = Channels {
-            routes: &routes,
-            ground: &[0, KM / 10, KM / 5, KM, KM / 2, 2 * KM],
-            discharge: &[discharge; 6],
-            network: RiverNetwork::Drainage,
-        };
-        channels.profile(&[])
-    }
-
-    #[test]
-    fn sills_dam_lakes_behind_weak_rivers() {
-        let weak = chain(1.0);
-        assert_eq!(weak.level[3], KM - incision(1.0));
-        assert_eq!(weak.level[4], weak.level[3]);
-        assert_eq!(weak.lake[3..], [NO_LAKE, 0, NO_LAKE]);
-        // The water would be 450 m deep, but for the sediment.
-        assert_eq!(weak.bed[4], weak.level[4] - GREATEST_LAKE_DEPTH);
-        let lake = Lake {
-            level: weak.level[3],
-            outlet: 3,
-            sink: 4,
-            vertices: 1,
-        };
-        assert_eq!(weak.lakes, [lake]);
-    }
-
-    #[test]
-    fn sills_are_breached_where_the_river_can() {
-        let strong = chain(40_000.0);
-        assert!(strong.lakes.is_empty());
-        assert_eq!(strong.level[3..5], [KM / 2 - MIN_FALL, KM / 2]);
-        for k in 1..6 {
-            assert!(strong.level[k] >= strong.level[k - 1] + MIN_FALL);
-            assert!(strong.bed[k] > strong.bed[k - 1]);
-        }
-    }
-}
+#[path = "profile_tests.rs"]
+mod tests;

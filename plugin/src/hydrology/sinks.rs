@@ -66,37 +66,69 @@ pub(super) struct WaterBalance<'a> {
 /// is known, and whether it spills is decided before anything downstream is looked at.
 pub(super) fn close_basins(balance: &WaterBalance, routes: &mut Routes) -> Vec<ClosedLake> {
     let depression_of = depressions_by_vertex(routes, balance.mesh.len());
-    let mut discharge = balance.supply.to_vec();
-    let mut closed = Vec::new();
-    // Receivers outside of the present depression, and the m³ per year that they would get.
-    let mut spills: Vec<(u32, u64)> = Vec::new();
+    let mut sweep = Sweep {
+        discharge: balance.supply.to_vec(),
+        spills: Vec::new(),
+        closed: Vec::new(),
+    };
     for k in (0..routes.order.len()).rev() {
         let i = routes.order[k];
         let to = routes.receiver[i as usize];
         let d = depression_of[i as usize];
+        // The sink of a planet without a sea leaves, too: to nowhere.
         let leaves = to == NO_VERTEX || depression_of[to as usize] != d;
         if d != NO_DEPRESSION && leaves {
-            // Held back until it is known whether the depression spills.
-            spills.push((to, discharge[i as usize]));
+            sweep.hold_back(i, to);
         } else {
-            let amount = discharge[i as usize];
-            pass_on(&mut discharge, to, amount);
+            let amount = sweep.discharge[i as usize];
+            sweep.pass_on(to, amount);
         }
-        if d == NO_DEPRESSION || routes.depressions[d as usize].range.start < k {
-            continue;
-        }
-        let depression = routes.depressions[d as usize].clone();
-        let inflow = spills.iter().map(|(_, amount)| amount).sum();
-        if balance.dries_up(&depression, routes, inflow) {
-            closed.push(balance.reroute(&depression, routes, inflow));
-            spills.clear();
-        }
-        for (to, amount) in spills.drain(..) {
-            pass_on(&mut discharge, to, amount);
+        // Only the first vertex of a depression, the last to be swept, decides its fate.
+        if d != NO_DEPRESSION && k <= routes.depressions[d as usize].range.start {
+            sweep.decide(balance, routes, d as usize);
         }
     }
-    closed.reverse();
-    closed
+    // Found upstream first; profiles number lakes downstream first.
+    sweep.closed.reverse();
+    sweep.closed
+}
+
+/// A sweep upstream first.
+struct Sweep {
+    /// Water in m³ per year that has reached each vertex.
+    discharge: Vec<u64>,
+    /// Receivers outside of the present depression, and the m³ per year that they would get.
+    spills: Vec<(u32, u64)>,
+    closed: Vec<ClosedLake>,
+}
+
+impl Sweep {
+    fn pass_on(&mut self, to: u32, amount: u64) {
+        if to != NO_VERTEX {
+            self.discharge[to as usize] += amount;
+        }
+    }
+
+    /// Keeps the water of vertex `i` until it is known whether its depression spills.
+    fn hold_back(&mut self, i: u32, to: u32) {
+        self.spills.push((to, self.discharge[i as usize]));
+    }
+
+    /// Closes depression `d`, or lets it spill.
+    fn decide(&mut self, balance: &WaterBalance, routes: &mut Routes, d: usize) {
+        let depression = routes.depressions[d].clone();
+        let spills = core::mem::take(&mut self.spills);
+        let inflow = spills.iter().map(|(_, amount)| amount).sum();
+        if balance.dries_up(&depression, routes, inflow) {
+            // Its water stays: the vertices downstream never hear of it.
+            let lake = balance.reroute(&depression, routes, inflow);
+            self.closed.push(lake);
+            return;
+        }
+        for (to, amount) in spills {
+            self.pass_on(to, amount);
+        }
+    }
 }
 
 /// The depression of every vertex, by number.
@@ -110,12 +142,6 @@ fn depressions_by_vertex(routes: &Routes, vertices: usize) -> Vec<u32> {
     depression_of
 }
 
-fn pass_on(discharge: &mut [u64], to: u32, amount: u64) {
-    if to != NO_VERTEX {
-        discharge[to as usize] += amount;
-    }
-}
-
 impl WaterBalance<'_> {
     /// Water in m³ per year that a lake over vertex `i` costs: the evaporation beyond the rain, and
     /// the runoff that its ground no longer gives.
@@ -125,6 +151,7 @@ impl WaterBalance<'_> {
 
     /// Whether the lake behind the worn outlet would lose more than flows in.
     fn dries_up(&self, depression: &Depression, routes: &Routes, inflow: u64) -> bool {
+        // A river of all the inflow would wear the outlet down: the lake would fill only so far.
         let worn = incision(earth_like(inflow, self.radius));
         let outlet = depression.spill_elevation.saturating_sub(worn);
         let members = &routes.order[depression.range.clone()];
@@ -185,6 +212,7 @@ impl WaterBalance<'_> {
                 shore = level;
                 break;
             }
+            // The lowest vertex is a lake even where its water would dry up: water ends there.
             spent += cost;
             top = level;
             vertices.push(i);
@@ -226,103 +254,5 @@ impl Unreached {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::hydrology::coast::{ShoreClass, regularise};
-    use crate::hydrology::flood::priority_flood;
-    use crate::hydrology::flow::accumulate;
-    use crate::math;
-    use bevy::math::DVec3;
-
-    /// Runoff of every vertex on land in m³ per year.
-    const SUPPLY: u64 = 1_000_000;
-
-    /// Height in km of land with a bowl about `centre`, 1.3 km deep, its rim 0.25 rad wide.
-    fn bowl_km(p: DVec3, centre: DVec3) -> f64 {
-        let r = math::angle_between(p, centre) / 0.25;
-        let bowl = if r < 1.0 { -1.5 * (1.0 - r * r) } else { 0.0 };
-        1.2 + p.z + bowl
-    }
-
-    /// Closed basins and what drains to them.
-    struct Basins {
-        mesh: SphereMesh,
-        ground: Vec<i32>,
-        routes: Routes,
-        closed: Vec<ClosedLake>,
-        discharge: Vec<u64>,
-    }
-
-    /// The bowl north of a sea in the south, with a loss of open water in m³ per year and vertex.
-    fn basins(loss: i64) -> Basins {
-        let mesh = SphereMesh::fibonacci(5000).unwrap();
-        let centre = math::direction(50.0, 20.0);
-        let ground = mesh.points().iter().map(|&p| match p.z {
-            z if z < 0.0 => -1_000_000,
-            _ => (bowl_km(p, centre) * 1_024_000.0) as i32,
-        });
-        let mut ground: Vec<i32> = ground.collect();
-        let shore = regularise(&mesh, &mut ground);
-        let mut routes = priority_flood(&mesh, &shore, &ground);
-        let is_land = |class: &ShoreClass| *class == ShoreClass::Land;
-        let supply: Vec<u64> = shore
-            .iter()
-            .map(|class| if is_land(class) { SUPPLY } else { 0 })
-            .collect();
-        let balance = WaterBalance {
-            mesh: &mesh,
-            radius: 6370.0,
-            ground: &ground,
-            supply: &supply,
-            loss: &vec![loss; mesh.len()],
-        };
-        let closed = close_basins(&balance, &mut routes);
-        Basins {
-            discharge: accumulate(&routes, &supply),
-            mesh,
-            ground,
-            routes,
-            closed,
-        }
-    }
-
-    #[test]
-    fn a_wet_basin_spills() {
-        let wet = basins(-900_000);
-        assert!(wet.closed.is_empty());
-        let receivers = wet.routes.receiver.iter().zip(&wet.discharge);
-        let ends = receivers.filter(|(receiver, _)| **receiver == NO_VERTEX);
-        let to_sea: u64 = ends.map(|(_, discharge)| discharge).sum();
-        assert_eq!(to_sea, wet.routes.order.len() as u64 * SUPPLY);
-    }
-
-    #[test]
-    fn a_dry_basin_holds_a_lake_that_balances() {
-        let dry = basins(20_000_000);
-        assert_eq!(dry.closed.len(), 1, "{:?}", dry.closed);
-        let lake = &dry.closed[0];
-        let sink = lake.vertices[0] as usize;
-        assert_eq!(dry.routes.receiver[sink], NO_VERTEX);
-        let inflow = dry.discharge[sink];
-        let each = 20_000_000 + SUPPLY;
-        let cost = lake.vertices.len() as u64 * each;
-        assert!(cost <= inflow && inflow < cost + each, "{cost} {inflow}");
-        let is_under_water = |i: &u32| dry.ground[*i as usize] < lake.level;
-        assert!(lake.vertices.iter().all(is_under_water));
-    }
-
-    #[test]
-    fn a_closed_basin_is_ordered_downstream_first() {
-        let dry = basins(20_000_000);
-        let mut rank = vec![0; dry.mesh.len()];
-        for (k, &i) in dry.routes.order.iter().enumerate() {
-            rank[i as usize] = k;
-        }
-        let receiver = |i: u32| dry.routes.receiver[i as usize];
-        for &i in &dry.routes.order {
-            let to = receiver(i);
-            let ends = to == NO_VERTEX || receiver(to) == NO_VERTEX;
-            assert!(ends || rank[to as usize] < rank[i as usize]);
-        }
-    }
-}
+#[path = "sinks_tests.rs"]
+mod tests;

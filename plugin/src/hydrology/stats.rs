@@ -72,6 +72,7 @@ impl HydrologyStats {
     pub fn new(mesh: &SphereMesh, climate: &Climate, drainage: &Drainage) -> Self {
         let land = Land::new(mesh, drainage);
         let endorheic = |i: usize| if drainage.is_endorheic(i) { 1.0 } else { 0.0 };
+        // Rivers end where nothing receives them: at coasts, and in sinks.
         let ends = (0..mesh.len()).filter(|&i| drainage.routes.receiver[i] == NO_VERTEX);
         let discharges: Vec<u64> = ends.map(|i| drainage.discharge[i]).collect();
         let upstream = Upstream::new(mesh, drainage);
@@ -187,12 +188,14 @@ impl Upstream {
 
     /// The last vertices of all streams.
     fn mouths<'a>(&'a self, drainage: &'a Drainage) -> impl Iterator<Item = usize> + 'a {
-        let ends = |i: &usize| {
-            let to = drainage.routes.receiver[*i];
-            self.order[*i] > 0 && (to == NO_VERTEX || self.order[to as usize] != self.order[*i])
-        };
-        let order = drainage.routes.order.iter();
-        order.map(|&i| i as usize).filter(ends)
+        let order = drainage.routes.order.iter().map(|&i| i as usize);
+        order.filter(|&i| self.is_mouth(i, drainage.routes.receiver[i]))
+    }
+
+    /// Whether a stream ends at vertex `i`, which drains to `receiver`.
+    fn is_mouth(&self, i: usize, receiver: u32) -> bool {
+        let order = self.order[i];
+        order > 0 && (receiver == NO_VERTEX || self.order[receiver as usize] != order)
     }
 
     /// The highest order within the basin of every coast and sink.
@@ -282,53 +285,5 @@ fn slope(points: &[(f64, f64)]) -> Option<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::hydrology::{Routes, order};
-
-    #[test]
-    fn slopes_are_those_of_lines() {
-        assert_eq!(slope(&[(1.0, 2.0)]), None);
-        assert!((slope(&[(0.0, 1.0), (1.0, 3.0), (2.0, 5.0)]).unwrap() - 2.0).abs() < 1e-12);
-    }
-
-    /// A drainage in which vertex 0 is the coast, 1 the trunk, and vertex k has the children 2k and
-    /// 2k + 1.
-    fn binary_tree() -> Drainage {
-        let parent = |k: u32| if k == 0 { NO_VERTEX } else { k / 2 };
-        let routes = Routes {
-            order: (1..512).collect(),
-            receiver: (0..512).map(parent).collect(),
-            depressions: vec![],
-        };
-        let mut shore = vec![ShoreClass::Land; 512];
-        shore[0] = ShoreClass::Coast;
-        Drainage {
-            shore,
-            ground: vec![0; 512],
-            supply: vec![1; 512],
-            discharge: vec![1; 512],
-            strahler: order::strahler(&routes),
-            basin: vec![0; 512],
-            routes,
-            radius: 6370.0,
-            ..Drainage::default()
-        }
-    }
-
-    #[test]
-    fn a_binary_tree_bifurcates_by_two() {
-        let mesh = SphereMesh::fibonacci(512).unwrap();
-        let climate = Climate {
-            rain: vec![500.0; 512],
-            ..Climate::default()
-        };
-        let stats = HydrologyStats::new(&mesh, &climate, &binary_tree());
-        assert!((stats.horton.rb - 2.0).abs() < 1e-9, "{:?}", stats.horton);
-        // Areas are 1, 3, 7, ... cells.
-        assert!((1.9..2.3).contains(&stats.horton.ra), "{:?}", stats.horton);
-        assert_eq!(stats.strahler_max, 9);
-        assert!((stats.land_rain_mm_mean - 500.0).abs() < 1e-9);
-        assert_eq!(stats.endorheic_share, 0.0);
-    }
-}
+#[path = "stats_tests.rs"]
+mod tests;

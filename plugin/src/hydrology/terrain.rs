@@ -42,8 +42,8 @@ pub struct Terrain {
 pub struct TerrainMaps {
     /// Elevation of the crust in km, -15..=15, negative under the sea.
     pub crust: EquirectMap,
-    /// A: age of the last orogeny in My, at least 0; without it, high ground counts as folded 100 My
-    /// ago.
+    /// A: age of the last orogeny in My, at least 0; without it, high ground counts as folded 100
+    /// My ago.
     pub age: Option<EquirectMap>,
     /// P: presence of plateaus, 0..=1.
     pub plateau: Option<EquirectMap>,
@@ -57,6 +57,7 @@ impl TerrainMaps {
     /// # Errors
     /// [`MapError::Range`].
     pub fn check(&self) -> Result<(), MapError> {
+        // The usual mistake gets its own words.
         let kilometres = "from -15 to 15 km: the values look like metres";
         let crust = Some(&self.crust);
         EquirectMap::check(
@@ -91,6 +92,7 @@ impl TerrainMaps {
             elevation,
             folded,
             age: age.unwrap_or(UNKNOWN_AGE_MY),
+            // A map does not say which kind of belt built its mountains.
             collision: 0.5,
             oceanic: if elevation < OCEAN_BELOW_KM { 1.0 } else { 0.0 },
             ocean_age: UNKNOWN_OCEAN_AGE_MY,
@@ -176,16 +178,16 @@ impl Terrain {
             Landform::new(base, crust, i, plateau.map(given), hills.map(given))
         });
         Self {
-            ground: forms.iter().map(|f| to_grains(f.ground)).collect(),
-            crust: forms.iter().map(|f| to_grains(f.summits)).collect(),
-            plateau: forms.iter().map(|f| f.plateau).collect(),
-            hills: forms.iter().map(|f| f.hills).collect(),
-            age: crust.iter().map(orogeny_age).collect(),
-            collision: crust.iter().map(|c| c.collision).collect(),
-            oceanic: crust.iter().map(|c| c.oceanic).collect(),
-            ocean_age: crust.iter().map(|c| c.ocean_age).collect(),
-            fold: crust.iter().map(|c| c.fold).collect(),
-            ridge: crust.iter().map(|c| c.ridge).collect(),
+            ground: column(&forms, |f| to_grains(f.ground)),
+            crust: column(&forms, |f| to_grains(f.summits)),
+            plateau: column(&forms, |f| f.plateau),
+            hills: column(&forms, |f| f.hills),
+            age: column(crust, orogeny_age),
+            collision: column(crust, |c| c.collision),
+            oceanic: column(crust, |c| c.oceanic),
+            ocean_age: column(crust, |c| c.ocean_age),
+            fold: column(crust, |c| c.fold),
+            ridge: column(crust, |c| c.ridge),
         }
     }
 
@@ -224,16 +226,23 @@ impl Landform {
         let noise = base.noise[i as usize];
         let steepness = steepness(base, crust, i);
         let plateau = plateau.unwrap_or_else(|| own.plateau(steepness, noise));
+        // A place is a plateau or hills, not both; maps of a user are taken as they are.
         let hills = hills.unwrap_or_else(|| own.hills() * (1.0 - plateau));
         let relief = own.relief(plateau);
         let ground = own.ground(relief, steepness, noise);
         Self {
             ground,
+            // The noise may lift the valleys above the mean: summits still rise over them.
             summits: own.elevation.max(ground) + (1.0 - RELIEF_BELOW_MEAN) * relief,
             plateau,
             hills,
         }
     }
+}
+
+/// One value of all vertices.
+fn column<V, T>(vertices: &[V], value: impl Fn(&V) -> T) -> Vec<T> {
+    vertices.iter().map(value).collect()
 }
 
 /// A: age of the last orogeny in My; infinite where there was none.
@@ -267,81 +276,5 @@ fn steepness(base: &BaseMesh, crust: &[CrustSample], i: u32) -> f32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A map with a value at the north pole.
-    fn with_pole(value: f32) -> EquirectMap {
-        EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).unwrap()
-    }
-
-    fn plain() -> TerrainMaps {
-        TerrainMaps {
-            crust: with_pole(-11.0),
-            age: None,
-            plateau: None,
-            hills: None,
-        }
-    }
-
-    #[test]
-    fn maps_of_impossible_planets_are_refused() {
-        let too_old = TerrainMaps {
-            age: Some(with_pole(-1.0)),
-            ..plain()
-        };
-        let too_level = TerrainMaps {
-            plateau: Some(with_pole(1.1)),
-            ..plain()
-        };
-        let too_hilly = TerrainMaps {
-            hills: Some(with_pole(-0.1)),
-            ..plain()
-        };
-        for maps in [too_old, too_level, too_hilly] {
-            assert!(matches!(maps.check(), Err(MapError::Range { .. })));
-        }
-        let extreme = TerrainMaps {
-            age: Some(with_pole(4000.0)),
-            hills: Some(with_pole(1.0)),
-            ..plain()
-        };
-        assert_eq!(extreme.check(), Ok(()));
-    }
-
-    #[test]
-    fn metres_are_taken_for_what_they_are() {
-        let metres = TerrainMaps {
-            crust: with_pole(8848.0),
-            ..plain()
-        };
-        let error = metres.check().unwrap_err().to_string();
-        assert!(error.contains("8848 at pixel 0") && error.contains("metres"));
-    }
-
-    #[test]
-    fn heights_beyond_all_bounds_are_clamped() {
-        let top = 100_000 * GRAINS;
-        let found = [1e-3, 1e9, f32::NEG_INFINITY, f32::NAN].map(to_grains);
-        assert_eq!(found, [GRAINS, top, -top, 0]);
-    }
-
-    #[test]
-    fn maps_alone_make_a_terrain() {
-        let base = BaseMesh::new(1, 0.05).unwrap();
-        let maps = TerrainMaps {
-            crust: EquirectMap::from_fn(32, |lat, _| (lat / 20.0) as f32).unwrap(),
-            age: None,
-            plateau: Some(EquirectMap::from_fn(4, |_, _| 0.5).unwrap()),
-            hills: None,
-        };
-        let terrain = Terrain::from_maps(&base, &maps);
-        assert!(terrain.plateau.iter().all(|&p| p == 0.5));
-        for (i, p) in base.mesh.points().iter().enumerate() {
-            let z = math::lat_lon(*p).0 / 20.0;
-            let found = f64::from(terrain.ground[i]) / 1_024_000.0;
-            assert!(found < z + 0.6 && found > z - 1.4, "{z} {found}");
-            assert!(terrain.crust[i] >= terrain.ground[i]);
-        }
-    }
-}
+#[path = "terrain_tests.rs"]
+mod tests;

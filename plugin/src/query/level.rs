@@ -15,8 +15,8 @@ pub fn spacing(radius_m: f64, level: u8) -> f64 {
     radius_m * BASE_EDGE_RADII / (1_u64 << level.min(63)) as f64
 }
 
-/// The coarsest level whose edges are not longer than `spacing_m`; the finest where no edge is short
-/// enough.
+/// The coarsest level whose edges are not longer than `spacing_m`; the finest where no edge is
+/// short enough.
 ///
 /// ```
 /// use bevy_pangaea::query::{level_for, spacing};

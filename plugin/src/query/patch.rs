@@ -46,8 +46,8 @@ pub struct Patch {
 /// ```
 ///
 /// # Errors
-/// [`GroundError::Length`] for a side or spacing that is zero, NaN or too long, [`GroundError::Count`] for
-/// more than 16,383 steps to a side, else as [`Ground::height`].
+/// [`GroundError::Length`] for a side or spacing that is zero, NaN or too long,
+/// [`GroundError::Count`] for more than 16,383 steps to a side, else as [`Ground::height`].
 pub fn collider_patch(
     ground: &(impl Ground + ?Sized),
     direction: DVec3,
@@ -70,6 +70,7 @@ pub fn collider_patch(
     let square = MapSquare::new(about, whole.min(largest), corners)?;
     let grid = square.heights(ground, level)?;
     let origin = up * (radius + f64::from(ground.height(up, level)?));
+    // In f32 only about the origin: far from it a metre could not be told from the next.
     let positions = (0..grid.values.len())
         .into_par_iter()
         .map(|i| {

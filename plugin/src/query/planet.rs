@@ -1,4 +1,5 @@
-//! The ground of a planet, amplified from its control mesh: the ground that players see, on the CPU.
+//! The ground of a planet, amplified from its control mesh: the ground that players see, on the
+//! CPU.
 //!
 //! Every answer has the bits of any other way to refine the ground there. Engines keep the patches
 //! of their last question, so questions that lie close together are asked of the same one: a batch
@@ -15,7 +16,9 @@ use pangaea_shaders::amplify::base::Base;
 use pangaea_shaders::amplify::control::ControlMesh;
 use pangaea_shaders::amplify::fixed::{GRAINS, ONE, Q16};
 use pangaea_shaders::amplify::local::{Leaf, Local};
+use pangaea_shaders::amplify::locate::sides;
 use pangaea_shaders::amplify::rules::Rules;
+use pangaea_shaders::amplify::vertex::Vertex;
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex};
 
@@ -137,6 +140,7 @@ impl PlanetGround {
     /// Lends an engine at rest, or a new one.
     fn with_engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
         // The lock is held only to take and to put back: work goes on in parallel.
+        // A poisoned lock costs only speed: a new engine gives the same answers.
         let resting = self.engines.lock().ok().and_then(|mut all| all.pop());
         let mut engine = resting.unwrap_or_else(|| Local::new(self.base.clone(), &self.rules));
         let answer = work(&mut engine);
@@ -146,19 +150,28 @@ impl PlanetGround {
         answer
     }
 
+    /// Heights at as many directions, all from one engine.
+    fn run(&self, directions: &[DVec3], level: u8, heights: &mut [f32]) -> Result<(), GroundError> {
+        self.with_engine(|engine| heights_on(engine, directions, level, heights))
+    }
+
     /// The climate at a unit direction, for a ground that is `height_m` above the sea.
-    fn climate_on(&self, engine: &mut Engine, unit: DVec3, height_m: f32) -> ClimateSample {
+    ///
+    /// Climate has no finer detail than the control mesh, which is asked itself: an engine that was
+    /// asked for level 0 would forget its way to the leaf of its last question.
+    fn climate_at(&self, unit: DVec3, height_m: f32) -> ClimateSample {
         let at = quantised(unit);
-        let leaf = engine.leaf(at, 0, None);
-        let weights = leaf.weights(at);
+        let face = self.base.locate(at, None);
+        let corners = self.base.level.faces[face as usize].vertices;
+        let vertices = corners.map(|v| &self.base.vertices[v as usize]);
+        let weights = weights_in(vertices, at);
         let mean = |value: [f64; 3]| (0..3).map(|k| weights[k] * value[k]).sum::<f64>() as f32;
-        let wetness = leaf.vertices.map(|v| f64::from(v.wetness) / f64::from(Q16));
+        let wetness = vertices.map(|v| f64::from(v.wetness) / f64::from(Q16));
         let mut climate = ClimateSample {
             wetness: mean(wetness),
             ..ClimateSample::of_latitude(unit.z, height_m)
         };
         if !self.temperature.is_empty() {
-            let corners = self.base.level.faces[leaf.base_face as usize].vertices;
             let at_sea_level = mean(corners.map(|v| f64::from(self.temperature[v as usize])));
             climate.temperature_c = at_sea_level - LAPSE_RATE_C_PER_M * height_m.max(0.0);
         }
@@ -196,17 +209,16 @@ impl Ground for PlanetGround {
         heights: &mut [f32],
     ) -> Result<(), GroundError> {
         check_same_length(directions, heights)?;
-        let run = |(directions, heights): (&[DVec3], &mut [f32])| {
-            self.with_engine(|engine| heights_on(engine, directions, level, heights))
-        };
         if directions.len() <= HEIGHTS_PER_RUN {
-            return run((directions, heights));
+            return self.run(directions, level, heights);
         }
         let runs = directions
             .par_chunks(HEIGHTS_PER_RUN)
             .zip(heights.par_chunks_mut(HEIGHTS_PER_RUN));
         // Collected first: which of several errors is told must not depend on the threads.
-        let results: Vec<_> = runs.map(run).collect();
+        let results: Vec<_> = runs
+            .map(|(directions, heights)| self.run(directions, level, heights))
+            .collect();
         results.into_iter().collect()
     }
 
@@ -217,7 +229,7 @@ impl Ground for PlanetGround {
 
     fn climate(&self, direction: DVec3, height_m: f32) -> Result<ClimateSample, GroundError> {
         let unit = checked(direction, 0)?;
-        Ok(self.with_engine(|engine| self.climate_on(engine, unit, height_m)))
+        Ok(self.climate_at(unit, height_m))
     }
 
     fn sample(&self, direction: DVec3, level: u8) -> Result<Sample, GroundError> {
@@ -229,6 +241,7 @@ impl Ground for PlanetGround {
         self.with_engine(|engine| {
             let leaf = engine.leaf(at, u32::from(level), None);
             let height_m = leaf.height_m(at) as f32;
+            // The four neighbours lie in the leaf or beside it: the engine remembers the way.
             let mut heights = [0.0; 4];
             heights_on(engine, &stencil.around, level, &mut heights)?;
             Ok(Sample::new(
@@ -236,7 +249,7 @@ impl Ground for PlanetGround {
                 height_m,
                 water_m(&leaf, at),
                 stencil.normal(heights),
-                self.climate_on(engine, unit, height_m),
+                self.climate_at(unit, height_m),
             ))
         })
     }
@@ -268,6 +281,18 @@ fn water_m(leaf: &Leaf, at: [i32; 3]) -> f32 {
         .sum();
     // Between wet and dry corners the water's surface runs on below the dry ground.
     (grains / f64::from(GRAINS)).max(leaf.height_m(at)) as f32
+}
+
+/// Shares of the corners of a face of the control mesh at a direction in it, with the bits of
+/// [`Leaf::weights`].
+fn weights_in([a, b, c]: [&Vertex; 3], at: [i32; 3]) -> [f64; 3] {
+    let [opposite_c, opposite_a, opposite_b] = sides(at, [a, b, c]).map(|side| side.max(0.0));
+    let sum = opposite_c + opposite_a + opposite_b;
+    if sum > 0.0 {
+        [opposite_a / sum, opposite_b / sum, opposite_c / sum]
+    } else {
+        [1.0 / 3.0; 3]
+    }
 }
 
 /// A unit vector in the integers of the amplifier.

@@ -60,6 +60,18 @@ fn a_sample_has_the_bits_of_single_questions() {
 }
 
 #[test]
+fn climate_has_the_weights_of_the_leaf_of_level_0() {
+    let ground = ground();
+    for direction in directions(300) {
+        let at = quantised(checked(direction, 0).unwrap());
+        let leaf = ground.leaf(direction, 0).unwrap();
+        assert_eq!(ground.base.locate(at, None), leaf.base_face);
+        let [a, b, c] = &leaf.vertices;
+        assert_eq!(weights_in([a, b, c], at), leaf.weights(at));
+    }
+}
+
+#[test]
 fn a_batch_has_the_bits_of_single_questions_in_any_order() {
     let (batch, single) = (ground(), ground());
     let directions = directions(1500);

@@ -186,7 +186,8 @@ mod tests {
     proptest! {
         #[test]
         fn distances_from_the_centre_are_true_and_points_come_back(
-            lat in -90.0..90.0_f64, lon in -180.0..180.0_f64, x in -1e7..1e7_f64, y in -1e7..1e7_f64,
+            lat in -90.0..90.0_f64, lon in -180.0..180.0_f64,
+            x in -1e7..1e7_f64, y in -1e7..1e7_f64,
         ) {
             let map = about(lat, lon);
             let p = map.direction(DVec2::new(x, y));

@@ -75,6 +75,7 @@ impl NormalStencil {
     /// Unit normal of the surface through the points, at their heights in m.
     pub(super) fn normal(&self, heights: [f32; 4]) -> DVec3 {
         let corner = |k: usize| self.around[k] * (self.radius_m + f64::from(heights[k]));
+        // From west to east, and from south to north: their cross product points up.
         let normal = (corner(0) - corner(1)).cross(corner(2) - corner(3));
         normal.try_normalize().unwrap_or(self.up)
     }

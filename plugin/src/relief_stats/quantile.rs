@@ -20,6 +20,7 @@ pub(super) fn percentile(values: &mut [f32], share: f64) -> f64 {
     }
     let rank = share * (values.len() - 1) as f64;
     let (_, &mut low, above) = values.select_nth_unstable_by(rank as usize, f32::total_cmp);
+    // The next rank is the least of those above.
     let high = above.iter().copied().min_by(f32::total_cmp).unwrap_or(low);
     f64::from(low) + (rank - rank.floor()) * (f64::from(high) - f64::from(low))
 }

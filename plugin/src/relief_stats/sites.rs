@@ -122,6 +122,7 @@ pub fn sites(input: &SiteInput, class: ReliefClass) -> Vec<u32> {
     let is_inner = |i: u32| input.mesh.ring(i).iter().all(|&j| holds(j));
     let all: Vec<u32> = (0..input.len() as u32).filter(|&i| holds(i)).collect();
     let inner: Vec<u32> = all.iter().copied().filter(|&i| is_inner(i)).collect();
+    // In the middle of its class, unless the planet has only borders of it.
     let mut candidates = if inner.is_empty() { all } else { inner };
     let stream = Stream::new(input.seed, Purpose::ReliefSites, class as u64);
     // The first steps of a shuffle: no sample is drawn twice.
@@ -167,3 +168,7 @@ pub fn medians(reliefs: &[ReliefStats]) -> [Option<f64>; 3] {
         median(reliefs.iter().filter_map(|r| r.spectral_exponent).collect()),
     ]
 }
+
+#[cfg(test)]
+#[path = "sites_tests.rs"]
+mod tests;

@@ -42,6 +42,7 @@ pub(super) fn spectral_exponent(tile: &HeightGrid) -> Option<f64> {
     let mut spectrum = RadialSpectrum::default();
     let roots = RootsOfUnity::new(tile.height);
     for kx in 0..=waves[0] {
+        // Half of the plane of waves is enough: heights are real, so the other half mirrors it.
         let column: Vec<Complex> = rows.iter().map(|row| row[kx]).collect();
         let powers = column_powers(&column, &roots, waves[1]);
         let fx = kx as f64 / size[0];
@@ -129,6 +130,7 @@ impl RootsOfUnity {
             let (sin, cos) = self.0[angle];
             sum[0] += re * cos + im * sin;
             sum[1] += im * cos - re * sin;
+            // Angles are whole steps around the circle: no error adds up.
             angle += k;
             if angle >= n {
                 angle -= n;
@@ -144,6 +146,7 @@ fn row_transform(tile: &HeightGrid, y: usize, plane: &Plane, waves: usize) -> Ve
     let v = from_middle(y, h as f64);
     let vertical = hann(y, h);
     let row = tile.row(y).iter().enumerate();
+    // Without plane and window the jump from one edge to the other would pass for short waves.
     let windowed: Vec<f64> = row
         .map(|(x, &z)| {
             let z = plane.height_above(f64::from(z), from_middle(x, w as f64), v);
@@ -226,3 +229,7 @@ impl Ring {
             .then(|| [self.frequency, self.power].map(|sum| math::ln(sum / self.weight)))
     }
 }
+
+#[cfg(test)]
+#[path = "spectrum_tests.rs"]
+mod tests;
