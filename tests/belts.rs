@@ -3,9 +3,9 @@
 use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::math::lat_lon;
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::query::{AzimuthalEquidistant, Ground, PlanetGround, Rules, Square};
+use bevy_pangaea::query::{AzimuthalEquidistant, Ground, MapSquare, PlanetGround, Rules};
 use bevy_pangaea::relief_stats::{
-    CLASSES, Relief, ReliefClass, SiteInput, TILE_M, TILE_PIXELS, medians, relief, sites,
+    CLASSES, ReliefClass, ReliefStats, SiteInput, TILE_M, TILE_PIXELS, medians, sites,
 };
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{get, planet_app, steps, surface};
@@ -27,10 +27,10 @@ fn measured(class: ReliefClass) -> [[f64; 2]; 3] {
 }
 
 /// The relief of the middle quarter of a site's tile, at its resolution.
-fn middle(ground: &PlanetGround, (lat, lon): (f64, f64)) -> Relief {
+fn middle(ground: &PlanetGround, (lat, lon): (f64, f64)) -> ReliefStats {
     let about = AzimuthalEquidistant::new(lat, lon, ground.radius_m()).unwrap();
-    let square = Square::new(about, TILE_M / 2.0, TILE_PIXELS / 2).unwrap();
-    relief(&square.heights(ground, square.level()).unwrap()).unwrap()
+    let square = MapSquare::new(about, TILE_M / 2.0, TILE_PIXELS / 2).unwrap();
+    ReliefStats::of(&square.heights(ground, square.level()).unwrap()).unwrap()
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn wrong_figures(ground: &PlanetGround, input: &SiteInput, class: ReliefClass) -
     let places = drawn[..SITES]
         .iter()
         .map(|&site| lat_lon(input.mesh.point(site)));
-    let reliefs: Vec<Relief> = places.map(|place| middle(ground, place)).collect();
+    let reliefs: Vec<ReliefStats> = places.map(|place| middle(ground, place)).collect();
     let figures = medians(&reliefs).into_iter().zip(measured(class));
     figures
         .filter(|(found, [low, high])| !found.is_some_and(|x| (*low..=*high).contains(&x)))

@@ -21,7 +21,7 @@ use bevy_pangaea::plate::contact::{Contact, Contacts, Role};
 use bevy_pangaea::plate::front::{FrontField, FrontInput};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::query::{
-    AzimuthalEquidistant, Ground, PlanetGround, Rules, Square, direction_at, sample, samples,
+    AzimuthalEquidistant, Ground, MapSquare, PlanetGround, Rules, direction_at,
 };
 use bevy_pangaea::random::{Purpose, Stream};
 use bevy_pangaea::spawn::PlanetState;
@@ -210,9 +210,9 @@ fn batches_have_the_answers_of_single_questions() {
     let mut heights = vec![0.0; directions.len()];
     for level in [5, 12, 17] {
         batch.heights(&directions, level, &mut heights).unwrap();
-        let found = samples(&batch, &directions, level).unwrap();
+        let found = batch.samples(&directions, level).unwrap();
         for (k, &direction) in directions.iter().enumerate().step_by(3) {
-            let one = sample(&single, direction, level).unwrap();
+            let one = single.sample(direction, level).unwrap();
             assert_eq!(found[k], one, "{direction} at level {level}");
             assert_eq!(heights[k].to_bits(), one.height_m.to_bits());
         }
@@ -224,7 +224,7 @@ fn a_raster_has_the_heights_of_its_pixels() {
     let (app, planet) = baked(8);
     let (whole, single) = (ground(&app, planet), ground(&app, planet));
     let about = AzimuthalEquidistant::new(20.0, 30.0, whole.radius_m()).unwrap();
-    let square = Square::new(about, 40_000.0, 60).unwrap();
+    let square = MapSquare::new(about, 40_000.0, 60).unwrap();
     let grid = square.heights(&whole, square.level()).unwrap();
     for row in (0..60).step_by(7) {
         for column in (0..60).step_by(5) {

@@ -9,7 +9,7 @@
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use bevy_pangaea::control::{Bake, PlanetBake, bake_now};
-use bevy_pangaea::hydrology::Site;
+use bevy_pangaea::hydrology::ShoreClass;
 use bevy_pangaea::query::{Ground, PlanetGround, Rules};
 use core::f64::consts::{LN_2, PI};
 use pangaea_tests::shape::small;
@@ -151,16 +151,16 @@ fn edges(bake: &Bake, belongs: impl Fn(usize) -> bool) -> Vec<Cross> {
 
 /// Edges of dry land.
 fn land(bake: &Bake) -> Vec<Cross> {
-    let sites = &bake.drainage.sites;
+    let sites = &bake.drainage.shore;
     let is_dry = |v: usize| bake.control.vertices[v].flow == 0 && !bake.drainage.is_lake(v);
-    edges(bake, |v| sites[v] == Site::Land && is_dry(v))
+    edges(bake, |v| sites[v] == ShoreClass::Land && is_dry(v))
 }
 
 /// Edges of sea floor between two elevations in km.
 fn sea(bake: &Bake, low: f32, high: f32) -> Vec<Cross> {
-    let (sites, km) = (&bake.drainage.sites, bake.terrain.elevation_km());
+    let (sites, km) = (&bake.drainage.shore, bake.terrain.elevation_km());
     edges(bake, |v| {
-        sites[v] == Site::Sea && km[v] > low && km[v] < high
+        sites[v] == ShoreClass::Sea && km[v] > low && km[v] < high
     })
 }
 

@@ -8,7 +8,7 @@ use crate::output::{check_file, say};
 use crate::progress;
 use bevy_pangaea::io::export::{ExportFormat, encode};
 use bevy_pangaea::io::{load, write_all_atomically};
-use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid, Square};
+use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid, MapSquare};
 
 /// Runs the command.
 ///
@@ -47,7 +47,7 @@ fn check_output(args: &ExportArgs) -> Result<(), CliError> {
 }
 
 /// The heights of the square, with a progress bar.
-fn heights(ground: &impl Ground, square: &Square) -> Result<HeightGrid, CliError> {
+fn heights(ground: &impl Ground, square: &MapSquare) -> Result<HeightGrid, CliError> {
     let bar = progress::bar(square.pixels() as u64, "rows", "amplifying");
     let heights = square.heights_while(ground, square.level(), |pixels| {
         bar.set_position((pixels / square.pixels()) as u64);
@@ -59,10 +59,10 @@ fn heights(ground: &impl Ground, square: &Square) -> Result<HeightGrid, CliError
 }
 
 /// The square that is asked for, on a planet of `radius_m`.
-fn square(args: &ExportArgs, radius_m: f64) -> Result<Square, CliError> {
+fn square(args: &ExportArgs, radius_m: f64) -> Result<MapSquare, CliError> {
     let middle = args.region.middle;
     let projection = AzimuthalEquidistant::new(middle.lat, middle.lon, radius_m)?;
-    let square = Square::new(projection, 1000.0 * args.region.size_km, args.pixels)
+    let square = MapSquare::new(projection, 1000.0 * args.region.size_km, args.pixels)
         .map_err(|error| in_options(args, error))?;
     match args.level {
         Some(level) => Ok(square.at_level(level)?),

@@ -6,7 +6,7 @@ use crate::ground::{bake_planet, ground};
 use crate::output::print;
 use crate::values::{PlaceSpec, place};
 use bevy_pangaea::io::load;
-use bevy_pangaea::query::{Ground, Sample, direction_at, samples};
+use bevy_pangaea::query::{Ground, Sample, direction_at};
 use std::io::{self, BufRead};
 
 const HEADER: &str = "lat,lon,height_m,water_m,normal_x,normal_y,normal_z,surface";
@@ -81,7 +81,7 @@ fn table(ground: &impl Ground, places: &[PlaceSpec], level: u8) -> Result<String
         .iter()
         .map(|at| direction_at(at.lat, at.lon))
         .collect();
-    let found = samples(ground, &directions?, level)?;
+    let found = ground.samples(&directions?, level)?;
     Ok(places
         .iter()
         .zip(&found)

@@ -11,14 +11,14 @@ use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::io::{dem_files, load, load_dem};
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::relief_stats::{
-    CLASSES, Relief, ReliefClass, SiteInput, class_relief, medians, relief as relief_of, sites,
+    CLASSES, ReliefClass, ReliefStats, SiteInput, class_relief, medians, sites,
 };
 use serde_json::{Map, Value, json};
 use std::ffi::OsStr;
 use std::fmt::Write;
 use std::path::Path;
 
-/// Relief figures of a class of sites, or of one tile of real ground.
+/// ReliefStats figures of a class of sites, or of one tile of real ground.
 struct ReliefFigures {
     name: String,
     sites: usize,
@@ -28,7 +28,7 @@ struct ReliefFigures {
 }
 
 impl ReliefFigures {
-    fn new(name: String, reliefs: &[Relief]) -> Self {
+    fn new(name: String, reliefs: &[ReliefStats]) -> Self {
         let [relief10_median_m, slope_p90_deg, spectral_exponent] = medians(reliefs);
         Self {
             name,
@@ -118,7 +118,7 @@ fn tile_figures(folder: &Path) -> Result<Vec<ReliefFigures>, CliError> {
     }
     let mut figures: Vec<ReliefFigures> = Vec::new();
     for path in files {
-        let relief = relief_of(&load_dem(&path)?.grid)
+        let relief = ReliefStats::of(&load_dem(&path)?.grid)
             .ok_or_else(|| CliError::input(format!("{}: the tile is too small", path.display())))?;
         let stem = text(path.file_stem());
         // Two files may differ in their extension only.

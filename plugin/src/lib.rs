@@ -125,7 +125,7 @@
 //! fn land(event: On<BakeFinished>, bakes: Query<&PlanetBake>) -> Result {
 //!     let ground = PlanetGround::of_bake(bakes.get(event.planet)?, Rules::default())?;
 //!     let here = query::direction_at(-33.0, -70.5)?;
-//!     let sample = query::sample(&ground, here, 17)?;
+//!     let sample = ground.sample(here, 17)?;
 //!     info!("{} m above the sea", sample.height_m);
 //!     Ok(())
 //! }

@@ -5,8 +5,8 @@ use bevy::prelude::*;
 use bevy_pangaea::control::{
     Bake, BakeFinished, BakeFrame, BakeRules, BakeSettings, BakeSource, PlanetBake, bake_now,
 };
-use bevy_pangaea::hydrology::base::SPACING;
-use bevy_pangaea::hydrology::{HydrologyStats, NONE, Site, TerrainMaps};
+use bevy_pangaea::hydrology::BASE_SPACING;
+use bevy_pangaea::hydrology::{HydrologyStats, NO_VERTEX, ShoreClass, TerrainMaps};
 use bevy_pangaea::math::{angle_between, direction};
 use bevy_pangaea::prelude::*;
 use pangaea_tests::earth::earth;
@@ -24,7 +24,7 @@ fn assert_river_laws(bake: &Bake) {
     // Hack found 0.57 to 0.6; measured as here the relief of the Earth has 0.614.
     assert!((0.57..=0.63).contains(&stats.hack_exponent), "{stats:?}");
     let supply: u64 = bake.drainage.supply.iter().sum();
-    let ends = (0..bake.drainage.len()).filter(|&i| bake.drainage.routes.receiver[i] == NONE);
+    let ends = (0..bake.drainage.len()).filter(|&i| bake.drainage.routes.receiver[i] == NO_VERTEX);
     assert_eq!(
         supply,
         ends.map(|i| bake.drainage.discharge[i]).sum::<u64>()
@@ -64,7 +64,7 @@ fn baked_earth() -> Option<Bake> {
         plateau: None,
         hills: None,
     };
-    let frame = Arc::new(BakeFrame::new(1, SPACING, None).expect("a base mesh"));
+    let frame = Arc::new(BakeFrame::new(1, BASE_SPACING, None).expect("a base mesh"));
     let source = BakeSource::Maps(&maps);
     let bake = Bake::new(&frame, 6370.0, &source, &BakeRules::default());
     Some(bake.expect("a bake"))
@@ -88,7 +88,7 @@ fn rivers_of_the_earth_keep_the_laws_and_reach_their_mouths() {
     for (name, place, mouth) in RIVERS {
         let site = bake.mesh().nearest(direction(place.0, place.1)) as usize;
         let end = bake.drainage.basin[site];
-        let is_coast = end != NONE && bake.drainage.sites[end as usize] == Site::Coast;
+        let is_coast = end != NO_VERTEX && bake.drainage.shore[end as usize] == ShoreClass::Coast;
         assert!(is_coast, "{name} never reaches the sea");
         let mouth = direction(mouth.0, mouth.1);
         let way = 6370.0 * angle_between(bake.mesh().point(end), mouth);

@@ -6,7 +6,7 @@ use bevy::math::DVec3;
 use bevy_pangaea::climate::Climate;
 use bevy_pangaea::control::{Bake, BakeFrame, BakeRules, BakeSource};
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::hydrology::base::SPACING;
+use bevy_pangaea::hydrology::BASE_SPACING;
 use bevy_pangaea::hydrology::{BaseMesh, Drainage, RiverNetwork};
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::query::{Ground, GroundError, LEVELS, PlanetGround, Rules};
@@ -53,10 +53,10 @@ pub(super) struct GroundTimings {
 pub(super) fn ground_timings(headless: &Headless) -> Result<Option<GroundTimings>, CliError> {
     let planet = headless.get::<Planet>()?;
     let surface = headless.get::<PlanetSurface>()?;
-    let (base, base_mesh_ms) = timed(|| BaseMesh::new(planet.seed, SPACING));
+    let (base, base_mesh_ms) = timed(|| BaseMesh::new(planet.seed, BASE_SPACING));
     let base = base.map_err(CliError::input)?;
     let lattice = headless.get::<Lattice>()?;
-    let frame = Arc::new(BakeFrame::with_base(base, SPACING, Some(lattice)));
+    let frame = Arc::new(BakeFrame::with_base(base, BASE_SPACING, Some(lattice)));
     let rules = BakeRules::default();
     let source = BakeSource::Surface(surface);
     let (bake, bake_ms) = timed(|| Bake::new(&frame, planet.radius, &source, &rules));

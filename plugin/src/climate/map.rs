@@ -5,11 +5,24 @@
 
 use crate::math;
 use bevy::math::DVec3;
+use bevy::reflect::{Reflect, ReflectDeserialize, ReflectSerialize};
 use core::ops::RangeInclusive;
 use std::sync::Arc;
 
 /// Numbers on an equirectangular grid. Clones share them.
-#[derive(Clone, Debug)]
+///
+/// ```
+/// use bevy_pangaea::climate::EquirectMap;
+/// use bevy_pangaea::math::direction;
+///
+/// let warm_tropics = EquirectMap::from_fn(90, |lat, _| 30.0 - lat.abs() as f32)?;
+/// assert_eq!(warm_tropics.size(), [180, 90]);
+/// assert!((warm_tropics.at(direction(45.0, 10.0)) - -15.0).abs() < 0.01);
+/// # Ok::<(), bevy_pangaea::climate::MapError>(())
+/// ```
+#[derive(Clone, Debug, Reflect, serde::Serialize, serde::Deserialize)]
+#[reflect(opaque, Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Pixels", into = "Pixels")]
 pub struct EquirectMap {
     width: u32,
     height: u32,
@@ -24,8 +37,35 @@ impl PartialEq for EquirectMap {
     }
 }
 
+/// A map as files have it: it becomes one only if size and values fit.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Pixels {
+    width: u32,
+    height: u32,
+    values: Vec<f32>,
+}
+
+impl TryFrom<Pixels> for EquirectMap {
+    type Error = MapError;
+
+    fn try_from(pixels: Pixels) -> Result<Self, MapError> {
+        Self::new(pixels.width, pixels.height, pixels.values)
+    }
+}
+
+impl From<EquirectMap> for Pixels {
+    fn from(map: EquirectMap) -> Self {
+        Self {
+            width: map.width,
+            height: map.height,
+            values: map.values.to_vec(),
+        }
+    }
+}
+
 /// Why a map was refused.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Reflect, thiserror::Error)]
 pub enum MapError {
     /// A side is 0 or too long.
     #[error("a map of {0} x {1} pixels; sides are 1 to {max}", max = EquirectMap::MAX_SIDE)]
@@ -44,16 +84,16 @@ pub enum MapError {
     /// A value is not a number or infinite.
     #[error("the value of pixel {0} is not a finite number")]
     NotFinite(usize),
-    /// A value is outside of what the map can mean.
+    /// A value is outside of the range of its quantity.
     #[error("{what} is {value} at pixel {pixel}; it must be {allowed}")]
     Range {
-        /// What the map shows.
+        /// The quantity that the map shows.
         what: &'static str,
         /// The refused value.
         value: f32,
         /// Its pixel, counted in rows from the top.
         pixel: usize,
-        /// What would be allowed.
+        /// The allowed range in words.
         allowed: &'static str,
     },
 }
@@ -86,7 +126,7 @@ impl EquirectMap {
         }
     }
 
-    /// Refuses sizes of which there is no map.
+    /// Refuses sizes that no map can have.
     ///
     /// # Errors
     /// [`MapError::Size`], [`MapError::Shape`].
@@ -112,12 +152,13 @@ impl EquirectMap {
             return Err(MapError::Size(height.saturating_mul(2), height));
         }
         let step = 180.0 / f64::from(height);
-        let row = |y: u32| 90.0 - (f64::from(y) + 0.5) * step;
-        let column = |x: u32| (f64::from(x) + 0.5) * step - 180.0;
-        let value = &value;
-        let values = (0..height)
-            .flat_map(|y| (0..2 * height).map(move |x| value(row(y), column(x))))
-            .collect();
+        let mut values = Vec::with_capacity(2 * height as usize * height as usize);
+        for y in 0..height {
+            let latitude = 90.0 - (f64::from(y) + 0.5) * step;
+            for x in 0..2 * height {
+                values.push(value(latitude, (f64::from(x) + 0.5) * step - 180.0));
+            }
+        }
         Self::new(2 * height, height, values)
     }
 
@@ -149,18 +190,30 @@ impl EquirectMap {
     /// The value at the unit direction `p`.
     pub fn at(&self, p: DVec3) -> f32 {
         let (lat, lon) = math::lat_lon(p);
-        let y = ((90.0 - lat) / 180.0 * f64::from(self.height) - 0.5)
-            .clamp(0.0, f64::from(self.height - 1));
+        // Pixels stand for their centres, half a pixel from the edge; beyond the last row's the
+        // poles take its value.
+        let last_row = f64::from(self.height - 1);
+        let y = ((90.0 - lat) / 180.0 * f64::from(self.height) - 0.5).clamp(0.0, last_row);
         let x = (lon + 180.0) / 360.0 * f64::from(self.width) - 0.5;
         let (row, column) = (y.floor(), x.floor());
-        let (v, u) = ((y - row) as f32, (x - column) as f32);
-        let pixel = |dx: i64, dy: i64| {
-            let x = (column as i64 + dx).rem_euclid(i64::from(self.width)) as usize;
-            let y = (row as i64 + dy).clamp(0, i64::from(self.height) - 1) as usize;
-            self.values[y * self.width as usize + x]
-        };
-        let line = |dy| pixel(0, dy) + (pixel(1, dy) - pixel(0, dy)) * u;
-        line(0) + (line(1) - line(0)) * v
+        let across = (x - column) as f32;
+        let down = (y - row) as f32;
+        let above = self.between(column as i64, row as i64, across);
+        let below = self.between(column as i64, row as i64 + 1, across);
+        above + (below - above) * down
+    }
+
+    /// The value in a row, a share `across` of the way from a column to the next.
+    fn between(&self, column: i64, row: i64, across: f32) -> f32 {
+        let west = self.pixel(column, row);
+        west + (self.pixel(column + 1, row) - west) * across
+    }
+
+    /// A pixel; columns join around the date line, rows end at the poles.
+    fn pixel(&self, column: i64, row: i64) -> f32 {
+        let x = column.rem_euclid(i64::from(self.width)) as usize;
+        let y = row.clamp(0, i64::from(self.height) - 1) as usize;
+        self.values[y * self.width as usize + x]
     }
 }
 
@@ -175,6 +228,15 @@ mod tests {
         assert_eq!(map.at(math::direction(50.0, 15.0)), 50.0 + 15_000.0);
         assert!((map.at(math::direction(5.0, 180.0)) - (5.0 + 175_000.0)).abs() < 0.1);
         assert!((map.at(DVec3::Z) - map.at(math::direction(89.0, 0.0))).abs() < 1e-3);
+    }
+
+    #[test]
+    fn maps_come_back_from_files_and_broken_files_are_refused() {
+        let map = EquirectMap::from_fn(2, |lat, lon| (lat + lon) as f32).unwrap();
+        let text = ron::to_string(&map).unwrap();
+        assert_eq!(ron::from_str(&text), Ok(map));
+        let torn = text.replace("width:4", "width:6");
+        assert!(ron::from_str::<EquirectMap>(&torn).is_err());
     }
 
     #[test]
@@ -195,9 +257,8 @@ mod tests {
             EquirectMap::new(2, 1, vec![0.0, f32::NAN]),
             Err(MapError::NotFinite(1))
         );
-        assert!(
-            EquirectMap::from_fn(0, |_, _| 0.0).is_err()
-                && EquirectMap::from_fn(1 << 20, |_, _| 0.0).is_err()
-        );
+        for height in [0, 1 << 20] {
+            assert!(EquirectMap::from_fn(height, |_, _| 0.0).is_err());
+        }
     }
 }

@@ -1,48 +1,73 @@
 //! Rain: moisture carried along the prevailing wind.
 //!
-//! A column of air follows the wind from vertex to vertex. With m the water that it carries, c what
-//! it can carry and r = m / c the relative humidity:
+//! A column of air follows the wind from vertex to vertex. With m the water that it carries, c the
+//! most that it can carry and r = m / c the relative humidity:
 //! - over the sea it is moistened towards r = 0.8 (less where it sinks) within some 700 km;
 //! - it rains e(φ) r m / L per km: e says how air rises in its belt, much at the equator (the
-//!   convergence of the
-//!   trades) and on the storm tracks, little where it sinks (15 to 35°); where it sinks over land
-//! it is also dried;
+//!   convergence of the trades) and on the storm tracks, little where it sinks (15 to 35°); where
+//!   it sinks over land it is also dried;
 //! - of rain on land half evaporates again and goes on, in the tropics most of it;
-//! - where the ground rises the air cools, c falls, and what is too much rains out (orographic
-//!   rain; cf. Smith and
-//!   Barstad 2004, whose efficiencies are a third to a half); behind the crest m is spent and c is
-//! large again: a shadow.
+//! - where the ground rises the air cools, c falls, and a part of the excess rains out (orographic
+//!   rain; cf. Smith and Barstad 2004, whose efficiencies are a third to a half); behind the crest
+//!   m is spent and c is large again: a rain shadow.
 //!
 //! c follows the Magnus form of the vapour pressure at the ground's temperature. L = 5000 km and
 //! the scale to mm are fitted to Earth: 2 m at the equator, 0.6 m on tropical seas, 1 m on the
 //! storm tracks, 0.2 m at the poles. Eddies mix neighbouring columns within 300 km.
+//!
+//! Lengths without a source are fitted to the same four figures and to the width of Earth's
+//! deserts.
 
-use super::wind::Belts;
-use super::{EARTH_RADIUS, Winds};
+use super::scale::EARTH_RADIUS;
+use super::wind::{Belts, Upwind, Winds};
 use crate::math;
 use crate::parallel;
 use crate::sphere::SphereMesh;
 
-/// Relative humidity that the sea gives.
+/// Relative humidity that the sea gives to the air (Peixoto and Oort 1992: 0.75 to 0.85).
 const SEA_HUMIDITY: f32 = 0.8;
+
+/// Part of that humidity that is lost where air sinks most: subtropical inversions hold it down.
+const SEA_HUMIDITY_LOST: f32 = 0.35;
+
+/// Relative humidity of all columns before the first sweep.
+const FIRST_HUMIDITY: f32 = 0.7;
+
 /// Way over the sea on which air is moistened, km.
-const MOISTENING: f32 = 700.0;
+const MOISTENING_KM: f32 = 700.0;
+
 /// L: way on which air would lose its water at e = r = 1, km.
-const RAIN_LENGTH: f32 = 5000.0;
+const RAIN_LENGTH_KM: f32 = 5000.0;
+
 /// Way on which sinking air over land is dried, km.
-const DRYING: f32 = 1500.0;
-/// Share of the rain on land that evaporates again, where it is cold and where it is hot.
+const DRYING_KM: f32 = 1500.0;
+
+/// Share of the rain on land that evaporates again where it is cold, and where it is hot (Brubaker,
+/// Entekhabi and Eagleson 1993: least in Eurasia, most in the Amazon basin).
 const RECYCLING: [f32; 2] = [0.5, 0.85];
-/// Share of the water beyond what rising air can hold that rains out within a vertex's width.
+
+/// Mean temperature in °C at which recycling begins to grow, and how far above it is greatest.
+const RECYCLING_C: [f64; 2] = [5.0, 20.0];
+
+/// Summer less mean temperature in °C at the poles, at sea and on land. (Between seasons it grows
+/// with the sine of the latitude.)
+const SUMMER_WARMTH_C: [f32; 2] = [3.0, 9.0];
+
+/// Share of the water beyond the capacity of rising air that rains out within a vertex's width.
 const CONDENSATION: f32 = 0.3;
+
 /// Way within which eddies mix columns, km.
-const MIXING: f32 = 300.0;
+const MIXING_KM: f32 = 300.0;
+
 /// From the model's units of water per km to mm per year.
-const SCALE: f32 = 7.4e6;
-/// What no rain over a whole vertex exceeds, mm per year: steep walls turn part of the air aside.
-const HEAVIEST: f32 = 6000.0;
-/// Sweeps: the first two carry moisture around the planet, the third settles what was mixed against
-/// the wind.
+const MM_PER_YEAR: f32 = 7.4e6;
+
+/// Limit of the rain over a whole vertex, mm per year: steep walls turn part of the air aside.
+/// Few places on Earth have more than twice as much, and none of 50 km.
+const HEAVIEST_MM: f32 = 6000.0;
+
+/// Sweeps: the first two carry moisture around the planet, the third settles the part that was
+/// mixed against the wind.
 const SWEEPS: usize = 3;
 
 /// Rain in mm per year at every vertex, from temperatures in °C and heights in km: the mean of two
@@ -51,114 +76,150 @@ pub(super) fn rain(
     mesh: &SphereMesh,
     winds: &Winds,
     temperature: &[f32],
-    height: &(dyn Fn(u32) -> f32 + Sync),
+    height: &[f32],
 ) -> Vec<f32> {
     // Air does not follow every peak and hollow.
     let smoothed = smooth(mesh, temperature);
-    let season = |belts: &Belts| season(mesh, belts, &smoothed, height);
-    let (north, south) = rayon::join(|| season(&winds.seasons[0]), || season(&winds.seasons[1]));
+    let [north, south] = &winds.seasons;
+    // Each season is one sweep after the other; the two do not depend on each other.
+    let (north, south) = rayon::join(
+        || season(mesh, north, &smoothed, height),
+        || season(mesh, south, &smoothed, height),
+    );
     let rain = parallel::map(mesh.len(), |i| {
-        let sum = 0.5 * (north[i as usize] + south[i as usize]);
-        sum / (1.0 + (sum / HEAVIEST) * (sum / HEAVIEST)).sqrt()
+        let mean = 0.5 * (north[i as usize] + south[i as usize]);
+        // Bends off smoothly instead of cutting peaks.
+        mean / (1.0 + (mean / HEAVIEST_MM) * (mean / HEAVIEST_MM)).sqrt()
     });
+    // Rain falls downwind of where it forms, by a vertex or two.
     smooth(mesh, &smooth(mesh, &rain))
 }
 
 /// Half of each value and half of the mean around it.
 fn smooth(mesh: &SphereMesh, field: &[f32]) -> Vec<f32> {
     parallel::map(mesh.len(), |i| {
-        let ring = mesh.ring(i);
-        let mean = ring.iter().map(|&j| field[j as usize]).sum::<f32>() / ring.len() as f32;
-        0.5 * (field[i as usize] + mean)
+        0.5 * (field[i as usize] + ring_mean(mesh, field, i))
     })
 }
 
-fn season(
-    mesh: &SphereMesh,
-    belts: &Belts,
-    temperature: &[f32],
-    height: &(dyn Fn(u32) -> f32 + Sync),
-) -> Vec<f32> {
-    let zones = zones();
-    let columns: Vec<Column> = parallel::map(mesh.len(), |i| {
-        let k = i as usize;
-        let season = mesh.point(i).z as f32 * belts.shift.signum() as f32;
-        Column::new(
-            zone(&zones, belts.latitude[k]),
-            season,
-            temperature[k],
-            height(i) < 0.0,
-        )
-    });
-    let mut water: Vec<f32> = columns.iter().map(|c| 0.7 * c.capacity).collect();
+/// The mean of a field over the neighbours of vertex `i`.
+fn ring_mean(mesh: &SphereMesh, field: &[f32], i: u32) -> f32 {
+    let ring = mesh.ring(i);
+    ring.iter().map(|&j| field[j as usize]).sum::<f32>() / ring.len() as f32
+}
+
+/// Rain of one season in mm per year.
+fn season(mesh: &SphereMesh, belts: &Belts, temperature: &[f32], height: &[f32]) -> Vec<f32> {
+    let columns = columns(mesh, belts, temperature, height);
+    let mut water: Vec<f32> = columns
+        .iter()
+        .map(|column| FIRST_HUMIDITY * column.capacity)
+        .collect();
     let mut rain = vec![0.0; mesh.len()];
     for _ in 0..SWEEPS {
+        // In place and in the order of the wind: one sweep carries water around the planet.
         for &i in &belts.order {
             let k = i as usize;
-            let up = belts.upwind[k];
-            let [a, b] = up.from.map(|j| water[j as usize]);
-            let way = (up.distance * EARTH_RADIUS as f32).max(1.0);
-            let ring = mesh.ring(i);
-            let around = ring.iter().map(|&j| water[j as usize]).sum::<f32>() / ring.len() as f32;
-            let carried = a + (b - a) * up.weight;
-            let mixed = carried + (around - carried) * (way / (MIXING + way));
-            (water[k], rain[k]) = columns[k].pass(mixed, way);
+            // At least a kilometre: rain is divided by the way.
+            let way = (belts.upwind[k].distance * EARTH_RADIUS as f32).max(1.0);
+            let arriving = arriving(mesh, &water, i, belts.upwind[k], way);
+            (water[k], rain[k]) = columns[k].pass(arriving, way);
         }
     }
     rain
 }
 
-/// Steps of the table of zones per degree.
-const ZONES: f32 = 4.0;
-
-/// How readily it rains and how strongly air sinks, by the distance from the belts' middle in
-/// quarters of a degree.
-fn zones() -> Vec<[f32; 2]> {
-    let zone = |step: u32| {
-        let beyond = f64::from(step) / f64::from(ZONES);
-        let bell = |centre: f64, width: f64| {
-            math::exp(-((beyond - centre) / width) * ((beyond - centre) / width))
-        };
-        let storms = math::smoothstep((beyond - 27.0) / 30.0);
-        [
-            (0.2 + 1.5 * bell(0.0, 9.0) + 2.6 * storms) as f32,
-            bell(24.0, 7.0) as f32,
-        ]
-    };
-    (0..=110 * ZONES as u32).map(zone).collect()
+/// The columns of air over all vertices.
+fn columns(mesh: &SphereMesh, belts: &Belts, temperature: &[f32], height: &[f32]) -> Vec<Column> {
+    let zones = zones();
+    parallel::map(mesh.len(), |i| {
+        let k = i as usize;
+        let summer = mesh.point(i).z as f32 * belts.shift.signum() as f32;
+        let zone = zone_at(&zones, belts.latitude[k]);
+        Column::new(zone, summer, temperature[k], height[k] < 0.0)
+    })
 }
 
-/// The zone at a distance from the belts' middle in degrees.
-fn zone(zones: &[[f32; 2]], beyond: f32) -> [f32; 2] {
-    let x = beyond * ZONES;
-    let below = (x as usize).min(zones.len() - 2);
-    let t = x - below as f32;
-    core::array::from_fn(|k| zones[below][k] + (zones[below + 1][k] - zones[below][k]) * t)
+/// Water that arrives at vertex `i` after `way` km: from upwind, and the more from all around the
+/// longer eddies had time to mix.
+fn arriving(mesh: &SphereMesh, water: &[f32], i: u32, upwind: Upwind, way: f32) -> f32 {
+    let [a, b] = upwind.from.map(|j| water[j as usize]);
+    let around = ring_mean(mesh, water, i);
+    let carried = a + (b - a) * upwind.weight;
+    carried + (around - carried) * (way / (MIXING_KM + way))
 }
 
-/// What the air meets at a vertex.
+/// Entries of the table of zones per degree.
+const ZONES_PER_DEGREE: f32 = 4.0;
+
+/// Largest distance from the belts' middle in degrees: a pole, and the seasonal shift.
+const FARTHEST_ZONE_DEG: u32 = 110;
+
+/// Vertical motion of the air in a zone.
 #[derive(Clone, Copy)]
-struct Column {
-    capacity: f32,
+struct Zone {
     /// e: how readily it rains.
     rising: f32,
     /// How strongly air sinks, 0..1.
     sinking: f32,
+}
+
+/// The zones by distance from the belts' middle in quarters of a degree.
+fn zones() -> Vec<Zone> {
+    (0..=FARTHEST_ZONE_DEG * ZONES_PER_DEGREE as u32)
+        .map(|step| Zone::new(f64::from(step) / f64::from(ZONES_PER_DEGREE)))
+        .collect()
+}
+
+/// The zone at a distance from the belts' middle in degrees.
+fn zone_at(zones: &[Zone], beyond: f32) -> Zone {
+    let x = beyond * ZONES_PER_DEGREE;
+    let below = (x as usize).min(zones.len() - 2);
+    let t = x - below as f32;
+    let (a, b) = (zones[below], zones[below + 1]);
+    Zone {
+        rising: a.rising + (b.rising - a.rising) * t,
+        sinking: a.sinking + (b.sinking - a.sinking) * t,
+    }
+}
+
+impl Zone {
+    /// The zone at a distance from the belts' middle in degrees: a convergence 9° wide about the
+    /// middle, storm tracks that set in from 27 to 57°, and between them, about 24°, sinking air.
+    fn new(beyond: f64) -> Self {
+        let storms = math::smoothstep((beyond - 27.0) / 30.0);
+        Self {
+            rising: (0.2 + 1.5 * bell(beyond, 0.0, 9.0) + 2.6 * storms) as f32,
+            sinking: bell(beyond, 24.0, 7.0) as f32,
+        }
+    }
+}
+
+/// Gauss' bell about a centre, 1/e at a width.
+fn bell(x: f64, centre: f64, width: f64) -> f64 {
+    math::exp(-((x - centre) / width) * ((x - centre) / width))
+}
+
+/// The air over a vertex.
+#[derive(Clone, Copy)]
+struct Column {
+    /// c: most water that it can carry, in units of that of air at 15 °C.
+    capacity: f32,
+    zone: Zone,
     /// Share of the rain that evaporates again.
     recycling: f32,
     is_sea: bool,
 }
 
 impl Column {
-    /// `season` is the sine of the latitude, positive in the summer hemisphere.
-    fn new(zone: [f32; 2], season: f32, temperature: f32, is_sea: bool) -> Self {
-        // Summers are warmer, on land more so.
-        let swing = if is_sea { 3.0 } else { 9.0 };
-        let warmth = math::smoothstep((f64::from(temperature) - 5.0) / 20.0) as f32;
+    /// `summer` is the sine of the latitude, positive in the summer hemisphere.
+    fn new(zone: Zone, summer: f32, temperature: f32, is_sea: bool) -> Self {
+        let swing = SUMMER_WARMTH_C[usize::from(!is_sea)];
+        let [first, width] = RECYCLING_C;
+        let warmth = math::smoothstep((f64::from(temperature) - first) / width) as f32;
         Self {
-            capacity: capacity(temperature + swing * season),
-            rising: zone[0],
-            sinking: zone[1],
+            capacity: capacity(temperature + swing * summer),
+            zone,
             recycling: RECYCLING[0] + (RECYCLING[1] - RECYCLING[0]) * warmth,
             is_sea,
         }
@@ -168,66 +229,38 @@ impl Column {
     /// year.
     #[inline]
     fn pass(&self, water: f32, way: f32) -> (f32, f32) {
-        // x / (1 + x) stands for 1 - exp(-x): the same for short ways, and never more than there
-        // is.
-        let share = |x: f32| x / (1.0 + x);
         let humidity = (water / self.capacity).min(1.0);
-        let falls = water * share(self.rising * humidity * way / RAIN_LENGTH);
+        let falls = water * share(self.zone.rising * humidity * way / RAIN_LENGTH_KM);
+        // Air that rises over ground cools, and holds less than it brought along.
         let excess = (water - self.capacity).max(0.0) * CONDENSATION;
         let rain = falls + excess;
         let left = if self.is_sea {
+            // Moistened towards the sea's humidity, but never dried by it.
             let dry = (water - rain).max(0.0);
-            let humid = SEA_HUMIDITY * (1.0 - 0.35 * self.sinking) * self.capacity;
-            dry + (humid - dry).max(0.0) * share(way / MOISTENING)
+            let humidity = SEA_HUMIDITY * (1.0 - SEA_HUMIDITY_LOST * self.zone.sinking);
+            dry + (humidity * self.capacity - dry).max(0.0) * share(way / MOISTENING_KM)
         } else {
-            (water - rain + self.recycling * falls) * (1.0 - share(self.sinking * way / DRYING))
+            // Orographic rain runs off too fast to evaporate again.
+            let kept = 1.0 - share(self.zone.sinking * way / DRYING_KM);
+            (water - rain + self.recycling * falls) * kept
         };
-        (left, rain / way * SCALE)
+        (left, rain / way * MM_PER_YEAR)
     }
 }
 
-/// What air at a temperature in °C can carry, 1 at 15 °C (Magnus form of the saturation vapour
-/// pressure, WMO 2008).
+/// The share that is lost on a way of `x` decay lengths. x / (1 + x) stands for 1 - exp(-x): the
+/// same for short ways, and never more than all.
+fn share(x: f32) -> f32 {
+    x / (1.0 + x)
+}
+
+/// Most water that air at a temperature in °C can carry, 1 at 15 °C (Magnus form of the saturation
+/// vapour pressure, WMO 2008).
 fn capacity(temperature: f32) -> f32 {
     let t = f64::from(temperature).clamp(-90.0, 60.0);
     (math::exp(17.62 * t / (243.12 + t)) / 2.79) as f32
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn capacity_doubles_within_11_degrees() {
-        assert!((capacity(15.0) - 1.0).abs() < 0.01);
-        assert!((1.8..2.2).contains(&(capacity(26.0) / capacity(15.0))));
-        assert!((1.9..2.5).contains(&(capacity(5.0) / capacity(-5.0))));
-    }
-
-    #[test]
-    fn water_is_spent_on_land_and_regained_at_sea() {
-        let land = Column {
-            capacity: 1.0,
-            rising: 1.0,
-            sinking: 0.0,
-            recycling: 0.5,
-            is_sea: false,
-        };
-        let (left, rain) = land.pass(0.6, 50.0);
-        assert!(left < 0.6 && rain > 0.0);
-        let half_recycled = (0.6 - left) * SCALE / 50.0;
-        assert!((half_recycled / (0.5 * rain) - 1.0).abs() < 1e-3);
-        let sea = Column {
-            is_sea: true,
-            ..land
-        };
-        assert!(sea.pass(0.1, 50.0).0 > 0.1);
-        // Lifted air rains more, and the air behind the crest less.
-        let crest = Column {
-            capacity: 0.3,
-            ..land
-        };
-        let (behind, much) = crest.pass(0.6, 50.0);
-        assert!(much > 3.0 * rain && land.pass(behind, 50.0).1 < 0.75 * rain);
-    }
-}
+#[path = "rain_tests.rs"]
+mod tests;

@@ -1,15 +1,17 @@
 //! A bake: from the crust as it is now, or from a user's maps, to the control mesh.
 
-use super::pack::{ControlInput, RiverRule, control_mesh};
+use super::pack::{ControlInput, control_mesh};
+use super::rivers::RiverRule;
 use super::topology::Topology;
 use crate::climate::{Climate, ClimateMaps, MapError};
 use crate::crust::Surface;
 use crate::hydrology::{BaseMesh, Drainage, RiverNetwork, Terrain, TerrainMaps, Transfer};
 use crate::sphere::{SphereError, SphereMesh};
+use bevy::reflect::{Reflect, TypePath};
 use pangaea_shaders::amplify::control::ControlMesh;
 use std::sync::Arc;
 
-/// What all bakes of a planet have in common: it depends on the seed, the spacing and the lattice
+/// The part that all bakes of a planet share: it depends on the seed, the spacing and the lattice
 /// alone.
 #[derive(Clone, Debug)]
 pub struct BakeFrame {
@@ -17,7 +19,7 @@ pub struct BakeFrame {
     pub base: BaseMesh,
     /// Its edges and faces.
     pub topology: Topology,
-    /// Where its vertices lie in the lattice of the crust; none for planets of maps.
+    /// Where its vertices lie in the lattice of the crust; `None` for planets of maps.
     pub transfer: Option<Transfer>,
     /// Smallest distance of vertices in radians.
     pub spacing: f64,
@@ -58,7 +60,7 @@ pub enum BakeSource<'a> {
 }
 
 /// Climate, drainage and control maps of a planet at one moment.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, TypePath)]
 pub struct Bake {
     /// [`Surface::version`] that it was made from.
     pub version: u64,
@@ -72,12 +74,13 @@ pub struct Bake {
     pub climate: Climate,
     /// Rivers and lakes.
     pub drainage: Drainage,
-    /// What the amplifier reads.
+    /// The input of the amplifier.
     pub control: ControlMesh,
 }
 
 /// How a bake is made.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct BakeRules {
     /// Maps that replace fields of the climate.
     pub climate: ClimateMaps,
@@ -91,15 +94,18 @@ pub struct BakeRules {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum BakeError {
     /// A radius that is not above 0, or beyond [`Bake::MAX_RADIUS`].
-    #[error("the planet's radius must be above 0 and at most {max} km, not {0}", max = Bake::MAX_RADIUS)]
+    #[error(
+        "the planet's radius must be above 0 and at most {max} km, not {0}",
+        max = Bake::MAX_RADIUS
+    )]
     Radius(f64),
-    /// A spacing that is not above 0, or not a number.
+    /// A spacing that is not above 0, infinite, or NaN.
     #[error("the spacing of the base mesh must be a number of radians above 0, not {0}")]
     Spacing(f64),
     /// There is no base mesh of that spacing.
     #[error(transparent)]
     Mesh(#[from] SphereError),
-    /// A user's map has values that mean nothing.
+    /// A user's map has values out of range.
     #[error(transparent)]
     Map(#[from] MapError),
 }
@@ -112,6 +118,22 @@ impl Bake {
     ///
     /// # Errors
     /// [`BakeError::Radius`], and [`BakeError::Map`] for maps with values out of range.
+    ///
+    /// ```
+    /// use bevy_pangaea::climate::EquirectMap;
+    /// use bevy_pangaea::control::{Bake, BakeFrame, BakeRules, BakeSource};
+    /// use bevy_pangaea::hydrology::TerrainMaps;
+    /// use std::sync::Arc;
+    ///
+    /// // A coarse planet of a user's map: land in the north, sea in the south.
+    /// let crust = EquirectMap::from_fn(32, |lat, _| lat as f32 / 60.0)?;
+    /// let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
+    /// let frame = Arc::new(BakeFrame::new(1, 0.06, None)?);
+    /// let bake =
+    ///     Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default())?;
+    /// assert_eq!(bake.control.vertices.len(), bake.mesh().len());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(
         frame: &Arc<BakeFrame>,
         radius: f64,
@@ -121,39 +143,25 @@ impl Bake {
         if !(radius > 0.0 && radius <= Self::MAX_RADIUS) {
             return Err(BakeError::Radius(radius));
         }
+        // Maps come from users: refused before anything is built on them.
         rules.climate.check()?;
         if let BakeSource::Maps(maps) = source {
             maps.check()?;
         }
         let base = &frame.base;
-        let (version, time) = match source {
-            BakeSource::Surface(surface) => (surface.version, surface.time),
-            BakeSource::Maps(_) => (0, 0.0),
-        };
-        let terrain = match (source, &frame.transfer) {
-            (BakeSource::Surface(surface), Some(transfer)) => {
-                Terrain::from_surface(base, transfer, surface)
-            }
-            (BakeSource::Maps(maps), _) => Terrain::from_maps(base, maps),
-            // Without a lattice there is no crust to read: an ocean.
-            (BakeSource::Surface(_), None) => Terrain::ocean(base.mesh.len()),
-        };
-        let climate = Climate::new(
-            &base.mesh,
-            &base.winds,
-            &terrain.elevation_km(),
-            &rules.climate,
-        );
+        let terrain = source.terrain(frame);
+        let elevation = terrain.elevation_km();
+        let climate = Climate::new(&base.mesh, &base.winds, &elevation, &rules.climate);
         let drainage = Drainage::new(base, radius, &terrain, &climate, rules.network);
-        let input = ControlInput {
+        let control = control_mesh(&ControlInput {
             mesh: &base.mesh,
             topology: &frame.topology,
             terrain: &terrain,
             climate: &climate,
             drainage: &drainage,
             rule: rules.rivers,
-        };
-        let control = control_mesh(&input);
+        });
+        let (version, time) = source.moment();
         Ok(Self {
             version,
             time,
@@ -168,5 +176,26 @@ impl Bake {
     /// The base mesh.
     pub fn mesh(&self) -> &SphereMesh {
         &self.frame.base.mesh
+    }
+}
+
+impl BakeSource<'_> {
+    fn terrain(&self, frame: &BakeFrame) -> Terrain {
+        match (self, &frame.transfer) {
+            (Self::Surface(surface), Some(transfer)) => {
+                Terrain::from_surface(&frame.base, transfer, surface)
+            }
+            (Self::Maps(maps), _) => Terrain::from_maps(&frame.base, maps),
+            // Without a lattice there is no crust to read: an ocean.
+            (Self::Surface(_), None) => Terrain::ocean(frame.base.mesh.len()),
+        }
+    }
+
+    /// Version of the surface, and geological time in My; both 0 for maps.
+    fn moment(&self) -> (u64, f64) {
+        match self {
+            Self::Surface(surface) => (surface.version, surface.time),
+            Self::Maps(_) => (0, 0.0),
+        }
     }
 }

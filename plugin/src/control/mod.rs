@@ -5,20 +5,27 @@
 //!
 //! ```text
 //! topology   edges and faces of the base mesh; once per seed
+//! rivers     which vertices are rivers, and where their edges lead
 //! pack       C, A, W, P, B, rivers and lakes per vertex, in the packed form
 //! bake       all stages from the surface to the control mesh
+//! settings   the settings of a planet's bakes
 //! plugin     a bake that follows a running planet in the background
 //! ```
 
-pub mod topology;
+mod topology;
 
-pub mod pack;
+mod rivers;
 
-pub mod bake;
+mod pack;
 
-pub mod plugin;
+mod bake;
+
+mod settings;
+
+mod plugin;
 
 pub use bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
-pub use pack::{RiverRule, control_mesh};
-pub use plugin::{BakeFinished, BakePlugin, BakeSettings, PlanetBake, bake_now};
+pub use plugin::{BakeFinished, BakePlugin, PlanetBake, bake_now};
+pub use rivers::RiverRule;
+pub use settings::BakeSettings;
 pub use topology::Topology;

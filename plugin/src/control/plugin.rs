@@ -6,11 +6,12 @@
 //! and [`BakeFinished`] is triggered on the planet. The planet's state and its digest are not
 //! touched.
 
-use super::bake::{Bake, BakeError, BakeFrame, BakeRules, BakeSource};
+use super::bake::{Bake, BakeError, BakeFrame, BakeSource};
+use super::settings::BakeSettings;
 use crate::crust::{PlanetSurface, Surface};
-use crate::hydrology::base::SPACING;
 use crate::planet::{Lattice, Planet};
 use crate::sphere::SphereMesh;
+use bevy::ecs::query::QueryData;
 use bevy::prelude::*;
 use core::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
@@ -20,82 +21,36 @@ pub struct BakePlugin;
 
 impl Plugin for BakePlugin {
     fn build(&self, app: &mut App) {
+        // Collected first: a planet may begin its next bake in the frame that ends its last.
         app.add_systems(Update, (collect, start).chain());
     }
 }
 
-/// Asks for bakes of a planet, and says how.
-#[derive(Component, Clone, Debug, PartialEq)]
-pub struct BakeSettings {
-    /// Smallest distance of the base mesh's vertices in radians.
-    pub spacing: f64,
-    /// Maps, network and rivers.
-    pub rules: BakeRules,
-}
-
-impl BakeSettings {
-    /// Refuses a spacing that is none.
-    ///
-    /// # Errors
-    /// [`BakeError::Spacing`].
-    pub fn check(&self) -> Result<(), BakeError> {
-        let spacing = self.spacing;
-        if spacing > 0.0 && spacing.is_finite() {
-            Ok(())
-        } else {
-            Err(BakeError::Spacing(spacing))
-        }
-    }
-
-    /// Whether both ask for the same bake. Numbers are compared by their bits: one that is none
-    /// would never equal itself, and the planet would be baked for ever.
-    fn asks_for_the_same(&self, other: &Self) -> bool {
-        let bits =
-            |settings: &Self| [settings.spacing, settings.rules.rivers.discharge].map(f64::to_bits);
-        let BakeRules {
-            climate,
-            network,
-            rivers,
-        } = &self.rules;
-        bits(self) == bits(other)
-            && rivers.order == other.rules.rivers.order
-            && *network == other.rules.network
-            && *climate == other.rules.climate
-    }
-}
-
-impl Default for BakeSettings {
-    fn default() -> Self {
-        Self {
-            spacing: SPACING,
-            rules: BakeRules::default(),
-        }
-    }
-}
-
 /// The last finished bake of a planet.
-#[derive(Component, Clone, Deref)]
+#[derive(Component, Clone, Deref, Reflect)]
+#[reflect(Component, Clone)]
 pub struct PlanetBake(pub Arc<Bake>);
 
 /// Bakes a planet as its [`Surface`] is now, and waits for it: for tools and tests. Uses its
 /// [`BakeSettings`], or the default ones.
 ///
 /// # Errors
-/// [`BakeError`] for settings of which there is no bake; the planet keeps its last one.
+/// [`BakeError`] for settings that no bake can have; the planet keeps its last one.
 pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
     let settings = world
         .get::<BakeSettings>(planet)
         .cloned()
         .unwrap_or_default();
-    let (Some(own), Some(lattice), Some(surface)) = (
-        world.get::<Planet>(planet),
-        world.get::<Lattice>(planet),
-        world.get::<PlanetSurface>(planet),
-    ) else {
+    let Ok(entity) = world.get_entity(planet) else {
+        return Ok(());
+    };
+    let Ok((own, lattice, surface)) =
+        entity.get_components::<(&Planet, &Lattice, &PlanetSurface)>()
+    else {
         return Ok(());
     };
     settings.check()?;
-    let frame = reusable(world.get::<PlanetBake>(planet), own, lattice, &settings);
+    let frame = reusable(entity.get::<PlanetBake>(), own, lattice, &settings);
     let bake = bake(frame, own, &lattice.0, surface, &settings)?;
     world.entity_mut(planet).insert(PlanetBake(Arc::new(bake)));
     Ok(())
@@ -133,6 +88,7 @@ fn reusable(
     settings: &BakeSettings,
 ) -> Option<Arc<BakeFrame>> {
     let frame = last?.frame.clone();
+    // A user may have given the planet another seed, or another lattice, since.
     let same = frame.spacing == settings.spacing && frame.base.seed == planet.seed;
     let fits = frame
         .transfer
@@ -142,7 +98,7 @@ fn reusable(
 }
 
 /// A bake is finished; the planet's [`PlanetBake`] is new.
-#[derive(EntityEvent, Clone, Debug)]
+#[derive(EntityEvent, Clone, Debug, Reflect)]
 pub struct BakeFinished {
     /// The planet.
     #[event_target]
@@ -158,14 +114,21 @@ pub struct BakeFinished {
 /// A bake under way.
 #[derive(Component)]
 struct BakeJob {
+    /// Jobs are collected in the order in which they began.
     serial: u64,
-    outcome: Arc<Mutex<Option<Outcome>>>,
+    /// Where the pool leaves the outcome.
+    slot: Arc<Mutex<Option<BakeOutcome>>>,
 }
 
-/// The bake, or why there is none, and its wall-clock time in ms.
-type Outcome = (Result<Bake, BakeError>, f64);
+/// A finished job.
+struct BakeOutcome {
+    bake: Result<Bake, BakeError>,
+    /// Wall-clock time that it took in ms.
+    milliseconds: f64,
+}
 
-/// What a planet was last baked from, so that a failure is not tried again and again.
+/// The surface and settings of a planet's last bake, so that a failure is not tried again and
+/// again.
 #[derive(Component)]
 struct Baked {
     version: u64,
@@ -177,98 +140,112 @@ fn pool() -> Option<&'static rayon::ThreadPool> {
     static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
     POOL.get_or_init(|| {
         let cores = std::thread::available_parallelism().map_or(1, core::num::NonZero::get);
-        let name = |k| format!("bake {k}");
         rayon::ThreadPoolBuilder::new()
             .num_threads(cores.min(2).max(cores / 2))
-            .thread_name(name)
+            .thread_name(|k| format!("bake {k}"))
             .build()
             .ok()
     })
     .as_ref()
 }
 
-fn start(
-    mut commands: Commands,
-    planets: Query<
-        (
-            Entity,
-            &Planet,
-            &Lattice,
-            &PlanetSurface,
-            &BakeSettings,
-            Option<&PlanetBake>,
-            Option<&Baked>,
-        ),
-        Without<BakeJob>,
-    >,
-) {
-    static SERIAL: AtomicU64 = AtomicU64::new(0);
-    for (entity, planet, lattice, surface, settings, last, baked) in &planets {
-        let same = baked.filter(|baked| baked.settings.asks_for_the_same(settings));
-        if surface.is_empty() || same.is_some_and(|baked| baked.version == surface.version) {
-            continue;
-        }
-        let wanted = Baked {
-            version: surface.version,
-            settings: settings.clone(),
-        };
-        if let Err(error) = settings.check() {
-            if same.is_none() {
-                warn!("the planet is not baked: {error}");
-                commands.entity(entity).insert(wanted);
-            }
-            continue;
-        }
-        let Some(pool) = pool() else { return };
-        let frame = reusable(last, planet, lattice, settings);
-        let (planet, lattice, surface, settings) = (
-            *planet,
-            lattice.0.clone(),
-            surface.0.clone(),
-            settings.clone(),
-        );
-        let outcome = Arc::new(Mutex::new(None));
-        let result = outcome.clone();
+/// A planet as bakes read it.
+#[derive(QueryData)]
+struct BakeQuery {
+    planet: &'static Planet,
+    lattice: &'static Lattice,
+    surface: &'static PlanetSurface,
+    settings: &'static BakeSettings,
+    last: Option<&'static PlanetBake>,
+    baked: Option<&'static Baked>,
+}
+
+impl BakeQueryItem<'_, '_> {
+    /// Whether the surface was baked, or refused, with the same settings.
+    fn is_done(&self) -> bool {
+        self.same_settings()
+            .is_some_and(|baked| baked.version == self.surface.version)
+    }
+
+    /// The last attempt, if it had the same settings.
+    fn same_settings(&self) -> Option<&Baked> {
+        self.baked
+            .filter(|baked| baked.settings.asks_for_the_same(self.settings))
+    }
+
+    /// Starts a job on a pool. It takes copies along: the planet may change or go meanwhile.
+    fn spawn_job(&self, pool: &rayon::ThreadPool) -> BakeJob {
+        static SERIAL: AtomicU64 = AtomicU64::new(0);
+        // Most bakes share the base mesh and its winds with the last one.
+        let frame = reusable(self.last, self.planet, self.lattice, self.settings);
+        let planet = *self.planet;
+        let lattice = self.lattice.0.clone();
+        let surface = self.surface.0.clone();
+        let settings = self.settings.clone();
+        let slot = Arc::new(Mutex::new(None));
+        let result = slot.clone();
         pool.spawn(move || {
             let began = std::time::Instant::now();
             let bake = bake(frame, &planet, &lattice, &surface, &settings);
             let milliseconds = began.elapsed().as_secs_f64() * 1e3;
             if let Ok(mut slot) = result.lock() {
-                *slot = Some((bake, milliseconds));
+                *slot = Some(BakeOutcome { bake, milliseconds });
             }
         });
-        let serial = SERIAL.fetch_add(1, Ordering::Relaxed);
-        commands
-            .entity(entity)
-            .insert((BakeJob { serial, outcome }, wanted));
+        BakeJob {
+            serial: SERIAL.fetch_add(1, Ordering::Relaxed),
+            slot,
+        }
     }
 }
 
+/// Starts bakes of planets whose surface or settings have changed.
+fn start(mut commands: Commands, planets: Query<(Entity, BakeQuery), Without<BakeJob>>) {
+    for (entity, planet) in &planets {
+        if planet.surface.is_empty() || planet.is_done() {
+            continue;
+        }
+        let attempt = Baked {
+            version: planet.surface.version,
+            settings: planet.settings.clone(),
+        };
+        if let Err(error) = planet.settings.check() {
+            // Told once, not at every new surface.
+            if planet.same_settings().is_none() {
+                warn!("the planet is not baked: {error}");
+                commands.entity(entity).insert(attempt);
+            }
+            continue;
+        }
+        let Some(pool) = pool() else { return };
+        let job = planet.spawn_job(pool);
+        commands.entity(entity).insert((job, attempt));
+    }
+}
+
+/// Takes finished bakes in.
 fn collect(mut commands: Commands, jobs: Query<(Entity, &BakeJob)>) {
     let mut jobs: Vec<_> = jobs.iter().collect();
     jobs.sort_by_key(|(_, job)| job.serial);
     for (planet, job) in jobs {
-        let Some((bake, milliseconds)) =
-            job.outcome.try_lock().ok().and_then(|mut slot| slot.take())
-        else {
+        // A job that just writes its outcome is asked again in the next frame.
+        let Some(outcome) = job.slot.try_lock().ok().and_then(|mut slot| slot.take()) else {
             continue;
         };
         commands.entity(planet).remove::<BakeJob>();
-        let bake = match bake {
-            Ok(bake) => bake,
-            Err(error) => {
-                warn!("the planet is not baked: {error}");
-                continue;
+        match outcome.bake {
+            Ok(bake) => {
+                let finished = BakeFinished {
+                    planet,
+                    version: bake.version,
+                    time: bake.time,
+                    milliseconds: outcome.milliseconds,
+                };
+                commands.entity(planet).insert(PlanetBake(Arc::new(bake)));
+                commands.trigger(finished);
             }
-        };
-        let (version, time) = (bake.version, bake.time);
-        commands.entity(planet).insert(PlanetBake(Arc::new(bake)));
-        commands.trigger(BakeFinished {
-            planet,
-            version,
-            time,
-            milliseconds,
-        });
+            Err(error) => warn!("the planet is not baked: {error}"),
+        }
     }
 }
 

@@ -8,24 +8,28 @@ use crate::climate::Winds;
 use crate::noise::Noise;
 use crate::parallel;
 use crate::random::Purpose;
-use crate::sphere::{Location, SphereError, SphereMesh, poisson_disk};
+use crate::sphere::{SphereError, SphereMesh, poisson_disk};
+use bevy::reflect::Reflect;
 
 /// Smallest distance of vertices in radians that gives edges of 52 km in the mean on an Earth-sized
-/// planet.
-pub const SPACING: f64 = 0.005_83;
+/// planet (paper 002 §4).
+pub const BASE_SPACING: f64 = 0.005_83;
 
-/// Frequency in periods per radian, and octaves, of the relief between samples: 150 and 75 km on
-/// Earth.
-const RELIEF: (f64, u32) = (42.0, 2);
+/// Frequency in periods per radian of the relief between samples: 150 km on Earth, the distance of
+/// samples of the crust.
+const RELIEF_FREQUENCY: f64 = 42.0;
 
-/// Vertices, triangles, and what follows from them and the seed.
+/// Octaves of that relief: the second has 75 km, the shortest wave that edges of 52 km hold.
+const RELIEF_OCTAVES: u32 = 2;
+
+/// Vertices and triangles, and all that follows from them and the seed alone.
 #[derive(Clone, Debug)]
 pub struct BaseMesh {
     /// Seed of the planet.
     pub seed: u64,
     /// Vertices and triangles.
     pub mesh: SphereMesh,
-    /// What lies upwind of each vertex.
+    /// The winds at its vertices.
     pub winds: Winds,
     /// Coherent noise of the relief that the crust's samples are too far apart to show, about
     /// -1..1.
@@ -34,16 +38,25 @@ pub struct BaseMesh {
 
 impl BaseMesh {
     /// The base mesh of a planet; `spacing` is the smallest distance of vertices in radians,
-    /// [`SPACING`] for a planet as the paper has it.
+    /// [`BASE_SPACING`] for a planet as the paper has it.
     ///
     /// # Errors
     /// [`SphereError`] if so few points come out that they do not surround the centre.
+    ///
+    /// ```
+    /// use bevy_pangaea::hydrology::BaseMesh;
+    ///
+    /// let base = BaseMesh::new(7, 0.1)?;
+    /// assert!(base.mesh.len() > 500);
+    /// assert_eq!(base.noise.len(), base.mesh.len());
+    /// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
+    /// ```
     pub fn new(seed: u64, spacing: f64) -> Result<Self, SphereError> {
         let mesh = SphereMesh::from_points(poisson_disk(seed, spacing))?;
         let winds = Winds::new(&mesh);
         let noise = Noise::new(seed, Purpose::BaseRelief, 0);
         let noise = parallel::map(mesh.len(), |i| {
-            noise.fractal(mesh.point(i), RELIEF.0, RELIEF.1) as f32
+            noise.fractal(mesh.point(i), RELIEF_FREQUENCY, RELIEF_OCTAVES) as f32
         });
         Ok(Self {
             seed,
@@ -55,7 +68,7 @@ impl BaseMesh {
 }
 
 /// Where each vertex of the base mesh lies between the samples of another mesh.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Reflect)]
 pub struct Transfer {
     samples: usize,
     corners: Vec<([u32; 3], [f32; 3])>,
@@ -64,8 +77,10 @@ pub struct Transfer {
 impl Transfer {
     /// Looks up the vertices of `base` in `lattice`.
     pub fn new(lattice: &SphereMesh, base: &SphereMesh) -> Self {
-        let short = |at: Location| (at.vertices, at.weights.map(|w| w as f32));
-        let corners = parallel::map(base.len(), |i| short(lattice.locate(base.point(i))));
+        let corners = parallel::map(base.len(), |i| {
+            let at = lattice.locate(base.point(i));
+            (at.vertices, at.weights.map(|w| w as f32))
+        });
         Self {
             samples: lattice.len(),
             corners,

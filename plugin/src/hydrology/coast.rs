@@ -6,18 +6,23 @@
 //! vanish.
 //!
 //! Policy. *Sea* is a connected body below 0 of at least [`SEA_SHARE`] of the planet, or the
-//! largest if none is; a smaller one is land below sea level, and drainage decides whether it holds
-//! a lake. The largest sea on Earth that is none, the Caspian, has 0.07 % of the area.
+//! largest body if all are smaller; a smaller one is land below sea level, and drainage decides
+//! whether it holds a lake. The Caspian, Earth's largest lake by the name of a sea, has 0.07 % of
+//! the area.
 
+use crate::math;
 use crate::parallel;
 use crate::sphere::SphereMesh;
+use crate::sphere::components::{Components, OUTSIDE};
+use bevy::reflect::Reflect;
 
-/// Share of the planet's area from which on a body of water is a sea.
-pub const SEA_SHARE: f64 = 0.0025;
+/// Share of the planet's area from which on a body of water is a sea: between the Caspian's and
+/// that of the smallest seas with an ocean's floor (Black Sea and Mediterranean together 0.6 %).
+const SEA_SHARE: f64 = 0.0025;
 
-/// Sea, coast or land.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Site {
+/// A vertex by its place about the shore.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
+pub enum ShoreClass {
     /// Under the sea.
     Sea,
     /// At sea level, between land and sea.
@@ -27,80 +32,82 @@ pub enum Site {
 }
 
 /// Sorts the vertices of `mesh`, and moves the ground of coasts (in grains) to sea level.
-pub fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<Site> {
+pub(super) fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<ShoreClass> {
     let is_sea = seas(mesh, ground);
-    let meets = |i: u32, sea: bool| mesh.ring(i).iter().any(|&j| is_sea[j as usize] == sea);
-    // Land all around of which is land.
-    let inland = parallel::map(mesh.len(), |i| !is_sea[i as usize] && !meets(i, true));
-    let gives_way = parallel::map(mesh.len(), |i| {
-        let low = ground[i as usize];
-        let seaward = || {
-            mesh.ring(i)
-                .iter()
-                .filter(|&&j| is_sea[j as usize])
-                .map(|&j| i64::from(ground[j as usize]))
-        };
-        let count = seaward().count() as i64;
+    let is_hinterland = parallel::map(mesh.len(), |i| {
+        let land = |j: u32| !is_sea[j as usize];
+        land(i) && !borders(mesh, i, |j| !land(j))
+    });
+    // Land gives way where it is lower than the sea is deep, unless it is an islet or a spit:
+    // without hinterland it would vanish.
+    let becomes_coast = parallel::map(mesh.len(), |i| {
         !is_sea[i as usize]
-            && count > 0
-            && i64::from(low) * count < -seaward().sum::<i64>()
-            && mesh.ring(i).iter().any(|&j| inland[j as usize])
+            && borders(mesh, i, |j| is_hinterland[j as usize])
+            && is_nearer_to_sea_level(mesh, ground, &is_sea, i)
     });
-    let sites = parallel::map(mesh.len(), |i| {
-        let keeps = |j: u32| !is_sea[j as usize] && !gives_way[j as usize];
-        match (is_sea[i as usize], gives_way[i as usize]) {
-            (false, true) => Site::Coast,
-            (false, false) => Site::Land,
-            (true, _) if mesh.ring(i).iter().any(|&j| keeps(j)) => Site::Coast,
-            (true, _) => Site::Sea,
-        }
+    let stays_land = |j: u32| !is_sea[j as usize] && !becomes_coast[j as usize];
+    let shore = parallel::map(mesh.len(), |i| match is_sea[i as usize] {
+        // Where the land does not give way the sea does.
+        true if borders(mesh, i, stays_land) => ShoreClass::Coast,
+        true => ShoreClass::Sea,
+        false if becomes_coast[i as usize] => ShoreClass::Coast,
+        false => ShoreClass::Land,
     });
-    for (z, site) in ground.iter_mut().zip(&sites) {
-        if *site == Site::Coast {
+    for (z, class) in ground.iter_mut().zip(&shore) {
+        if *class == ShoreClass::Coast {
             *z = 0;
         }
     }
-    sites
+    shore
+}
+
+/// Whether some neighbour of vertex `i` is such.
+fn borders(mesh: &SphereMesh, i: u32, is_such: impl Fn(u32) -> bool) -> bool {
+    mesh.ring(i).iter().any(|&j| is_such(j))
+}
+
+/// Whether the land at vertex `i` is lower than the sea beside it is deep in the mean. False where
+/// there is no sea beside it.
+fn is_nearer_to_sea_level(mesh: &SphereMesh, ground: &[i32], is_sea: &[bool], i: u32) -> bool {
+    let height = i64::from(ground[i as usize]);
+    // Sums instead of means: whole numbers, exact.
+    let (mut count, mut depth) = (0, 0);
+    for &j in mesh.ring(i).iter().filter(|&&j| is_sea[j as usize]) {
+        count += 1;
+        depth -= i64::from(ground[j as usize]);
+    }
+    count > 0 && height * count < depth
 }
 
 /// Which vertices lie under a sea.
 fn seas(mesh: &SphereMesh, ground: &[i32]) -> Vec<bool> {
-    const NONE: u32 = u32::MAX;
-    let mut body = vec![NONE; mesh.len()];
-    let mut areas: Vec<f64> = Vec::new();
-    let mut stack = Vec::new();
-    for start in 0..mesh.len() as u32 {
-        if ground[start as usize] >= 0 || body[start as usize] != NONE {
-            continue;
+    let bodies = Components::new(mesh, |i| ground[i as usize] < 0, |_, _| true);
+    let mut areas = vec![0.0; bodies.count];
+    for (i, &body) in (0..).zip(&bodies.of) {
+        if body != OUTSIDE {
+            areas[body as usize] += mesh.area(i);
         }
-        let id = areas.len() as u32;
-        let mut area = 0.0;
-        body[start as usize] = id;
-        stack.push(start);
-        while let Some(i) = stack.pop() {
-            area += mesh.area(i);
-            for &j in mesh.ring(i) {
-                if ground[j as usize] < 0 && body[j as usize] == NONE {
-                    body[j as usize] = id;
-                    stack.push(j);
-                }
-            }
-        }
-        areas.push(area);
     }
     let largest = areas.iter().copied().fold(0.0, f64::max);
-    let least = (SEA_SHARE * 4.0 * crate::math::PI).min(largest);
-    body.into_iter()
-        .map(|id| id != NONE && areas[id as usize] >= least)
-        .collect()
+    let least = (SEA_SHARE * 4.0 * math::PI).min(largest);
+    let is_sea = |body: u32| body != OUTSIDE && areas[body as usize] >= least;
+    bodies.of.into_iter().map(is_sea).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math;
     use crate::noise::Noise;
     use crate::random::Purpose;
+    use bevy::math::DVec3;
+
+    /// Area of the vertices that are such, in steradians.
+    fn area(mesh: &SphereMesh, is_such: impl Fn(usize) -> bool) -> f64 {
+        (0..mesh.len())
+            .filter(|&i| is_such(i))
+            .map(|i| mesh.area(i as u32))
+            .sum()
+    }
 
     #[test]
     fn no_edge_joins_land_and_sea_and_the_land_keeps_its_area() {
@@ -109,54 +116,44 @@ mod tests {
         let mut ground = parallel::map(mesh.len(), |i| {
             (4e6 * noise.fractal(mesh.point(i), 2.0, 5)) as i32
         });
-        let before: f64 = (0..mesh.len() as u32)
-            .filter(|&i| ground[i as usize] >= 0)
-            .map(|i| mesh.area(i))
-            .sum();
-        let sites = regularise(&mesh, &mut ground);
-        let mut coast = 0.0;
-        let mut land = 0.0;
-        for i in 0..mesh.len() as u32 {
-            match sites[i as usize] {
-                Site::Land => {
-                    land += mesh.area(i);
-                    assert!(mesh.ring(i).iter().all(|&j| sites[j as usize] != Site::Sea));
-                }
-                Site::Coast => {
-                    coast += mesh.area(i);
-                    assert_eq!(ground[i as usize], 0);
-                }
-                Site::Sea => assert!(ground[i as usize] < 0),
+        let before = area(&mesh, |i| ground[i] >= 0);
+        let shore = regularise(&mesh, &mut ground);
+        for i in 0..mesh.len() {
+            match shore[i] {
+                ShoreClass::Land => assert!(!borders(&mesh, i as u32, |j| {
+                    shore[j as usize] == ShoreClass::Sea
+                })),
+                ShoreClass::Coast => assert_eq!(ground[i], 0),
+                ShoreClass::Sea => assert!(ground[i] < 0),
             }
         }
+        let land = area(&mesh, |i| shore[i] == ShoreClass::Land);
+        let coast = area(&mesh, |i| shore[i] == ShoreClass::Coast);
         // The shore runs through the middle of the coast's vertices. Islands and spits, of which
         // this noise is full, keep their vertices and gain a shore.
-        assert!(
-            (land + 0.5 * coast - before).abs() < 0.08 * before,
-            "{land} {coast} {before}"
-        );
+        let change = land + 0.5 * coast - before;
+        assert!(change.abs() < 0.08 * before, "{land} {coast} {before}");
     }
 
     #[test]
     fn ponds_are_no_seas() {
         let mesh = SphereMesh::fibonacci(4000).unwrap();
-        let pond = |p: bevy::math::DVec3| math::angle_between(p, bevy::math::DVec3::X) < 0.05;
         let mut ground = parallel::map(mesh.len(), |i| {
             let p = mesh.point(i);
-            if p.z < 0.0 || pond(p) { -1000 } else { 100_000 }
+            let is_pond = math::angle_between(p, DVec3::X) < 0.05;
+            if p.z < 0.0 || is_pond { -1000 } else { 100_000 }
         });
-        let sites = regularise(&mesh, &mut ground);
-        let dry = SphereMesh::fibonacci(200).unwrap();
-        assert!((0..mesh.len()).all(|i| mesh.points()[i].z < 0.1 || sites[i] == Site::Land));
-        assert!(
-            regularise(&dry, &mut vec![5; 200])
-                .iter()
-                .all(|s| *s == Site::Land)
-        );
-        assert!(
-            regularise(&dry, &mut vec![-5; 200])
-                .iter()
-                .all(|s| *s == Site::Sea)
-        );
+        let shore = regularise(&mesh, &mut ground);
+        let north = (0..mesh.len()).filter(|&i| mesh.points()[i].z >= 0.1);
+        assert!(north.into_iter().all(|i| shore[i] == ShoreClass::Land));
+    }
+
+    #[test]
+    fn planets_of_land_or_sea_alone_have_no_coast() {
+        let mesh = SphereMesh::fibonacci(200).unwrap();
+        for (z, class) in [(5, ShoreClass::Land), (-5, ShoreClass::Sea)] {
+            let shore = regularise(&mesh, &mut vec![z; 200]);
+            assert!(shore.iter().all(|&found| found == class));
+        }
     }
 }

@@ -9,181 +9,224 @@
 //! Policies. Equal levels go by vertex number. A planet without a sea is flooded from its lowest
 //! vertex, its only sink.
 
-use super::coast::Site;
+use super::coast::ShoreClass;
 use crate::parallel;
 use crate::sphere::SphereMesh;
+use bevy::reflect::Reflect;
 use core::cmp::Reverse;
 use core::ops::Range;
 use std::collections::BinaryHeap;
 
-/// No vertex.
-pub const NONE: u32 = u32::MAX;
+/// The number that stands for no vertex: the receiver of a sink, the outlet of a closed lake.
+pub const NO_VERTEX: u32 = u32::MAX;
+
+/// Level of vertices that the flood has not reached, grains.
+const DRY: i32 = i32::MAX;
+
+/// Level of vertices in the sea, grains: nothing drains to them but through a coast.
+const SEA: i32 = i32::MIN;
 
 /// Vertices below the saddle over which their water must leave.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Reflect)]
 pub struct Depression {
     /// Its part of [`Routes::order`].
     pub range: Range<usize>,
-    /// Level of the saddle in grains.
-    pub level: i32,
+    /// Spill elevation: the level of the saddle in grains.
+    pub spill_elevation: i32,
 }
 
 /// The way of the water from every vertex on land.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Reflect)]
 pub struct Routes {
     /// Land in an order in which every vertex comes after the one that it drains to.
     pub order: Vec<u32>,
-    /// The vertex that each drains to; [`NONE`] for sinks, coasts and the sea.
+    /// The vertex that each drains to; [`NO_VERTEX`] for sinks, coasts and the sea.
     pub receiver: Vec<u32>,
     /// Depressions, in the order of their ranges.
     pub depressions: Vec<Depression>,
 }
 
-/// A vertex at a level in grains; the order of the numbers is that of (level, vertex).
-fn entry(level: i32, vertex: u32) -> Reverse<u64> {
-    Reverse(u64::from(level as u32 ^ 0x8000_0000) << 32 | u64::from(vertex))
-}
+/// Vertices in the order of their levels, and of their numbers at one level.
+#[derive(Default)]
+struct RisingQueue(BinaryHeap<Reverse<u64>>);
 
-fn parts(Reverse(key): Reverse<u64>) -> (i32, u32) {
-    (((key >> 32) as u32 ^ 0x8000_0000) as i32, key as u32)
+impl RisingQueue {
+    /// Flipping the sign bit orders signed levels as unsigned numbers.
+    const SIGN: u32 = 0x8000_0000;
+
+    fn push(&mut self, level: i32, vertex: u32) {
+        let high = u64::from(level as u32 ^ Self::SIGN);
+        self.0.push(Reverse(high << 32 | u64::from(vertex)));
+    }
+
+    /// Takes the lowest vertex out, with its level.
+    fn pop(&mut self) -> Option<(i32, u32)> {
+        let Reverse(key) = self.0.pop()?;
+        Some((((key >> 32) as u32 ^ Self::SIGN) as i32, key as u32))
+    }
 }
 
 /// Floods the land of `mesh` whose ground, in grains, is given.
-pub fn flood(mesh: &SphereMesh, sites: &[Site], ground: &[i32]) -> Routes {
-    let mut run = Flood {
-        mesh,
-        ground,
-        level: vec![i32::MAX; mesh.len()],
-        heap: BinaryHeap::new(),
-        pit: BinaryHeap::new(),
-        routes: Routes {
-            receiver: vec![NONE; mesh.len()],
-            ..Routes::default()
-        },
-    };
-    run.seed(sites);
-    while let Some((level, i)) = run.heap.pop().map(parts) {
-        if sites[i as usize] == Site::Land {
-            run.routes.order.push(i);
-        }
-        for &j in mesh.ring(i) {
-            if run.level[j as usize] != i32::MAX {
-                continue;
-            }
-            run.routes.receiver[j as usize] = i;
-            if ground[j as usize] < level {
-                run.sink(j, level);
-            } else {
-                run.level[j as usize] = ground[j as usize];
-                run.heap.push(entry(ground[j as usize], j));
-            }
-        }
+pub(super) fn priority_flood(mesh: &SphereMesh, shore: &[ShoreClass], ground: &[i32]) -> Routes {
+    let mut flood = Flood::new(mesh, ground);
+    flood.seed_coasts(shore);
+    if flood.shoreline.0.is_empty() {
+        flood.seed_lowest(shore);
     }
-    let Flood {
-        level, mut routes, ..
-    } = run;
-    steepen(mesh, ground, &level, &mut routes);
-    routes
+    flood.rise(shore);
+    flood.steepen()
 }
 
 struct Flood<'a> {
     mesh: &'a SphereMesh,
     ground: &'a [i32],
-    /// Level at which each vertex was reached; `i32::MAX` before.
+    /// Level at which each vertex was reached, or [`DRY`].
     level: Vec<i32>,
-    heap: BinaryHeap<Reverse<u64>>,
-    pit: BinaryHeap<Reverse<u64>>,
+    /// Vertices reached from which the flood has not gone on.
+    shoreline: RisingQueue,
     routes: Routes,
 }
 
-impl Flood<'_> {
-    fn seed(&mut self, sites: &[Site]) {
-        for i in 0..self.mesh.len() as u32 {
-            match sites[i as usize] {
-                Site::Sea => self.level[i as usize] = i32::MIN,
-                Site::Coast => {
-                    self.level[i as usize] = 0;
-                    if self
-                        .mesh
-                        .ring(i)
-                        .iter()
-                        .any(|&j| sites[j as usize] == Site::Land)
-                    {
-                        self.heap.push(entry(0, i));
-                    }
-                }
-                Site::Land => {}
-            }
-        }
-        if self.heap.is_empty()
-            && let Some(lowest) = (0..self.mesh.len() as u32)
-                .filter(|&i| sites[i as usize] == Site::Land)
-                .min_by_key(|&i| (self.ground[i as usize], i))
-        {
-            self.level[lowest as usize] = self.ground[lowest as usize];
-            self.heap.push(entry(self.ground[lowest as usize], lowest));
+impl<'a> Flood<'a> {
+    fn new(mesh: &'a SphereMesh, ground: &'a [i32]) -> Self {
+        Self {
+            mesh,
+            ground,
+            level: vec![DRY; mesh.len()],
+            shoreline: RisingQueue::default(),
+            routes: Routes {
+                receiver: vec![NO_VERTEX; mesh.len()],
+                ..Routes::default()
+            },
         }
     }
 
-    /// Floods the depression that begins at `first` up to `level`.
-    fn sink(&mut self, first: u32, level: i32) {
+    /// Begins the flood at all coasts with land beside them.
+    fn seed_coasts(&mut self, shore: &[ShoreClass]) {
+        let is_land = |j: &u32| shore[*j as usize] == ShoreClass::Land;
+        for i in 0..self.mesh.len() as u32 {
+            match shore[i as usize] {
+                ShoreClass::Sea => self.level[i as usize] = SEA,
+                ShoreClass::Coast => {
+                    self.level[i as usize] = 0;
+                    if self.mesh.ring(i).iter().any(is_land) {
+                        self.shoreline.push(0, i);
+                    }
+                }
+                ShoreClass::Land => {}
+            }
+        }
+    }
+
+    /// Begins the flood at the lowest vertex on land.
+    fn seed_lowest(&mut self, shore: &[ShoreClass]) {
+        let land = (0..self.mesh.len() as u32).filter(|&i| shore[i as usize] == ShoreClass::Land);
+        if let Some(lowest) = land.min_by_key(|&i| (self.ground[i as usize], i)) {
+            let z = self.ground[lowest as usize];
+            self.level[lowest as usize] = z;
+            self.shoreline.push(z, lowest);
+        }
+    }
+
+    /// Lets the flood rise until all land is reached.
+    fn rise(&mut self, shore: &[ShoreClass]) {
+        // The lowest vertex of the shoreline first: whatever it reaches drains over the lowest
+        // saddle there is.
+        while let Some((level, i)) = self.shoreline.pop() {
+            if shore[i as usize] == ShoreClass::Land {
+                self.routes.order.push(i);
+            }
+            for &j in self.mesh.ring(i) {
+                if self.level[j as usize] != DRY {
+                    continue;
+                }
+                self.routes.receiver[j as usize] = i;
+                let z = self.ground[j as usize];
+                if z < level {
+                    self.fill_depression(j, level);
+                } else {
+                    self.level[j as usize] = z;
+                    self.shoreline.push(z, j);
+                }
+            }
+        }
+    }
+
+    /// Floods the depression that begins at `first` up to its spill elevation.
+    fn fill_depression(&mut self, first: u32, spill_elevation: i32) {
         let start = self.routes.order.len();
-        self.level[first as usize] = level;
-        self.pit.push(entry(self.ground[first as usize], first));
-        while let Some((_, i)) = self.pit.pop().map(parts) {
+        // The water runs in over the saddle and fills the lowest ground that it can reach first, so
+        // receivers lead along the floor.
+        let mut pit = RisingQueue::default();
+        self.level[first as usize] = spill_elevation;
+        pit.push(self.ground[first as usize], first);
+        while let Some((_, i)) = pit.pop() {
             self.routes.order.push(i);
             for &j in self.mesh.ring(i) {
-                if self.level[j as usize] != i32::MAX {
+                if self.level[j as usize] != DRY {
                     continue;
                 }
                 let z = self.ground[j as usize];
                 self.routes.receiver[j as usize] = i;
-                self.level[j as usize] = z.max(level);
-                let heap = if z <= level {
-                    &mut self.pit
+                self.level[j as usize] = z.max(spill_elevation);
+                // Higher ground around the depression waits until the flood has risen to it.
+                if z <= spill_elevation {
+                    pit.push(z, j);
                 } else {
-                    &mut self.heap
-                };
-                heap.push(entry(z, j));
+                    self.shoreline.push(z, j);
+                }
             }
         }
         self.routes.depressions.push(Depression {
             range: start..self.routes.order.len(),
-            level,
+            spill_elevation,
         });
     }
-}
 
-/// Lets vertices outside of depressions drain the steepest way down the flooded ground.
-fn steepen(mesh: &SphereMesh, ground: &[i32], level: &[i32], routes: &mut Routes) {
-    let mut sunk = vec![false; mesh.len()];
-    for depression in &routes.depressions {
-        routes.order[depression.range.clone()]
-            .iter()
-            .for_each(|&i| sunk[i as usize] = true);
-    }
-    let old = core::mem::take(&mut routes.receiver);
-    routes.receiver = parallel::map(mesh.len(), |i| {
-        let k = i as usize;
-        if old[k] == NONE || sunk[k] {
-            return old[k];
+    /// Lets vertices outside of depressions drain the steepest way down the flooded ground.
+    fn steepen(mut self) -> Routes {
+        let mut in_depression = vec![false; self.mesh.len()];
+        for depression in &self.routes.depressions {
+            for &i in &self.routes.order[depression.range.clone()] {
+                in_depression[i as usize] = true;
+            }
         }
-        let p = mesh.point(i);
-        let mut best = (0.0, old[k]);
-        for &j in mesh.ring(i) {
-            let drop = i64::from(ground[k]) - i64::from(level[j as usize]);
-            // The sea is not entered but at a coast, whose level is 0.
-            if drop <= 0 || level[j as usize] == i32::MIN {
+        // The order stays true: lower levels were reached earlier.
+        let receiver = parallel::map(self.mesh.len(), |i| {
+            let flooded_from = self.routes.receiver[i as usize];
+            if flooded_from == NO_VERTEX || in_depression[i as usize] {
+                flooded_from
+            } else {
+                self.steepest_descent(i).unwrap_or(flooded_from)
+            }
+        });
+        self.routes.receiver = receiver;
+        self.routes
+    }
+
+    /// The neighbour to which the flooded ground falls most steeply from vertex `i`.
+    fn steepest_descent(&self, i: u32) -> Option<u32> {
+        let p = self.mesh.point(i);
+        let z = i64::from(self.ground[i as usize]);
+        let mut steepest = 0.0;
+        let mut receiver = None;
+        for &j in self.mesh.ring(i) {
+            let level = self.level[j as usize];
+            let drop = z - i64::from(level);
+            // The sea is entered only through a coast, whose level is 0.
+            if drop <= 0 || level == SEA {
                 continue;
             }
+            // Squares spare the root: the steepest stays the steepest.
             let drop = drop as f64;
-            let steepness = drop * drop / (mesh.point(j) - p).length_squared();
-            if steepness > best.0 {
-                best = (steepness, j);
+            let steepness = drop * drop / (self.mesh.point(j) - p).length_squared();
+            if steepness > steepest {
+                steepest = steepness;
+                receiver = Some(j);
             }
         }
-        best.1
-    });
+        receiver
+    }
 }
 
 #[cfg(test)]

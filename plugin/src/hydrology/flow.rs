@@ -1,22 +1,22 @@
 //! Discharge: the runoff of all that lies upstream, in whole cubic metres per year, so that not a
 //! unit is lost.
 
-use super::flood::{NONE, Routes};
+use super::flood::{NO_VERTEX, Routes};
 use crate::climate::{Climate, EARTH_RADIUS};
 use crate::parallel;
 use crate::sphere::SphereMesh;
 
-/// Seconds in a year of 365.25 days.
-pub const YEAR: f64 = 31_557_600.0;
+/// Seconds in a Julian year of 365.25 days.
+const SECONDS_PER_YEAR: f64 = 31_557_600.0;
 
 /// Discharge in m³/s of a number of m³ per year.
-pub fn per_second(discharge: u64) -> f64 {
-    discharge as f64 / YEAR
+pub(super) fn per_second(discharge: u64) -> f64 {
+    discharge as f64 / SECONDS_PER_YEAR
 }
 
-/// What the same rain on an Earth-sized planet would discharge, in m³/s: laws of rivers go by that,
-/// so that small planets have rivers, too.
-pub fn earth_like(discharge: u64, radius: f64) -> f64 {
+/// Discharge in m³/s of the same rain on an Earth-sized planet: laws of rivers go by that, so that
+/// small planets have rivers, too.
+pub(super) fn earth_like(discharge: u64, radius: f64) -> f64 {
     let scale = EARTH_RADIUS / radius;
     per_second(discharge) * scale * scale
 }
@@ -39,6 +39,7 @@ pub(super) fn supply(
     routes: &Routes,
 ) -> Vec<u64> {
     let all = volumes(mesh, radius, &climate.runoff);
+    // Coasts and sea are not in the order: their rain is of no river.
     let mut supply = vec![0; mesh.len()];
     for &i in &routes.order {
         supply[i as usize] = all[i as usize].max(0) as u64;
@@ -47,11 +48,12 @@ pub(super) fn supply(
 }
 
 /// Discharge of every vertex: its own supply and all from upstream. Coasts hold what reaches them.
-pub fn accumulate(routes: &Routes, supply: &[u64]) -> Vec<u64> {
+pub(super) fn accumulate(routes: &Routes, supply: &[u64]) -> Vec<u64> {
     let mut discharge = supply.to_vec();
+    // Upstream first: a vertex has all its water before it passes it on.
     for &i in routes.order.iter().rev() {
         let to = routes.receiver[i as usize];
-        if to != NONE {
+        if to != NO_VERTEX {
             discharge[to as usize] += discharge[i as usize];
         }
     }
@@ -67,7 +69,7 @@ mod tests {
         // 1 and 2 meet in 3, which with 4 runs to the coast 0; 5 is a sink.
         let routes = Routes {
             order: vec![3, 4, 1, 2, 5],
-            receiver: vec![NONE, 3, 3, 0, 0, NONE],
+            receiver: vec![NO_VERTEX, 3, 3, 0, 0, NO_VERTEX],
             depressions: vec![],
         };
         let supply = [0, 7, 11, 13, 17, 19];
@@ -77,16 +79,12 @@ mod tests {
     #[test]
     fn rivers_of_small_planets_count_as_those_of_large_ones() {
         let mesh = SphereMesh::fibonacci(1000).unwrap();
-        let of = |radius: f64| {
-            let water: i64 = volumes(&mesh, radius, &[500.0; 1000]).iter().sum();
-            earth_like(water as u64, radius)
-        };
-        assert!((of(6370.0) / of(200.0) - 1.0).abs() < 1e-3);
-        // Half a metre of runoff on all of the Earth.
-        assert!(
-            (of(6370.0) - 0.5 * 5.099e14 / YEAR).abs() < 1e4,
-            "{}",
-            of(6370.0)
-        );
+        let [earth, small] = [6370.0, 200.0].map(|radius| {
+            let half_a_metre: i64 = volumes(&mesh, radius, &[500.0; 1000]).iter().sum();
+            earth_like(half_a_metre as u64, radius)
+        });
+        assert!((earth / small - 1.0).abs() < 1e-3);
+        // 4πr² times half a metre.
+        assert!((earth - 0.5 * 5.099e14 / SECONDS_PER_YEAR).abs() < 1e4);
     }
 }

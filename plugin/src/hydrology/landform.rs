@@ -1,6 +1,6 @@
-//! What the crust at a vertex says about the relief around it.
+//! The relief around a vertex, by the age and kind of its crust.
 //!
-//! Crust is sampled every 50 to 200 km; what lies between is *relief*. It stands about the mean
+//! Crust is sampled every 50 to 200 km; between samples lies *relief*. It stands about the mean
 //! elevation z of the crust: valleys a third of it below, summits two thirds above. So C, the level
 //! that summits reach, is z + 0.65 R, and the base ground, on which rivers run, is z - 0.35 R. R
 //! spans from the valley floors to the highest summits: in real belts that is the largest range
@@ -8,29 +8,33 @@
 //! 3.4; Appalachians and Scottish Highlands 1.1. Noise and low crust leave less of it, so it is 4.9
 //! km in young Himalayan belts, 3.2 km in young Andean ones, 0.85 km once they are 200 My old, and
 //! some tens of metres where nothing was folded. A low belt has no more of it than one and three
-//! quarters of its mean elevation, however old (Scottish Highlands
-//! 1.2, Patagonia 1.75).
+//! quarters of its mean elevation, however old (Scottish Highlands 1.2, Patagonia 1.75).
 //!
-//! - P, plateau: high, level crust of young belts: what lies behind the Andean and Himalayan
-//!   fronts, less where ranges
-//!   cross it. Its relief is two fifths of its belt's (Altiplano: 1.3 km, beside 2.1 km at
-//! Aconcagua).
+//! - P, plateau: high, level crust of young belts, as behind the Andean and Himalayan fronts, less
+//!   where ranges cross it. Its relief is two fifths of its belt's (Altiplano: 1.3 km, beside 2.1
+//!   km at Aconcagua).
 //! - B, hills: old belts, and the forelands of moderate height.
 //!
 //! Policies. Values are interpolated; ages and directions come from those corners that have them.
 //! Directions have no sign: they are turned to the side of the heaviest corner first.
+//!
+//! Constants without another source are fitted to the measured tiles above.
 
 use crate::crust::{Orogeny, Surface};
 use crate::math;
 use bevy::math::Vec3;
 
-/// R in km of a young belt of subduction, of a young belt of collision, and of a worn one.
-const SUBDUCTION: f32 = 3.2;
-const COLLISION: f32 = 4.9;
-const WORN: f32 = 0.85;
+/// R in km of a young belt of subduction.
+const SUBDUCTION_RELIEF_KM: f32 = 3.2;
+
+/// R in km of a young belt of collision.
+const COLLISION_RELIEF_KM: f32 = 4.9;
+
+/// R in km of a belt that is worn down.
+const WORN_RELIEF_KM: f32 = 0.85;
 
 /// Age in My of belts that are worn down to hills.
-const OLD: f32 = 200.0;
+const WORN_AGE_MY: f32 = 200.0;
 
 /// Most relief of a belt per mean elevation: its valleys end at the sea.
 const RELIEF_OF_MEAN: f32 = 1.75;
@@ -39,118 +43,156 @@ const RELIEF_OF_MEAN: f32 = 1.75;
 const LEVELLED: f32 = 0.6;
 
 /// Share of the relief that lies below the mean elevation.
-pub(super) const BELOW: f32 = 0.35;
+pub(super) const RELIEF_BELOW_MEAN: f32 = 0.35;
+
+/// Least ground of valleys above the sea, as a share of the mean elevation.
+const LOWEST_VALLEY: f32 = 0.4;
 
 /// Roughness of slopes in km per unit of steepness: the height that they gain within an edge.
-const SLOPE_ROUGHNESS: f32 = 45.0;
+const SLOPE_ROUGHNESS_KM: f32 = 45.0;
 
-/// What is known of the crust at a vertex.
+/// The crust at a vertex.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Crustal {
+pub(super) struct CrustSample {
+    /// Mean elevation z in km.
     pub(super) elevation: f32,
+    /// Share of crust that was folded.
     pub(super) folded: f32,
+    /// Age of the folding in My.
     pub(super) age: f32,
+    /// Share of the folded crust that continents folded by collision.
     pub(super) collision: f32,
+    /// Share of oceanic crust.
     pub(super) oceanic: f32,
+    /// Age of the oceanic crust in My.
     pub(super) ocean_age: f32,
+    /// Fold direction, undirected.
     pub(super) fold: Vec3,
+    /// Direction of the ridge that made the ocean floor, undirected.
     pub(super) ridge: Vec3,
-    /// Share of the noise between samples that is added: none to maps, which bring relief of their
+    /// Share of the noise between samples that is added: 0 for maps, which bring relief of their
     /// own.
     pub(super) noise: f32,
 }
 
-impl Crustal {
-    pub(super) fn between(surface: &Surface, (corners, weights): ([usize; 3], [f32; 3])) -> Self {
+impl CrustSample {
+    /// The crust between three samples of a surface, by their numbers and weights.
+    pub(super) fn between(surface: &Surface, corners: ([usize; 3], [f32; 3])) -> Self {
+        let (samples, weights) = corners;
+        let corners = Corners { samples, weights };
         let crust = &surface.crust;
-        let total = |value: &dyn Fn(usize) -> f32| {
-            (0..3).map(|k| weights[k] * value(corners[k])).sum::<f32>()
-        };
-        let mean_of = |weight: &dyn Fn(usize) -> f32, value: &dyn Fn(usize) -> f32| {
-            let sum = total(weight);
-            if sum > 0.0 {
-                total(&|i| weight(i) * value(i)) / sum
-            } else {
-                0.0
-            }
-        };
-        let folded = |i: usize| f32::from(u8::from(crust.orogeny[i] != Orogeny::None));
-        let oceanic = |i: usize| if crust.is_continental(i) { 0.0 } else { 1.0 };
-        let axis = |vectors: &[Vec3]| {
-            let heaviest = (0..3)
-                .max_by(|&a, &b| weights[a].total_cmp(&weights[b]))
-                .unwrap_or(0);
-            let lead = vectors[corners[heaviest]];
-            let sum: Vec3 = (0..3)
-                .map(|k| {
-                    let v = vectors[corners[k]];
-                    weights[k] * if v.dot(lead) < 0.0 { -v } else { v }
-                })
-                .sum();
-            sum.normalize_or_zero()
-        };
+        let folded = |i: usize| share_of(crust.orogeny[i] != Orogeny::None);
+        let collision = |i: usize| share_of(crust.orogeny[i] == Orogeny::Himalayan);
+        let oceanic = |i: usize| share_of(!crust.is_continental(i));
         Self {
-            elevation: total(&|i| surface.elevation(i)),
-            folded: total(&folded),
-            age: mean_of(&folded, &|i| crust.orogeny_age[i]),
-            collision: mean_of(&folded, &|i| {
-                f32::from(u8::from(crust.orogeny[i] == Orogeny::Himalayan))
-            }),
-            oceanic: total(&oceanic),
-            ocean_age: mean_of(&oceanic, &|i| crust.ocean_age[i]),
-            fold: axis(&crust.fold),
-            ridge: axis(&crust.ridge),
+            elevation: corners.mean(|i| surface.elevation(i)),
+            folded: corners.mean(folded),
+            age: corners.mean_among(folded, |i| crust.orogeny_age[i]),
+            collision: corners.mean_among(folded, collision),
+            oceanic: corners.mean(oceanic),
+            ocean_age: corners.mean_among(oceanic, |i| crust.ocean_age[i]),
+            fold: corners.axis(&crust.fold),
+            ridge: corners.axis(&crust.ridge),
             noise: 1.0,
         }
     }
 
     /// How much of a young belt's relief is left, 0..=1.
     pub(super) fn youth(&self) -> f32 {
-        1.0 - smooth(self.age / OLD)
+        1.0 - smoothstep(self.age / WORN_AGE_MY)
     }
 
     /// R in km.
     pub(super) fn relief(&self, plateau: f32) -> f32 {
         let z = self.elevation;
+        // Even plains have banks and dunes: 50 m, and more on high ground.
         let plain = 0.05 + 0.08 * z.clamp(0.0, 3.0);
-        let young = SUBDUCTION + (COLLISION - SUBDUCTION) * self.collision;
-        let belt = (WORN + (young - WORN) * self.youth()).min(RELIEF_OF_MEAN * z);
+        let range = COLLISION_RELIEF_KM - SUBDUCTION_RELIEF_KM;
+        let young = SUBDUCTION_RELIEF_KM + range * self.collision;
+        let belt =
+            (WORN_RELIEF_KM + (young - WORN_RELIEF_KM) * self.youth()).min(RELIEF_OF_MEAN * z);
         let relief = plain + (belt - plain).max(0.0) * self.folded;
-        relief * (1.0 - LEVELLED * plateau) * smooth((z + 0.3) / 0.4)
+        // Under water waves and sediment level the relief.
+        relief * (1.0 - LEVELLED * plateau) * smoothstep((z + 0.3) / 0.4)
     }
 
     /// Base ground in km: valleys lie below the mean, and the noise of the base mesh makes them
     /// wind. On slopes it must be stronger, or rivers would run down side by side and never meet.
     pub(super) fn ground(&self, relief: f32, steepness: f32, noise: f32) -> f32 {
         let z = self.elevation;
-        let low = if z > 0.0 {
-            (z - BELOW * relief).max(0.4 * z)
+        let valleys = if z > 0.0 {
+            (z - RELIEF_BELOW_MEAN * relief).max(LOWEST_VALLEY * z)
         } else {
             z
         };
-        // Deep floor is the amplifier's alone.
-        let rough = 0.06 + 0.2 * relief + SLOPE_ROUGHNESS * steepness.min(0.02);
-        low + self.noise * noise * rough * smooth((z + 1.5) / 1.3)
+        // 60 m of noise even on plains, or rivers would run along the triangles.
+        let rough = 0.06 + 0.2 * relief + SLOPE_ROUGHNESS_KM * steepness.min(0.02);
+        // The deep floor gets its relief from the amplifier alone.
+        valleys + self.noise * noise * rough * smoothstep((z + 1.5) / 1.3)
     }
 
     /// P. Tibet and the Altiplano rise by less than 200 m in 100 km, the flanks of their belts by 1
     /// to 4 km. Where the noise between samples is high a range crosses the plateau.
     pub(super) fn plateau(&self, steepness: f32, noise: f32) -> f32 {
-        let high = smooth((self.elevation - 1.8) / 1.6);
-        let level = 1.0 - smooth((steepness - 0.002) / 0.008);
-        let basin = 1.0 - smooth(self.noise * noise / 0.5);
+        let high = smoothstep((self.elevation - 1.8) / 1.6);
+        let level = 1.0 - smoothstep((steepness - 0.002) / 0.008);
+        let basin = 1.0 - smoothstep(self.noise * noise / 0.5);
         high * level * basin * self.folded * (0.3 + 0.7 * self.youth())
     }
 
+    /// B: old belts wherever they stand above the sea, and unfolded forelands from 250 m on.
     pub(super) fn hills(&self) -> f32 {
         let z = self.elevation;
-        let old = self.folded * (1.0 - self.youth()) * smooth(z / 0.3);
-        let foreland = (1.0 - self.folded) * smooth((z - 0.25) / 0.5);
+        let old = self.folded * (1.0 - self.youth()) * smoothstep(z / 0.3);
+        let foreland = (1.0 - self.folded) * smoothstep((z - 0.25) / 0.5);
         (old + 0.7 * foreland).min(1.0)
     }
 }
 
-fn smooth(x: f32) -> f32 {
+/// Three samples and their weights.
+struct Corners {
+    samples: [usize; 3],
+    weights: [f32; 3],
+}
+
+impl Corners {
+    /// The weighted sum of a value; the weights sum to 1.
+    fn mean(&self, value: impl Fn(usize) -> f32) -> f32 {
+        let parts = (0..3).map(|k| self.weights[k] * value(self.samples[k]));
+        parts.sum::<f32>()
+    }
+
+    /// The mean of a value among the corners that have a share in something; 0 if none has.
+    fn mean_among(&self, share: impl Fn(usize) -> f32, value: impl Fn(usize) -> f32) -> f32 {
+        let sum = self.mean(&share);
+        if sum > 0.0 {
+            self.mean(|i| share(i) * value(i)) / sum
+        } else {
+            0.0
+        }
+    }
+
+    /// The mean of undirected vectors: each is turned to the side of the heaviest corner's first.
+    fn axis(&self, vectors: &[Vec3]) -> Vec3 {
+        let heaviest = (0..3)
+            .max_by(|&a, &b| self.weights[a].total_cmp(&self.weights[b]))
+            .unwrap_or(0);
+        let lead = vectors[self.samples[heaviest]];
+        let mut sum = Vec3::ZERO;
+        for (sample, weight) in self.samples.into_iter().zip(self.weights) {
+            let v = vectors[sample];
+            sum += weight * if v.dot(lead) < 0.0 { -v } else { v };
+        }
+        sum.normalize_or_zero()
+    }
+}
+
+/// 1 for true, 0 for false.
+fn share_of(is_such: bool) -> f32 {
+    f32::from(u8::from(is_such))
+}
+
+fn smoothstep(x: f32) -> f32 {
     math::smoothstep(f64::from(x)) as f32
 }
 
@@ -158,13 +200,13 @@ fn smooth(x: f32) -> f32 {
 mod tests {
     use super::*;
 
-    fn belt(elevation: f32, age: f32, collision: f32) -> Crustal {
-        Crustal {
+    fn belt(elevation: f32, age: f32, collision: f32) -> CrustSample {
+        CrustSample {
             elevation,
             folded: 1.0,
             age,
             collision,
-            ..Crustal::default()
+            ..CrustSample::default()
         }
     }
 
@@ -173,9 +215,9 @@ mod tests {
         let himalaya = belt(4.5, 10.0, 1.0).relief(0.0);
         let andes = belt(3.5, 10.0, 0.0).relief(0.0);
         let old = belt(1.0, 300.0, 1.0).relief(0.0);
-        let plain = Crustal {
+        let plain = CrustSample {
             elevation: 0.2,
-            ..Crustal::default()
+            ..CrustSample::default()
         }
         .relief(0.0);
         // Largest relief within 10 km of measured tiles: Karakoram to Annapurna, Patagonia to the
@@ -207,7 +249,7 @@ mod tests {
 
     #[test]
     fn plateaus_are_high_and_level_and_hills_are_old() {
-        let high = Crustal {
+        let high = CrustSample {
             noise: 1.0,
             ..belt(4.5, 10.0, 1.0)
         };
@@ -215,6 +257,7 @@ mod tests {
         assert_eq!(high.plateau(0.03, -0.1), 0.0);
         assert_eq!(high.plateau(0.002, 0.5), 0.0, "a range");
         assert_eq!(belt(0.5, 10.0, 1.0).plateau(0.0, 0.0), 0.0);
-        assert!(belt(0.6, 400.0, 0.5).hills() > 0.9 && belt(3.0, 5.0, 0.5).hills() < 0.1);
+        assert!(belt(0.6, 400.0, 0.5).hills() > 0.9);
+        assert!(belt(3.0, 5.0, 0.5).hills() < 0.1);
     }
 }

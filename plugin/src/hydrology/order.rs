@@ -3,52 +3,72 @@
 //! A vertex into which nothing drains has order 1. Where the highest order from upstream comes
 //! once, the river keeps it; where it comes twice, it rises by one (Strahler 1957).
 
-use super::flood::{NONE, Routes};
+use super::flood::{NO_VERTEX, Routes};
 
 /// Horton–Strahler order of every vertex on land; 0 elsewhere.
-pub fn strahler(routes: &Routes) -> Vec<u8> {
+pub(super) fn strahler(routes: &Routes) -> Vec<u8> {
     strahler_of(routes, |_| true)
 }
 
-/// Horton–Strahler order of those vertices that are channels, 0 elsewhere. What is downstream of a
-/// channel must be one.
-pub fn strahler_of(routes: &Routes, is_channel: impl Fn(u32) -> bool) -> Vec<u8> {
+/// Horton–Strahler order of those vertices that are channels, 0 elsewhere. A channel must drain to
+/// a channel, or end.
+pub(super) fn strahler_of(routes: &Routes, is_channel: impl Fn(u32) -> bool) -> Vec<u8> {
     let n = routes.receiver.len();
-    // Highest order from upstream, and whether it came more than once.
-    let mut highest = vec![(0u8, false); n];
-    let mut order = vec![0u8; n];
+    let mut upstream = vec![Tributaries::default(); n];
+    let mut order = vec![0; n];
+    // Upstream first: all tributaries have joined before a vertex takes its order.
     for &i in routes.order.iter().rev().filter(|&&i| is_channel(i)) {
-        let (top, twice) = highest[i as usize];
-        let own = if twice {
-            top.saturating_add(1)
-        } else {
-            top.max(1)
-        };
+        let own = upstream[i as usize].order_below();
         order[i as usize] = own;
         let to = routes.receiver[i as usize];
-        if to != NONE {
-            let (top, twice) = &mut highest[to as usize];
-            if own > *top {
-                (*top, *twice) = (own, false);
-            } else if own == *top {
-                *twice = true;
-            }
+        if to != NO_VERTEX {
+            upstream[to as usize].join(own);
         }
     }
     order
 }
 
-/// The basin of every vertex: the coast or sink that it drains to. [`NONE`] in the sea and on
+/// The tributaries that meet at a vertex.
+#[derive(Clone, Copy, Default)]
+struct Tributaries {
+    /// Highest of their orders; 0 at a spring.
+    highest: u8,
+    /// Whether more than one has it.
+    is_shared: bool,
+}
+
+impl Tributaries {
+    fn join(&mut self, order: u8) {
+        if order > self.highest {
+            self.highest = order;
+            self.is_shared = false;
+        } else if order == self.highest {
+            self.is_shared = true;
+        }
+    }
+
+    /// Order of the river below the confluence.
+    fn order_below(self) -> u8 {
+        if self.is_shared {
+            self.highest.saturating_add(1)
+        } else {
+            self.highest.max(1)
+        }
+    }
+}
+
+/// The basin of every vertex: the coast or sink that it drains to. [`NO_VERTEX`] in the sea and on
 /// coasts without a river.
-pub fn basins(routes: &Routes) -> Vec<u32> {
-    let mut basin = vec![NONE; routes.receiver.len()];
+pub(super) fn basins(routes: &Routes) -> Vec<u32> {
+    let mut basin = vec![NO_VERTEX; routes.receiver.len()];
+    // Downstream first: the basin of the receiver is known.
     for &i in &routes.order {
         let to = routes.receiver[i as usize];
-        if to == NONE {
+        if to == NO_VERTEX {
             basin[i as usize] = i;
             continue;
         }
-        if basin[to as usize] == NONE {
+        if basin[to as usize] == NO_VERTEX {
             basin[to as usize] = to;
         }
         basin[i as usize] = basin[to as usize];
@@ -66,7 +86,7 @@ mod tests {
         // 8 and 9.
         let routes = Routes {
             order: vec![1, 2, 4, 3, 7, 5, 6, 8, 9],
-            receiver: vec![NONE, 0, 1, 2, 1, 3, 3, 2, 4, 4],
+            receiver: vec![NO_VERTEX, 0, 1, 2, 1, 3, 3, 2, 4, 4],
             depressions: vec![],
         };
         let order = strahler(&routes);
@@ -78,9 +98,9 @@ mod tests {
     fn a_sink_is_its_own_basin() {
         let routes = Routes {
             order: vec![2, 1],
-            receiver: vec![NONE, 2, NONE, NONE],
+            receiver: vec![NO_VERTEX, 2, NO_VERTEX, NO_VERTEX],
             depressions: vec![],
         };
-        assert_eq!(basins(&routes), [NONE, 2, 2, NONE]);
+        assert_eq!(basins(&routes), [NO_VERTEX, 2, 2, NO_VERTEX]);
     }
 }

@@ -1,7 +1,7 @@
 //! The long profiles of rivers: water that never runs uphill, beds that strictly descend, lakes
 //! that are level.
 //!
-//! Two sweeps. Upstream first, every vertex learns how low it should lie for what comes from above
+//! Two sweeps. Upstream first, every vertex learns how low it should lie for the water from above
 //! to run on (the least of its ground and of what drains to it, less the gradient), but no lower
 //! than its river can wear it down ([`incision`]): breaching, where it costs less than the river
 //! can pay. Then, downstream first, each takes that level, or one gradient above the vertex that it
@@ -11,31 +11,35 @@
 //! Depth follows discharge as d = 0.27 Q^0.30 (Moody and Troutman 2002), Q as on an Earth-sized
 //! planet.
 
-use super::flood::{NONE, Routes};
-use super::growth::RiverNetwork;
-use super::sinks::{Closed, incision};
+use super::flood::{NO_VERTEX, Routes};
+use super::network::RiverNetwork;
+use super::sinks::{ClosedLake, incision};
 use crate::math;
 use crate::parallel;
-use crate::sphere::SphereMesh;
+use bevy::reflect::Reflect;
+use pangaea_shaders::amplify::fixed::GRAINS;
 
 /// Least fall of a river between two vertices, grains: 1 m, 2 cm per km, that of the lower Amazon.
-pub const FALL: i32 = 1024;
+pub(crate) const MIN_FALL: i32 = GRAINS;
+
+/// The number that stands for no lake.
+pub const NO_LAKE: u32 = u32::MAX;
 
 /// Least depth of a hollow that holds a lake, grains: 20 m. Sediment fills shallower ones.
-pub const LAKE_DEPTH: i32 = 20 * 1024;
+const LEAST_LAKE_DEPTH: i32 = 20 * GRAINS;
 
 /// Greatest depth of a lake, grains: 400 m. Crust is too coarse to tell a valley's floor from its
 /// rims, so hollows come out kilometres deep, which sediment would fill. Of the Earth's great lakes
 /// only young rifts and the deepest troughs of ice are deeper (Tanganyika 1470 m, Great Slave Lake
 /// 614 m); Lake Superior has 406 m, Lake Ladoga 230 m.
-pub const DEEPEST_LAKE: i32 = 400 * 1024;
+pub(super) const GREATEST_LAKE_DEPTH: i32 = 400 * GRAINS;
 
 /// A lake.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
 pub struct Lake {
     /// Level of the water in grains.
     pub level: i32,
-    /// The river's vertex through which it drains, at the lake's level; [`NONE`] for a closed
+    /// The river's vertex through which it drains, at the lake's level; [`NO_VERTEX`] for a closed
     /// basin.
     pub outlet: u32,
     /// The vertex to which all of it drains, on its bottom or next to the outlet.
@@ -45,222 +49,197 @@ pub struct Lake {
 }
 
 /// Levels along all rivers.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Reflect)]
 pub struct Profile {
     /// Level of the water if there is any at the vertex, else of its ground, in grains; never rises
     /// downstream.
     pub level: Vec<i32>,
     /// River bed or lake floor in grains.
     pub bed: Vec<i32>,
-    /// The lake that covers each vertex; [`NONE`] for none.
+    /// The lake that covers each vertex, or [`NO_LAKE`].
     pub lake: Vec<u32>,
     /// Lakes.
     pub lakes: Vec<Lake>,
 }
 
-/// Depth in grains of a river of a discharge in m³/s.
-pub fn depth(discharge: f64) -> i32 {
+/// Depth in grains of a river of a discharge in m³/s (Moody and Troutman 2002).
+fn depth(discharge: f64) -> i32 {
     if discharge > 0.0 {
-        (0.27 * math::pow(discharge, 0.3) * 1024.0) as i32
+        (0.27 * math::pow(discharge, 0.3) * f64::from(GRAINS)) as i32
     } else {
         0
     }
 }
 
-/// Finds the levels for `routes` over `ground` in grains, with the earth-like discharge of each
-/// vertex in m³/s.
-pub(super) fn profile(
-    mesh: &SphereMesh,
-    routes: &Routes,
-    ground: &[i32],
-    discharge: impl Fn(u32) -> f64 + Sync,
-    closed: &[Closed],
-    network: RiverNetwork,
-) -> Profile {
-    let n = ground.len();
-    let mut lake = vec![NONE; n];
-    let mut lakes = Vec::new();
-    for basin in closed {
-        basin
-            .vertices
-            .iter()
-            .for_each(|&i| lake[i as usize] = lakes.len() as u32);
-        let sink = basin.vertices.first().copied().unwrap_or(NONE);
-        lakes.push(Lake {
-            level: basin.level,
-            outlet: NONE,
-            sink,
-            vertices: basin.vertices.len() as u32,
-        });
+/// The rivers whose profiles are sought; columns have an entry per vertex.
+#[derive(Clone, Copy)]
+pub(super) struct Channels<'a> {
+    pub routes: &'a Routes,
+    /// Ground in grains.
+    pub ground: &'a [i32],
+    /// Earth-like discharge in m³/s.
+    pub discharge: &'a [f64],
+    pub network: RiverNetwork,
+}
+
+impl Channels<'_> {
+    /// Levels, beds and lakes, of which the `closed` ones are known.
+    pub(super) fn profile(&self, closed: &[ClosedLake]) -> Profile {
+        let mut lakes = Lakes::new(self.ground.len(), closed);
+        let wanted = self.breach(&lakes.of);
+        let level = self.settle_water(&wanted, &mut lakes);
+        let bed = self.beds(&level, &lakes.of);
+        Profile {
+            level,
+            bed,
+            lake: lakes.of,
+            lakes: lakes.all,
+        }
     }
-    let wanted = breach(mesh, routes, ground, &discharge, &lake, network);
-    let mut level: Vec<i32> = ground.to_vec();
-    for &i in &routes.order {
-        let k = i as usize;
-        let r = match (lake[k], routes.receiver[k]) {
-            (NONE, NONE) => continue,
-            (NONE, to) => to as usize,
-            (own, _) => {
-                level[k] = lakes[own as usize].level;
+
+    /// The lowest level to which the river of vertex `i` can wear down its ground.
+    fn deepest_breach(&self, i: usize) -> i32 {
+        if self.routes.receiver[i] == NO_VERTEX {
+            return self.ground[i];
+        }
+        match self.network {
+            RiverNetwork::Drainage => self.ground[i].saturating_sub(incision(self.discharge[i])),
+            // A network that does not follow the relief cuts through whatever is in its way.
+            RiverNetwork::Grown => self.ground[i].min(0),
+        }
+    }
+
+    /// How low every vertex should lie for the water from upstream to run on, if its river can wear
+    /// it down so far.
+    fn breach(&self, lake: &[u32]) -> Vec<i32> {
+        let least = parallel::map(self.ground.len(), |i| self.deepest_breach(i as usize));
+        let mut wanted = self.ground.to_vec();
+        for &i in self.routes.order.iter().rev() {
+            let k = i as usize;
+            wanted[k] = wanted[k].max(least[k]);
+            let to = self.routes.receiver[k];
+            if to == NO_VERTEX {
                 continue;
             }
-        };
-        let hollow = level[r].saturating_sub(wanted[k]);
-        let open = lake[r] != NONE && lakes[lake[r] as usize].outlet != NONE;
-        if open && hollow > 0 {
-            lake[k] = lake[r];
-        } else if lake[r] == NONE && hollow > LAKE_DEPTH {
-            lake[k] = lakes.len() as u32;
-            lakes.push(Lake {
-                level: level[r],
-                outlet: r as u32,
-                sink: i,
-                vertices: 0,
-            });
-        } else {
-            level[k] = wanted[k].max(level[r] + FALL);
-            continue;
-        }
-        lakes[lake[k] as usize].vertices += 1;
-        level[k] = level[r];
-    }
-    let bed = beds(mesh, routes, ground, &level, &lake, &discharge);
-    Profile {
-        level,
-        bed,
-        lake,
-        lakes,
-    }
-}
-
-/// How low every vertex should lie for the water from upstream to run on, if its river can wear it
-/// down so far.
-fn breach(
-    mesh: &SphereMesh,
-    routes: &Routes,
-    ground: &[i32],
-    discharge: &(impl Fn(u32) -> f64 + Sync),
-    lake: &[u32],
-    network: RiverNetwork,
-) -> Vec<i32> {
-    let least = parallel::map(mesh.len(), |i| {
-        if routes.receiver[i as usize] == NONE {
-            return ground[i as usize];
-        }
-        match network {
-            RiverNetwork::Drainage => ground[i as usize].saturating_sub(incision(discharge(i))),
-            // A network that does not follow the relief cuts through whatever is in its way.
-            RiverNetwork::Grown => ground[i as usize].min(0),
-        }
-    });
-    let mut wanted = ground.to_vec();
-    for &i in routes.order.iter().rev() {
-        let k = i as usize;
-        wanted[k] = wanted[k].max(least[k]);
-        let to = routes.receiver[k];
-        if to != NONE && lake[k] == NONE && lake[to as usize] == NONE {
+            // The receiver must lie lower than everything that drains to it, or dam it up.
+            // Closed lakes have their levels: nothing is breached into or under them.
             let r = to as usize;
-            wanted[r] = wanted[r].min(wanted[k] - FALL);
+            if lake[k] == NO_LAKE && lake[r] == NO_LAKE {
+                wanted[r] = wanted[r].min(wanted[k] - MIN_FALL);
+            }
         }
+        wanted
     }
-    wanted
+
+    /// The level of the water at every vertex, downstream first: at the wanted level where water
+    /// can run off, in a lake where it cannot.
+    fn settle_water(&self, wanted: &[i32], lakes: &mut Lakes) -> Vec<i32> {
+        let mut level = self.ground.to_vec();
+        for &i in &self.routes.order {
+            let k = i as usize;
+            if let Some(lake) = lakes.at(k) {
+                level[k] = lake.level;
+                continue;
+            }
+            let to = self.routes.receiver[k];
+            // The sink of a planet without a sea keeps its ground.
+            if to == NO_VERTEX {
+                continue;
+            }
+            let below = level[to as usize];
+            // How deep the water below would stand over the wanted level.
+            let hollow = below.saturating_sub(wanted[k]);
+            // Shallow hollows hold no lake: sediment fills them until the water runs off.
+            level[k] = if lakes.cover(i, to, below, hollow) {
+                below
+            } else {
+                wanted[k].max(below + MIN_FALL)
+            };
+        }
+        level
+    }
+
+    /// Beds: the depth of the river below its level; in lakes the ground, where that is lower, or
+    /// the sediment on it. At coasts the bed of the mouth.
+    fn beds(&self, level: &[i32], lake: &[u32]) -> Vec<i32> {
+        let mut is_land = vec![false; self.ground.len()];
+        for &i in &self.routes.order {
+            is_land[i as usize] = true;
+        }
+        parallel::map(self.ground.len(), |i| {
+            let k = i as usize;
+            let discharge = self.discharge[k];
+            // Coasts lie at 0, and only mouths have a discharge.
+            if !is_land[k] && discharge <= 0.0 {
+                return self.ground[k];
+            }
+            let river = level[k] - depth(discharge);
+            if lake[k] == NO_LAKE {
+                river
+            } else {
+                let sediment = level[k].saturating_sub(GREATEST_LAKE_DEPTH);
+                river.min(self.ground[k].max(sediment))
+            }
+        })
+    }
 }
 
-/// Beds: the depth of the river below its level; in lakes the ground, where that is lower, or the
-/// sediment on it. At coasts the bed of the mouth.
-fn beds(
-    mesh: &SphereMesh,
-    routes: &Routes,
-    ground: &[i32],
-    level: &[i32],
-    lake: &[u32],
-    discharge: &(impl Fn(u32) -> f64 + Sync),
-) -> Vec<i32> {
-    let mut wet = vec![false; ground.len()];
-    routes.order.iter().for_each(|&i| wet[i as usize] = true);
-    parallel::map(mesh.len(), |i| {
-        let k = i as usize;
-        let flow = discharge(i);
-        // Coasts lie at 0, and only mouths have a discharge.
-        if !wet[k] && flow <= 0.0 {
-            return ground[k];
+/// The lakes found so far.
+struct Lakes {
+    /// The lake of every vertex, or [`NO_LAKE`].
+    of: Vec<u32>,
+    all: Vec<Lake>,
+}
+
+impl Lakes {
+    /// The closed lakes of a mesh of so many vertices.
+    fn new(vertices: usize, closed: &[ClosedLake]) -> Self {
+        let mut of = vec![NO_LAKE; vertices];
+        let mut all = Vec::with_capacity(closed.len());
+        for basin in closed {
+            for &i in &basin.vertices {
+                of[i as usize] = all.len() as u32;
+            }
+            all.push(Lake {
+                level: basin.level,
+                outlet: NO_VERTEX,
+                sink: basin.vertices.first().copied().unwrap_or(NO_VERTEX),
+                vertices: basin.vertices.len() as u32,
+            });
         }
-        let river = level[k] - depth(flow);
-        let sediment = level[k].saturating_sub(DEEPEST_LAKE);
-        if lake[k] == NONE {
-            river
-        } else {
-            river.min(ground[k].max(sediment))
-        }
-    })
+        Self { of, all }
+    }
+
+    /// The lake over vertex `k`.
+    fn at(&self, k: usize) -> Option<&Lake> {
+        self.all.get(self.of[k] as usize)
+    }
+
+    /// Covers vertex `i`, a `hollow` grains deep behind its receiver, with a lake: the one that the
+    /// receiver lies in, or a new one that spills over it at `level`. False where the hollow is too
+    /// shallow.
+    fn cover(&mut self, i: u32, receiver: u32, level: i32, hollow: i32) -> bool {
+        let lake = match self.at(receiver as usize) {
+            // A lake reaches as far upstream as its level does. One without an outlet does not: it
+            // covers what it can hold, and no more.
+            Some(lake) if lake.outlet != NO_VERTEX && hollow > 0 => self.of[receiver as usize],
+            None if hollow > LEAST_LAKE_DEPTH => {
+                self.all.push(Lake {
+                    level,
+                    outlet: receiver,
+                    sink: i,
+                    vertices: 0,
+                });
+                self.all.len() as u32 - 1
+            }
+            _ => return false,
+        };
+        self.of[i as usize] = lake;
+        self.all[lake as usize].vertices += 1;
+        true
+    }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::sphere::SphereMesh;
-
-    #[test]
-    fn deep_rivers_are_those_of_much_water() {
-        assert_eq!(depth(0.0), 0);
-        assert_eq!(depth(1.0), 276);
-        // The Mississippi at its mouth: some 17,000 m3/s and 5 m in the mean.
-        assert!((4.0..8.0).contains(&(f64::from(depth(17_000.0)) / 1024.0)));
-    }
-
-    #[test]
-    fn sills_are_breached_where_the_river_can_and_dam_lakes_elsewhere() {
-        let mesh = SphereMesh::fibonacci(100).unwrap();
-        // A chain 5 -> 4 -> 3 -> 2 -> 1 -> 0, the coast; 3 is a sill, 4 a hollow behind it.
-        let routes = Routes {
-            order: vec![1, 2, 3, 4, 5],
-            receiver: (0..100)
-                .map(|i| if (1..6).contains(&i) { i - 1 } else { NONE })
-                .collect(),
-            depressions: vec![],
-        };
-        let km = 1024 * 1000;
-        let mut ground = vec![0; 100];
-        ground[1..6].copy_from_slice(&[km / 10, km / 5, km, km / 2, 2 * km]);
-        let weak = profile(
-            &mesh,
-            &routes,
-            &ground,
-            |_| 1.0,
-            &[],
-            RiverNetwork::Drainage,
-        );
-        assert_eq!(weak.level[3], km - incision(1.0));
-        assert_eq!(weak.level[4], weak.level[3]);
-        assert_eq!((weak.lake[4], weak.lake[3], weak.lake[5]), (0, NONE, NONE));
-        assert_eq!(
-            weak.bed[4],
-            weak.level[4] - DEEPEST_LAKE,
-            "750 m of water, but for the sediment"
-        );
-        assert_eq!(
-            weak.lakes,
-            [Lake {
-                level: weak.level[3],
-                outlet: 3,
-                sink: 4,
-                vertices: 1
-            }]
-        );
-        let strong = profile(
-            &mesh,
-            &routes,
-            &ground,
-            |_| 40_000.0,
-            &[],
-            RiverNetwork::Drainage,
-        );
-        assert!(strong.lakes.is_empty());
-        assert_eq!((strong.level[4], strong.level[3]), (km / 2, km / 2 - FALL));
-        for k in 1..6 {
-            assert!(
-                strong.level[k] >= strong.level[k - 1] + FALL && strong.bed[k] > strong.bed[k - 1]
-            );
-        }
-    }
-}
+#[path = "profile_tests.rs"]
+mod tests;

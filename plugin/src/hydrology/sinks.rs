@@ -6,254 +6,253 @@
 //! and loss balance. Its bottom becomes a sink, and the depression drains there. Upstream
 //! depressions are decided first: a closed one passes nothing on.
 
-use super::flood::{Depression, NONE, Routes};
+use super::flood::{Depression, NO_VERTEX, Routes};
 use super::flow::earth_like;
 use crate::sphere::SphereMesh;
 use core::cmp::Reverse;
+use pangaea_shaders::amplify::fixed::GRAINS;
 use std::collections::BinaryHeap;
 
 /// A lake without an outlet.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Closed {
+pub(super) struct ClosedLake {
     /// Vertices under water; the first is the sink.
     pub vertices: Vec<u32>,
     /// Level in grains.
     pub level: i32,
 }
 
+/// Incision of a sill by any river, m: depressions of the crust are not exact to less.
+const LEAST_INCISION_M: f64 = 40.0;
+
+/// Incision in m per root of the discharge in m³/s: at 40,000 m³/s it makes 840 m, the depth of the
+/// gorges of the great rivers that cross mountains.
+const INCISION_PER_ROOT_M3S: f64 = 4.0;
+
+/// Deepest incision in grains, 3.9 km: deeper than any gorge, and far from the limits of an i32.
+const DEEPEST_INCISION: f64 = 4e6;
+
+/// Deepest water over the last vertex that a closed lake covers, grains: 20 m. Closed lakes are
+/// shallow at their shores.
+const DEEPEST_SHORE: i32 = 20 * GRAINS;
+
+/// The number that stands for no depression.
+const NO_DEPRESSION: u32 = u32::MAX;
+
 /// How far a river has worn down a sill, in grains: 40 m and 4 m times the root of its discharge in
-/// m³/s (as on an Earth-sized planet). The law of stream power has that root; at 40,000 m³/s it
-/// makes 840 m, the depth of the gorges of the great rivers that cross mountains.
-pub fn incision(discharge: f64) -> i32 {
-    ((40.0 + 4.0 * discharge.max(0.0).sqrt()) * 1024.0).min(4e6) as i32
+/// m³/s (as on an Earth-sized planet), the root of the law of stream power.
+pub(super) fn incision(discharge: f64) -> i32 {
+    let metres = LEAST_INCISION_M + INCISION_PER_ROOT_M3S * discharge.max(0.0).sqrt();
+    (metres * f64::from(GRAINS)).min(DEEPEST_INCISION) as i32
 }
 
-/// What the decision is made from.
-pub(super) struct Balance<'a> {
+/// Supply and demand of water, per vertex of the base mesh.
+pub(super) struct WaterBalance<'a> {
     pub mesh: &'a SphereMesh,
+    /// Radius of the planet in km.
     pub radius: f64,
+    /// Ground in grains.
     pub ground: &'a [i32],
-    /// Runoff of each vertex in m³ per year.
+    /// Runoff in m³ per year.
     pub supply: &'a [u64],
-    /// What each vertex would lose under water beyond its rain, in m³ per year.
+    /// Evaporation under water beyond the rain, in m³ per year.
     pub loss: &'a [i64],
 }
 
 /// Finds closed basins and lets them drain to their sinks.
-pub(super) fn close_basins(balance: &Balance, routes: &mut Routes) -> Vec<Closed> {
-    let mut block = vec![NONE; balance.mesh.len()];
-    for (d, depression) in routes.depressions.iter().enumerate() {
-        routes.order[depression.range.clone()]
-            .iter()
-            .for_each(|&i| block[i as usize] = d as u32);
-    }
-    let mut flow = balance.supply.to_vec();
-    let mut closed = Vec::new();
-    let mut exits: Vec<(u32, u64)> = Vec::new();
-    let mut k = routes.order.len();
-    while k > 0 {
-        k -= 1;
+///
+/// The sweep goes upstream first and adds up discharges. Vertices of a depression are contiguous in
+/// the order, so when the sweep reaches the first of them all water that flows into the depression
+/// is known, and whether it spills is decided before anything downstream is looked at.
+pub(super) fn close_basins(balance: &WaterBalance, routes: &mut Routes) -> Vec<ClosedLake> {
+    let depression_of = depressions_by_vertex(routes, balance.mesh.len());
+    let mut sweep = Sweep {
+        discharge: balance.supply.to_vec(),
+        spills: Vec::new(),
+        closed: Vec::new(),
+    };
+    for k in (0..routes.order.len()).rev() {
         let i = routes.order[k];
         let to = routes.receiver[i as usize];
-        let d = block[i as usize];
-        if d != NONE && (to == NONE || block[to as usize] != d) {
-            exits.push((to, flow[i as usize]));
-        } else if to != NONE {
-            flow[to as usize] += flow[i as usize];
+        let d = depression_of[i as usize];
+        // The sink of a planet without a sea leaves, too: to nowhere.
+        let leaves = to == NO_VERTEX || depression_of[to as usize] != d;
+        if d != NO_DEPRESSION && leaves {
+            sweep.hold_back(i, to);
+        } else {
+            let amount = sweep.discharge[i as usize];
+            sweep.pass_on(to, amount);
         }
-        if d == NONE || routes.depressions[d as usize].range.start < k {
-            continue;
-        }
-        let depression = routes.depressions[d as usize].clone();
-        let inflow = exits.iter().map(|e| e.1).sum();
-        if balance.dries_up(&depression, routes, inflow) {
-            closed.push(balance.reroute(&depression, routes, inflow));
-            exits.clear();
-        }
-        for (to, amount) in exits.drain(..) {
-            if to != NONE {
-                flow[to as usize] += amount;
-            }
+        // Only the first vertex of a depression, the last to be swept, decides its fate.
+        if d != NO_DEPRESSION && k <= routes.depressions[d as usize].range.start {
+            sweep.decide(balance, routes, d as usize);
         }
     }
-    closed.reverse();
-    closed
+    // Found upstream first; profiles number lakes downstream first.
+    sweep.closed.reverse();
+    sweep.closed
 }
 
-impl Balance<'_> {
-    /// Loss of a lake's vertex: what evaporates beyond the rain, and the runoff that its ground no
-    /// longer gives.
+/// A sweep upstream first.
+struct Sweep {
+    /// Water in m³ per year that has reached each vertex.
+    discharge: Vec<u64>,
+    /// Receivers outside of the present depression, and the m³ per year that they would get.
+    spills: Vec<(u32, u64)>,
+    closed: Vec<ClosedLake>,
+}
+
+impl Sweep {
+    fn pass_on(&mut self, to: u32, amount: u64) {
+        if to != NO_VERTEX {
+            self.discharge[to as usize] += amount;
+        }
+    }
+
+    /// Keeps the water of vertex `i` until it is known whether its depression spills.
+    fn hold_back(&mut self, i: u32, to: u32) {
+        self.spills.push((to, self.discharge[i as usize]));
+    }
+
+    /// Closes depression `d`, or lets it spill.
+    fn decide(&mut self, balance: &WaterBalance, routes: &mut Routes, d: usize) {
+        let depression = routes.depressions[d].clone();
+        let spills = core::mem::take(&mut self.spills);
+        let inflow = spills.iter().map(|(_, amount)| amount).sum();
+        if balance.dries_up(&depression, routes, inflow) {
+            // Its water stays: the vertices downstream never hear of it.
+            let lake = balance.reroute(&depression, routes, inflow);
+            self.closed.push(lake);
+            return;
+        }
+        for (to, amount) in spills {
+            self.pass_on(to, amount);
+        }
+    }
+}
+
+/// The depression of every vertex, by number.
+fn depressions_by_vertex(routes: &Routes, vertices: usize) -> Vec<u32> {
+    let mut depression_of = vec![NO_DEPRESSION; vertices];
+    for (d, depression) in (0..).zip(&routes.depressions) {
+        for &i in &routes.order[depression.range.clone()] {
+            depression_of[i as usize] = d;
+        }
+    }
+    depression_of
+}
+
+impl WaterBalance<'_> {
+    /// Water in m³ per year that a lake over vertex `i` costs: the evaporation beyond the rain, and
+    /// the runoff that its ground no longer gives.
     fn cost(&self, i: u32) -> i64 {
         self.loss[i as usize] + self.supply[i as usize] as i64
     }
 
+    /// Whether the lake behind the worn outlet would lose more than flows in.
     fn dries_up(&self, depression: &Depression, routes: &Routes, inflow: u64) -> bool {
-        let worn = depression
-            .level
-            .saturating_sub(incision(earth_like(inflow, self.radius)));
+        // A river of all the inflow would wear the outlet down: the lake would fill only so far.
+        let worn = incision(earth_like(inflow, self.radius));
+        let outlet = depression.spill_elevation.saturating_sub(worn);
         let members = &routes.order[depression.range.clone()];
-        let lake = members.iter().filter(|&&i| self.ground[i as usize] < worn);
-        let cost: i64 = lake.map(|&i| self.cost(i)).sum();
-        cost > inflow as i64
+        let lake = members
+            .iter()
+            .filter(|&&i| self.ground[i as usize] < outlet);
+        lake.map(|&i| self.cost(i)).sum::<i64>() > inflow as i64
     }
 
     /// Turns the depression around: its vertices drain to the lowest one.
-    fn reroute(&self, depression: &Depression, routes: &mut Routes, inflow: u64) -> Closed {
+    fn reroute(&self, depression: &Depression, routes: &mut Routes, inflow: u64) -> ClosedLake {
         let members = &mut routes.order[depression.range.clone()];
-        let mut inside: Vec<u32> = members.to_vec();
-        inside.sort_unstable();
-        let is_member = |j: u32| inside.binary_search(&j);
-        let mut reached = vec![false; inside.len()];
-        let sink = members
-            .iter()
-            .copied()
-            .min_by_key(|&i| (self.ground[i as usize], i))
-            .unwrap_or(NONE);
+        let rising = self.fill(members, &mut routes.receiver);
+        for (member, &(_, i)) in members.iter_mut().zip(&rising) {
+            *member = i;
+        }
+        self.closed_lake(&rising, depression.spill_elevation, inflow)
+    }
+
+    /// The vertices of a depression as water rising from its lowest vertex covers them, each with
+    /// the level at which it does; receivers lead back down to that vertex.
+    fn fill(&self, members: &[u32], receiver: &mut [u32]) -> Vec<(i32, u32)> {
+        let mut unreached = Unreached::new(members);
         // By the level of the water; what one level covers from the bottom up.
         let entry = |level: i32, i: u32| Reverse((level, self.ground[i as usize], i));
-        let mut heap = BinaryHeap::from([entry(self.ground[sink as usize], sink)]);
-        let mut order = Vec::with_capacity(inside.len());
-        routes.receiver[sink as usize] = NONE;
-        if let Ok(place) = is_member(sink) {
-            reached[place] = true;
+        let mut heap = BinaryHeap::new();
+        let lowest = members
+            .iter()
+            .min_by_key(|&&i| (self.ground[i as usize], i));
+        if let Some(&sink) = lowest {
+            receiver[sink as usize] = NO_VERTEX;
+            unreached.take(sink);
+            heap.push(entry(self.ground[sink as usize], sink));
         }
-        let (mut lake, mut shore) = (Vec::new(), None);
-        let (mut spent, mut top) = (0, i32::MIN);
+        let mut rising = Vec::with_capacity(members.len());
         while let Some(Reverse((level, _, i))) = heap.pop() {
-            order.push(i);
-            if shore.is_none() {
-                if lake.is_empty() || (spent + self.cost(i) <= inflow as i64 && level > top - 1) {
-                    spent += self.cost(i);
-                    top = top.max(level);
-                    lake.push(i);
-                } else {
-                    shore = Some(level);
-                }
-            }
+            rising.push((level, i));
             for &j in self.mesh.ring(i) {
-                let Ok(place) = is_member(j) else { continue };
-                if !reached[place] {
-                    reached[place] = true;
-                    routes.receiver[j as usize] = i;
+                if unreached.take(j) {
+                    receiver[j as usize] = i;
                     heap.push(entry(self.ground[j as usize].max(level), j));
                 }
             }
         }
-        // Half way to the next higher ground, and not more than 20 m deep over the last that is
-        // covered.
-        let rim = shore.unwrap_or(depression.level).max(top);
-        let level = (top + ((rim - top) / 2).min(20 * 1024)).max(top + 1);
-        members.copy_from_slice(&order);
-        Closed {
-            vertices: lake,
-            level,
+        rising
+    }
+
+    /// The lake that covers so much of the rising vertices that it loses what flows in; the lowest
+    /// at least.
+    fn closed_lake(&self, rising: &[(i32, u32)], spill_elevation: i32, inflow: u64) -> ClosedLake {
+        let mut vertices = Vec::new();
+        let mut spent = 0;
+        let mut top = i32::MIN;
+        let mut shore = spill_elevation;
+        for &(level, i) in rising {
+            let cost = self.cost(i);
+            if !vertices.is_empty() && spent + cost > inflow as i64 {
+                shore = level;
+                break;
+            }
+            // The lowest vertex is a lake even where its water would dry up: water ends there.
+            spent += cost;
+            top = level;
+            vertices.push(i);
+        }
+        // Half way to the next higher ground, but shallow over the last vertex that is covered, and
+        // not dry.
+        let depth = ((shore.max(top) - top) / 2).min(DEEPEST_SHORE);
+        ClosedLake {
+            vertices,
+            level: (top + depth).max(top + 1),
+        }
+    }
+}
+
+/// The vertices of a depression that rising water has not reached.
+struct Unreached {
+    /// All of them, sorted.
+    members: Vec<u32>,
+    is_reached: Vec<bool>,
+}
+
+impl Unreached {
+    fn new(members: &[u32]) -> Self {
+        let mut members = members.to_vec();
+        members.sort_unstable();
+        Self {
+            is_reached: vec![false; members.len()],
+            members,
+        }
+    }
+
+    /// Takes a vertex out. False if it is outside of the depression, or was reached before.
+    fn take(&mut self, i: u32) -> bool {
+        match self.members.binary_search(&i) {
+            Ok(place) => !core::mem::replace(&mut self.is_reached[place], true),
+            Err(_) => false,
         }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::hydrology::coast::Site;
-    use crate::hydrology::flood::flood;
-    use crate::hydrology::flow::accumulate;
-    use crate::math;
-
-    /// Land north of the equator with a bowl 1.3 km deep, its rim 0.25 rad wide; sea in the south.
-    fn bowl() -> (SphereMesh, Vec<Site>, Vec<i32>) {
-        let mesh = SphereMesh::fibonacci(5000).unwrap();
-        let centre = math::direction(50.0, 20.0);
-        let ground: Vec<i32> = (0..5000)
-            .map(|i| {
-                let p = mesh.points()[i];
-                if p.z < 0.0 {
-                    return -1_000_000;
-                }
-                let r = math::angle_between(p, centre) / 0.25;
-                ((1.2 + p.z + if r < 1.0 { -1.5 * (1.0 - r * r) } else { 0.0 }) * 1_024_000.0)
-                    as i32
-            })
-            .collect();
-        let mut ground = ground;
-        let sites = crate::hydrology::coast::regularise(&mesh, &mut ground);
-        (mesh, sites, ground)
-    }
-
-    fn run(
-        loss: i64,
-    ) -> (
-        SphereMesh,
-        Vec<Site>,
-        Vec<i32>,
-        Routes,
-        Vec<Closed>,
-        Vec<u64>,
-    ) {
-        let (mesh, sites, ground) = bowl();
-        let mut routes = flood(&mesh, &sites, &ground);
-        let supply: Vec<u64> = sites
-            .iter()
-            .map(|s| if *s == Site::Land { 1_000_000 } else { 0 })
-            .collect();
-        let losses = vec![loss; mesh.len()];
-        let balance = Balance {
-            mesh: &mesh,
-            radius: 6370.0,
-            ground: &ground,
-            supply: &supply,
-            loss: &losses,
-        };
-        let closed = close_basins(&balance, &mut routes);
-        let discharge = accumulate(&routes, &supply);
-        (mesh, sites, ground, routes, closed, discharge)
-    }
-
-    #[test]
-    fn a_wet_basin_spills() {
-        let (_, _, _, routes, closed, discharge) = run(-900_000);
-        assert!(closed.is_empty());
-        let to_sea: u64 = routes
-            .receiver
-            .iter()
-            .zip(&discharge)
-            .filter(|(r, _)| **r == NONE)
-            .map(|(_, d)| d)
-            .sum();
-        assert_eq!(to_sea, routes.order.len() as u64 * 1_000_000);
-    }
-
-    #[test]
-    fn a_dry_basin_holds_a_lake_that_balances() {
-        let (mesh, _, ground, routes, closed, discharge) = run(20_000_000);
-        assert_eq!(closed.len(), 1, "{closed:?} {:?}", routes.depressions);
-        let lake = &closed[0];
-        let sink = lake.vertices[0];
-        assert_eq!(routes.receiver[sink as usize], NONE);
-        let inflow = discharge[sink as usize];
-        let cost = lake.vertices.len() as u64 * 21_000_000;
-        assert!(
-            cost <= inflow && inflow < cost + 21_000_000,
-            "{cost} {inflow}"
-        );
-        assert!(
-            lake.vertices
-                .iter()
-                .all(|&i| ground[i as usize] < lake.level)
-        );
-        // The order still leads downstream first.
-        let mut rank = vec![0; mesh.len()];
-        routes
-            .order
-            .iter()
-            .enumerate()
-            .for_each(|(k, &i)| rank[i as usize] = k);
-        for &i in &routes.order {
-            let to = routes.receiver[i as usize];
-            assert!(
-                to == NONE
-                    || routes.receiver[to as usize] == NONE
-                    || rank[to as usize] < rank[i as usize]
-            );
-        }
-    }
-}
+#[path = "sinks_tests.rs"]
+mod tests;

@@ -6,29 +6,39 @@
 //! says that the longest way upstream grows with a power of 0.57 to 0.6 of the area (Hack 1957).
 //! Ratios and power are slopes of straight lines fitted to logarithms.
 //!
-//! Policies. Channels begin where `SUPPORT` vertices drain together: the network of single vertices
+//! Policies. Channels begin where five vertices drain together: the network of single vertices
 //! is the mesh's, not the land's (as in any network drawn from a grid, Tarboton, Bras and
 //! Rodriguez-Iturbe 1991). Orders with fewer than ten streams are left out of the fit, and basins
 //! of fewer than ten vertices.
 
-use super::flood::NONE;
-use super::{Drainage, Site, flow, order};
+use super::coast::ShoreClass;
+use super::drainage::Drainage;
+use super::flood::NO_VERTEX;
+use super::flow;
+use super::order;
 use crate::climate::Climate;
 use crate::math;
 use crate::sphere::SphereMesh;
+use bevy::reflect::Reflect;
 
-/// Vertices that must drain together to make a channel.
-const SUPPORT: u32 = 5;
+/// Vertices that must drain together to make a channel: 13,500 km² on an Earth-sized planet.
+const CHANNEL_SUPPORT: u32 = 5;
 
 /// Order that a basin must reach to count as a network.
-const NETWORK: u8 = 3;
+const NETWORK_ORDER: u8 = 3;
+
+/// Fewest streams of an order that counts in the fit of Horton's laws.
+const FEWEST_STREAMS: f64 = 10.0;
+
+/// Fewest vertices of a basin that counts in the fit of Hack's law.
+const FEWEST_VERTICES: u32 = 10;
 
 /// Figures of the hydrology of a planet.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Reflect, serde::Serialize)]
 pub struct HydrologyStats {
     /// Mean rain on land in mm per year.
     pub land_rain_mm_mean: f64,
-    /// What all rivers together bring to the sea and to closed lakes, in m³/s.
+    /// Discharge of all rivers together into the sea and into closed lakes, in m³/s.
     pub discharge_total_m3s: f64,
     /// Discharge of the largest river in m³/s.
     pub largest_river_m3s: f64,
@@ -47,7 +57,7 @@ pub struct HydrologyStats {
 }
 
 /// Horton's ratios.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Reflect, serde::Serialize)]
 pub struct Horton {
     /// Bifurcation ratio R_B: streams of one order to those of the next.
     pub rb: f64,
@@ -60,31 +70,19 @@ pub struct Horton {
 impl HydrologyStats {
     /// The figures of a drainage.
     pub fn new(mesh: &SphereMesh, climate: &Climate, drainage: &Drainage) -> Self {
-        let land = |i: usize| drainage.sites[i] == Site::Land;
-        let area = |i: usize| mesh.area(i as u32);
-        let total = |value: &dyn Fn(usize) -> f64| {
-            (0..mesh.len()).filter(|&i| land(i)).map(value).sum::<f64>()
-        };
-        let land_area = total(&area);
-        let share = |x: f64| if land_area > 0.0 { x / land_area } else { 0.0 };
-        let rain = |i: usize| area(i) * f64::from(climate.rain[i]);
-        let closed = |i: usize| {
-            if drainage.is_endorheic(i) {
-                area(i)
-            } else {
-                0.0
-            }
-        };
-        let ends = || (0..mesh.len()).filter(|&i| drainage.routes.receiver[i] == NONE);
+        let land = Land::new(mesh, drainage);
+        let endorheic = |i: usize| if drainage.is_endorheic(i) { 1.0 } else { 0.0 };
+        // Rivers end where nothing receives them: at coasts, and in sinks.
+        let ends = (0..mesh.len()).filter(|&i| drainage.routes.receiver[i] == NO_VERTEX);
+        let discharges: Vec<u64> = ends.map(|i| drainage.discharge[i]).collect();
         let upstream = Upstream::new(mesh, drainage);
+        let longest = upstream.length.iter().copied().fold(0.0, f64::max);
         Self {
-            land_rain_mm_mean: share(total(&rain)),
-            discharge_total_m3s: flow::per_second(ends().map(|i| drainage.discharge[i]).sum()),
-            largest_river_m3s: flow::per_second(
-                ends().map(|i| drainage.discharge[i]).max().unwrap_or(0),
-            ),
-            longest_river_km: upstream.length.iter().copied().fold(0.0, f64::max) * drainage.radius,
-            endorheic_share: share(total(&closed)),
+            land_rain_mm_mean: land.mean(|i| f64::from(climate.rain[i])),
+            discharge_total_m3s: flow::per_second(discharges.iter().sum()),
+            largest_river_m3s: flow::per_second(discharges.iter().copied().max().unwrap_or(0)),
+            longest_river_km: longest * drainage.radius,
+            endorheic_share: land.mean(endorheic),
             lakes: drainage.profile.lakes.len(),
             horton: upstream.horton(drainage),
             hack_exponent: upstream.hack(drainage),
@@ -93,7 +91,39 @@ impl HydrologyStats {
     }
 }
 
-/// What lies upstream of each vertex, in radians and steradians.
+/// The vertices on land.
+struct Land<'a> {
+    mesh: &'a SphereMesh,
+    vertices: Vec<u32>,
+    /// In steradians.
+    area: f64,
+}
+
+impl<'a> Land<'a> {
+    fn new(mesh: &'a SphereMesh, drainage: &Drainage) -> Self {
+        let is_land = |i: &u32| drainage.shore[*i as usize] == ShoreClass::Land;
+        let vertices: Vec<u32> = (0..mesh.len() as u32).filter(is_land).collect();
+        let area = vertices.iter().map(|&i| mesh.area(i)).sum();
+        Self {
+            mesh,
+            vertices,
+            area,
+        }
+    }
+
+    /// The mean of a value by area; 0 where there is no land.
+    fn mean(&self, value: impl Fn(usize) -> f64) -> f64 {
+        let parts = self.vertices.iter();
+        let sum: f64 = parts.map(|&i| self.mesh.area(i) * value(i as usize)).sum();
+        if self.area > 0.0 {
+            sum / self.area
+        } else {
+            0.0
+        }
+    }
+}
+
+/// The rivers upstream of each vertex, in radians and steradians.
 struct Upstream {
     /// Longest way upstream.
     length: Vec<f64>,
@@ -101,165 +131,159 @@ struct Upstream {
     area: Vec<f64>,
     /// Length of the stream so far, from its beginning down to the vertex.
     stream: Vec<f64>,
-    /// Vertices upstream.
+    /// Vertices upstream, its own included.
     count: Vec<u32>,
-    /// Horton–Strahler order of the channels; 0 for what is none.
+    /// Horton–Strahler order of the channels; 0 elsewhere.
     order: Vec<u8>,
 }
 
 impl Upstream {
     fn new(mesh: &SphereMesh, drainage: &Drainage) -> Self {
-        let n = mesh.len();
-        let routes = &drainage.routes;
-        let (mut length, mut area, mut stream) = (vec![0.0_f64; n], vec![0.0; n], vec![0.0; n]);
-        let mut count = vec![0; n];
-        for &i in routes.order.iter().rev() {
-            let (k, to) = (i as usize, routes.receiver[i as usize]);
-            area[k] += mesh.area(i);
-            count[k] += 1;
-            if to != NONE {
+        let mut upstream = Self {
+            length: vec![0.0; mesh.len()],
+            area: vec![0.0; mesh.len()],
+            stream: vec![0.0; mesh.len()],
+            count: vec![0; mesh.len()],
+            order: Vec::new(),
+        };
+        upstream.add_up(mesh, drainage);
+        let is_channel = |i: u32| upstream.count[i as usize] >= CHANNEL_SUPPORT;
+        upstream.order = order::strahler_of(&drainage.routes, is_channel);
+        upstream.follow_streams(mesh, drainage);
+        upstream
+    }
+
+    /// Lengths, areas and counts, from the springs down.
+    fn add_up(&mut self, mesh: &SphereMesh, drainage: &Drainage) {
+        for &i in drainage.routes.order.iter().rev() {
+            let k = i as usize;
+            self.area[k] += mesh.area(i);
+            self.count[k] += 1;
+            let to = drainage.routes.receiver[k];
+            if to != NO_VERTEX {
                 let r = to as usize;
-                length[r] =
-                    length[r].max(length[k] + math::angle_between(mesh.point(i), mesh.point(to)));
-                area[r] += area[k];
-                count[r] += count[k];
+                let edge = math::angle_between(mesh.point(i), mesh.point(to));
+                self.length[r] = self.length[r].max(self.length[k] + edge);
+                self.area[r] += self.area[k];
+                self.count[r] += self.count[k];
             }
         }
-        let order = order::strahler_of(routes, |i| count[i as usize] >= SUPPORT);
-        for &i in routes.order.iter().rev() {
-            let (k, to) = (i as usize, routes.receiver[i as usize]);
-            if to != NONE {
+    }
+
+    /// Lengths of streams: each goes on as long as its order does, and ends with the edge to the
+    /// next.
+    fn follow_streams(&mut self, mesh: &SphereMesh, drainage: &Drainage) {
+        for &i in drainage.routes.order.iter().rev() {
+            let k = i as usize;
+            let to = drainage.routes.receiver[k];
+            if to != NO_VERTEX {
                 let r = to as usize;
-                stream[k] += math::angle_between(mesh.point(i), mesh.point(to));
-                if order[r] == order[k] {
-                    stream[r] = stream[k].max(stream[r]);
+                self.stream[k] += math::angle_between(mesh.point(i), mesh.point(to));
+                if self.order[r] == self.order[k] {
+                    self.stream[r] = self.stream[k].max(self.stream[r]);
                 }
             }
-        }
-        Self {
-            length,
-            area,
-            stream,
-            count,
-            order,
         }
     }
 
     /// The last vertices of all streams.
     fn mouths<'a>(&'a self, drainage: &'a Drainage) -> impl Iterator<Item = usize> + 'a {
-        drainage
-            .routes
-            .order
-            .iter()
-            .map(|&i| i as usize)
-            .filter(|&i| {
-                let to = drainage.routes.receiver[i];
-                self.order[i] > 0 && (to == NONE || self.order[to as usize] != self.order[i])
-            })
+        let order = drainage.routes.order.iter().map(|&i| i as usize);
+        order.filter(|&i| self.is_mouth(i, drainage.routes.receiver[i]))
     }
 
-    fn horton(&self, drainage: &Drainage) -> Horton {
-        // Number, sum of lengths and sum of areas of the streams of each order.
-        let mut orders = [(0.0, 0.0, 0.0); 256];
-        // The laws are those of networks: a brook that reaches the sea by itself is none.
-        let mut top = vec![0; self.order.len()];
+    /// Whether a stream ends at vertex `i`, which drains to `receiver`.
+    fn is_mouth(&self, i: usize, receiver: u32) -> bool {
+        let order = self.order[i];
+        order > 0 && (receiver == NO_VERTEX || self.order[receiver as usize] != order)
+    }
+
+    /// The highest order within the basin of every coast and sink.
+    fn highest_orders(&self, drainage: &Drainage) -> Vec<u8> {
+        let mut highest = vec![0; self.order.len()];
         for i in self.mouths(drainage) {
-            let basin = &mut top[drainage.basin[i] as usize];
+            let basin = &mut highest[drainage.basin[i] as usize];
             *basin = self.order[i].max(*basin);
         }
-        for i in self
-            .mouths(drainage)
-            .filter(|&i| top[drainage.basin[i] as usize] >= NETWORK)
-        {
-            let (count, length, area) = &mut orders[usize::from(self.order[i])];
-            (*count, *length, *area) =
-                (*count + 1.0, *length + self.stream[i], *area + self.area[i]);
+        highest
+    }
+
+    /// Horton's ratios over the streams of networks: a brook that reaches the sea by itself is not
+    /// part of one.
+    fn horton(&self, drainage: &Drainage) -> Horton {
+        let highest = self.highest_orders(drainage);
+        let mut orders = [StreamSums::default(); 256];
+        for i in self.mouths(drainage) {
+            if highest[drainage.basin[i] as usize] >= NETWORK_ORDER {
+                orders[usize::from(self.order[i])].add(self.stream[i], self.area[i]);
+            }
         }
-        let known: Vec<(f64, (f64, f64, f64))> = (1..=255)
-            .map(|order| (f64::from(order), orders[order as usize]))
-            .filter(|(_, (count, length, _))| *count >= 10.0 && *length > 0.0)
-            .collect();
-        let ratio = |value: &dyn Fn((f64, f64, f64)) -> f64| {
-            let points: Vec<_> = known
-                .iter()
-                .map(|&(order, sums)| (order, math::ln(value(sums))))
-                .collect();
-            slope(&points).map_or(0.0, math::exp)
-        };
         Horton {
-            rb: ratio(&|(n, ..)| 1.0 / n),
-            rl: ratio(&|(n, l, _)| l / n),
-            ra: ratio(&|(n, _, a)| a / n),
+            rb: ratio(&orders, |sums| 1.0 / sums.count),
+            rl: ratio(&orders, |sums| sums.length / sums.count),
+            ra: ratio(&orders, |sums| sums.area / sums.count),
         }
     }
 
+    /// The exponent of Hack's law, over all streams.
     fn hack(&self, drainage: &Drainage) -> f64 {
-        let basins = self
+        let counts = |i: &usize| self.count[*i] >= FEWEST_VERTICES && self.length[*i] > 0.0;
+        let points: Vec<_> = self
             .mouths(drainage)
-            .filter(|&i| self.count[i] >= 10 && self.length[i] > 0.0);
-        let points: Vec<_> = basins
+            .filter(counts)
             .map(|i| (math::ln(self.area[i]), math::ln(self.length[i])))
             .collect();
         slope(&points).unwrap_or(0.0)
     }
 }
 
-/// Slope of the straight line that fits points best; none for fewer than two different ones.
+/// The streams of one order.
+#[derive(Clone, Copy, Default)]
+struct StreamSums {
+    count: f64,
+    /// In radians.
+    length: f64,
+    /// In steradians.
+    area: f64,
+}
+
+impl StreamSums {
+    fn add(&mut self, length: f64, area: f64) {
+        self.count += 1.0;
+        self.length += length;
+        self.area += area;
+    }
+}
+
+/// The constant ratio by which a value grows from order to order: e to the slope of its logarithms;
+/// 0 where too few orders count.
+fn ratio(orders: &[StreamSums; 256], value: impl Fn(StreamSums) -> f64) -> f64 {
+    let counts = |sums: &StreamSums| sums.count >= FEWEST_STREAMS && sums.length > 0.0;
+    let points: Vec<_> = (0..)
+        .zip(orders)
+        .skip(1)
+        .filter(|(_, sums)| counts(sums))
+        .map(|(order, &sums)| (f64::from(order), math::ln(value(sums))))
+        .collect();
+    slope(&points).map_or(0.0, math::exp)
+}
+
+/// Slope of the straight line that fits points best; `None` for fewer than two different ones.
 fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let n = points.len() as f64;
-    let (mx, my) = points
-        .iter()
-        .fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));
-    let (xx, xy) = points.iter().fold((0.0, 0.0), |(xx, xy), p| {
-        (xx + (p.0 - mx) * (p.0 - mx), xy + (p.0 - mx) * (p.1 - my))
-    });
-    (xx > 1e-12).then(|| xy / xx)
+    let (mut mean_x, mut mean_y) = (0.0, 0.0);
+    for (x, y) in points {
+        mean_x += x / n;
+        mean_y += y / n;
+    }
+    let (mut variance, mut covariance) = (0.0, 0.0);
+    for (x, y) in points {
+        variance += (x - mean_x) * (x - mean_x);
+        covariance += (x - mean_x) * (y - mean_y);
+    }
+    (variance > 1e-12).then(|| covariance / variance)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::hydrology::{Routes, order};
-
-    #[test]
-    fn slopes_are_those_of_lines() {
-        assert_eq!(slope(&[(1.0, 2.0)]), None);
-        assert!((slope(&[(0.0, 1.0), (1.0, 3.0), (2.0, 5.0)]).unwrap() - 2.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_binary_tree_bifurcates_by_two() {
-        // 0 is the coast; 1 the trunk; vertex k has the children 2k and 2k + 1.
-        let mesh = SphereMesh::fibonacci(512).unwrap();
-        let routes = Routes {
-            order: (1..512).collect(),
-            receiver: (0..512)
-                .map(|k| if k == 0 { NONE } else { k / 2 })
-                .collect(),
-            depressions: vec![],
-        };
-        let drainage = Drainage {
-            sites: (0..512)
-                .map(|k| if k == 0 { Site::Coast } else { Site::Land })
-                .collect(),
-            ground: vec![0; 512],
-            supply: vec![1; 512],
-            discharge: vec![1; 512],
-            strahler: order::strahler(&routes),
-            basin: vec![0; 512],
-            routes,
-            radius: 6370.0,
-            ..Drainage::default()
-        };
-        let climate = Climate {
-            rain: vec![500.0; 512],
-            ..Climate::default()
-        };
-        let stats = HydrologyStats::new(&mesh, &climate, &drainage);
-        assert!((stats.horton.rb - 2.0).abs() < 1e-9, "{:?}", stats.horton);
-        // Areas are 1, 3, 7, ... cells.
-        assert!((1.9..2.3).contains(&stats.horton.ra), "{:?}", stats.horton);
-        assert_eq!(stats.strahler_max, 9);
-        assert!((stats.land_rain_mm_mean - 500.0).abs() < 1e-9 && stats.endorheic_share == 0.0);
-    }
-}
+#[path = "stats_tests.rs"]
+mod tests;

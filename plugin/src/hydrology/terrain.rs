@@ -3,16 +3,17 @@
 //! `landform`.
 
 use super::base::{BaseMesh, Transfer};
-use super::landform::{BELOW, Crustal};
+use super::landform::{CrustSample, RELIEF_BELOW_MEAN};
 use crate::climate::{EARTH_RADIUS, EquirectMap, MapError};
 use crate::crust::Surface;
 use crate::math;
 use crate::parallel;
-use bevy::math::Vec3;
+use bevy::math::{DVec3, Vec3};
+use bevy::reflect::Reflect;
 use pangaea_shaders::amplify::fixed::GRAINS;
 
 /// Ground and landforms per vertex of a base mesh.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Reflect)]
 pub struct Terrain {
     /// Base ground, the level of the valleys, in grains.
     pub ground: Vec<i32>,
@@ -37,7 +38,7 @@ pub struct Terrain {
 }
 
 /// Maps of a user, from which a planet is made without a simulation (paper 002 §3).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Reflect)]
 pub struct TerrainMaps {
     /// Elevation of the crust in km, -15..=15, negative under the sea.
     pub crust: EquirectMap,
@@ -51,73 +52,101 @@ pub struct TerrainMaps {
 }
 
 impl TerrainMaps {
-    /// Refuses maps of what no planet is.
+    /// Refuses maps with values that no planet has.
     ///
     /// # Errors
     /// [`MapError::Range`].
     pub fn check(&self) -> Result<(), MapError> {
-        let Self {
-            crust,
-            age,
-            plateau,
-            hills,
-        } = self;
-        let metres = "from -15 to 15 km: the values look like metres";
+        // The usual mistake gets its own words.
+        let kilometres = "from -15 to 15 km: the values look like metres";
+        let crust = Some(&self.crust);
         EquirectMap::check(
-            Some(crust),
+            crust,
             "the elevation of the crust",
             -15.0..=15.0,
-            metres,
+            kilometres,
         )?;
         let past = 0.0..=f32::INFINITY;
-        EquirectMap::check(
-            age.as_ref(),
-            "the age of the orogeny",
-            past,
-            "at least 0 My",
-        )?;
-        EquirectMap::check(
-            plateau.as_ref(),
-            "the presence of plateaus",
-            0.0..=1.0,
-            "from 0 to 1",
-        )?;
-        EquirectMap::check(
-            hills.as_ref(),
-            "the presence of hills",
-            0.0..=1.0,
-            "from 0 to 1",
-        )
+        let age = self.age.as_ref();
+        EquirectMap::check(age, "the age of the orogeny", past, "at least 0 My")?;
+        for (map, what) in [
+            (&self.plateau, "the presence of plateaus"),
+            (&self.hills, "the presence of hills"),
+        ] {
+            EquirectMap::check(map.as_ref(), what, 0.0..=1.0, "from 0 to 1")?;
+        }
+        Ok(())
+    }
+
+    /// The crust that the maps mean at a unit direction.
+    fn crust_at(&self, p: DVec3) -> CrustSample {
+        let elevation = self.crust.at(p);
+        let age = self.age.as_ref().map(|age| age.at(p).max(0.0));
+        let folded = match age {
+            Some(_) => 1.0,
+            None => {
+                math::smoothstep(f64::from((elevation - FOLDED_FROM_KM) / FOLDED_WITHIN_KM)) as f32
+            }
+        };
+        CrustSample {
+            elevation,
+            folded,
+            age: age.unwrap_or(UNKNOWN_AGE_MY),
+            // A map does not say which kind of belt built its mountains.
+            collision: 0.5,
+            oceanic: if elevation < OCEAN_BELOW_KM { 1.0 } else { 0.0 },
+            ocean_age: UNKNOWN_OCEAN_AGE_MY,
+            noise: 0.0,
+            ..CrustSample::default()
+        }
     }
 }
+
+/// Elevation in km from which on ground of unknown age counts as folded in part.
+const FOLDED_FROM_KM: f32 = 0.4;
+
+/// Further rise in km to ground that counts as folded altogether: plains are lower than 400 m,
+/// mountains higher than 1600 m.
+const FOLDED_WITHIN_KM: f32 = 1.2;
+
+/// Age in My of the orogeny of folded ground of unknown age: half worn down.
+const UNKNOWN_AGE_MY: f32 = 100.0;
+
+/// Elevation in km below which the crust of maps is oceanic: the middle of continental slopes.
+const OCEAN_BELOW_KM: f32 = -2.0;
+
+/// Age in My of the ocean floor of maps: near the mean of Earth's (64 My, Seton et al. 2020).
+const UNKNOWN_OCEAN_AGE_MY: f32 = 80.0;
+
+/// Share of folded crust from which on a vertex has an age of orogeny.
+const LEAST_FOLDED: f32 = 0.02;
 
 impl Terrain {
     /// The terrain of a simulated planet.
     pub fn from_surface(base: &BaseMesh, transfer: &Transfer, surface: &Surface) -> Self {
-        let crustal = parallel::map(base.mesh.len(), |i| {
-            Crustal::between(surface, transfer.corners(i as usize))
+        let crust = parallel::map(base.mesh.len(), |i| {
+            CrustSample::between(surface, transfer.corners(i as usize))
         });
-        Self::new(base, &crustal, None, None)
+        Self::new(base, &crust, None, None)
     }
 
     /// The terrain of a user's maps.
+    ///
+    /// ```
+    /// use bevy_pangaea::climate::EquirectMap;
+    /// use bevy_pangaea::hydrology::{BaseMesh, Terrain, TerrainMaps};
+    ///
+    /// let base = BaseMesh::new(1, 0.1)?;
+    /// let crust = EquirectMap::from_fn(32, |lat, _| lat as f32 / 30.0)?;
+    /// let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
+    /// maps.check()?;
+    /// let terrain = Terrain::from_maps(&base, &maps);
+    /// assert_eq!(terrain.ground.len(), base.mesh.len());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn from_maps(base: &BaseMesh, maps: &TerrainMaps) -> Self {
-        let crustal = parallel::map(base.mesh.len(), |i| {
-            let p = base.mesh.point(i);
-            let elevation = maps.crust.at(p);
-            let high = math::smoothstep(f64::from((elevation - 0.4) / 1.2)) as f32;
-            Crustal {
-                elevation,
-                folded: if maps.age.is_some() { 1.0 } else { high },
-                age: maps.age.as_ref().map_or(100.0, |age| age.at(p).max(0.0)),
-                collision: 0.5,
-                oceanic: if elevation < -2.0 { 1.0 } else { 0.0 },
-                ocean_age: 80.0,
-                noise: 0.0,
-                ..Crustal::default()
-            }
-        });
-        Self::new(base, &crustal, maps.plateau.as_ref(), maps.hills.as_ref())
+        let crust = parallel::map(base.mesh.len(), |i| maps.crust_at(base.mesh.point(i)));
+        Self::new(base, &crust, maps.plateau.as_ref(), maps.hills.as_ref())
     }
 
     /// `n` vertices of deep sea.
@@ -139,48 +168,26 @@ impl Terrain {
 
     fn new(
         base: &BaseMesh,
-        crustal: &[Crustal],
+        crust: &[CrustSample],
         plateau: Option<&EquirectMap>,
         hills: Option<&EquirectMap>,
     ) -> Self {
-        let mesh = &base.mesh;
-        let given =
-            |map: Option<&EquirectMap>, i: u32| map.map(|m| m.at(mesh.point(i)).clamp(0.0, 1.0));
-        let forms: Vec<[f32; 4]> = parallel::map(mesh.len(), |i| {
-            let own = &crustal[i as usize];
-            let steepness = steepness(base, crustal, i);
-            let plateau =
-                given(plateau, i).unwrap_or_else(|| own.plateau(steepness, base.noise[i as usize]));
-            let hills = given(hills, i).unwrap_or_else(|| own.hills() * (1.0 - plateau));
-            let relief = own.relief(plateau);
-            let ground = own.ground(relief, steepness, base.noise[i as usize]);
-            [
-                ground,
-                own.elevation.max(ground) + (1.0 - BELOW) * relief,
-                plateau,
-                hills,
-            ]
+        let forms: Vec<Landform> = parallel::map(base.mesh.len(), |i| {
+            let p = base.mesh.point(i);
+            let given = |map: &EquirectMap| map.at(p).clamp(0.0, 1.0);
+            Landform::new(base, crust, i, plateau.map(given), hills.map(given))
         });
-        let column = |k: usize| forms.iter().map(|f| f[k]).collect::<Vec<f32>>();
-        let grains = |k: usize| forms.iter().map(|f| to_grains(f[k])).collect::<Vec<i32>>();
-        let of = |value: fn(&Crustal) -> f32| crustal.iter().map(value).collect::<Vec<f32>>();
         Self {
-            ground: grains(0),
-            crust: grains(1),
-            plateau: column(2),
-            hills: column(3),
-            age: of(|c| {
-                if c.folded > 0.02 {
-                    c.age
-                } else {
-                    f32::INFINITY
-                }
-            }),
-            collision: of(|c| c.collision),
-            oceanic: of(|c| c.oceanic),
-            ocean_age: of(|c| c.ocean_age),
-            fold: crustal.iter().map(|c| c.fold).collect(),
-            ridge: crustal.iter().map(|c| c.ridge).collect(),
+            ground: column(&forms, |f| to_grains(f.ground)),
+            crust: column(&forms, |f| to_grains(f.summits)),
+            plateau: column(&forms, |f| f.plateau),
+            hills: column(&forms, |f| f.hills),
+            age: column(crust, orogeny_age),
+            collision: column(crust, |c| c.collision),
+            oceanic: column(crust, |c| c.oceanic),
+            ocean_age: column(crust, |c| c.ocean_age),
+            fold: column(crust, |c| c.fold),
+            ridge: column(crust, |c| c.ridge),
         }
     }
 
@@ -193,101 +200,81 @@ impl Terrain {
     }
 }
 
-/// Highest ground in km that the amplifier takes, and lowest below the sea.
-const HIGHEST: f32 = 100.0;
+/// The relief of one vertex.
+struct Landform {
+    /// Level of the valleys in km.
+    ground: f32,
+    /// C: level of the summits in km.
+    summits: f32,
+    /// P, 0..=1.
+    plateau: f32,
+    /// B, 0..=1.
+    hills: f32,
+}
 
-/// Grains of a height in km, at most 100 km high or deep; what is not a number is at sea level.
-pub fn to_grains(km: f32) -> i32 {
-    (f64::from(km.clamp(-HIGHEST, HIGHEST)) * 1000.0 * f64::from(GRAINS)).round() as i32
+impl Landform {
+    /// The relief of vertex `i` of a base mesh with such crust; maps may give the presence of
+    /// plateaus and hills.
+    fn new(
+        base: &BaseMesh,
+        crust: &[CrustSample],
+        i: u32,
+        plateau: Option<f32>,
+        hills: Option<f32>,
+    ) -> Self {
+        let own = &crust[i as usize];
+        let noise = base.noise[i as usize];
+        let steepness = steepness(base, crust, i);
+        let plateau = plateau.unwrap_or_else(|| own.plateau(steepness, noise));
+        // A place is a plateau or hills, not both; maps of a user are taken as they are.
+        let hills = hills.unwrap_or_else(|| own.hills() * (1.0 - plateau));
+        let relief = own.relief(plateau);
+        let ground = own.ground(relief, steepness, noise);
+        Self {
+            ground,
+            // The noise may lift the valleys above the mean: summits still rise over them.
+            summits: own.elevation.max(ground) + (1.0 - RELIEF_BELOW_MEAN) * relief,
+            plateau,
+            hills,
+        }
+    }
+}
+
+/// One value of all vertices.
+fn column<V, T>(vertices: &[V], value: impl Fn(&V) -> T) -> Vec<T> {
+    vertices.iter().map(value).collect()
+}
+
+/// A: age of the last orogeny in My; infinite where there was none.
+fn orogeny_age(crust: &CrustSample) -> f32 {
+    if crust.folded > LEAST_FOLDED {
+        crust.age
+    } else {
+        f32::INFINITY
+    }
+}
+
+/// Highest ground in km that the amplifier takes, and lowest below the sea.
+const HIGHEST_KM: f32 = 100.0;
+
+/// Grains of a height in km, at most 100 km high or deep; NaN is at sea level.
+fn to_grains(km: f32) -> i32 {
+    let km = f64::from(km.clamp(-HIGHEST_KM, HIGHEST_KM));
+    (km * 1000.0 * f64::from(GRAINS)).round() as i32
 }
 
 /// Steepest slope of the crust from vertex `i` to a neighbour, as on an Earth-sized planet.
-fn steepness(base: &BaseMesh, crustal: &[Crustal], i: u32) -> f32 {
+fn steepness(base: &BaseMesh, crust: &[CrustSample], i: u32) -> f32 {
     let p = base.mesh.point(i);
-    let z = crustal[i as usize].elevation;
-    let slope = |&j: &u32| {
+    let z = crust[i as usize].elevation;
+    let mut steepest = 0.0_f32;
+    for &j in base.mesh.ring(i) {
         let way = ((base.mesh.point(j) - p).length() * EARTH_RADIUS) as f32;
-        (crustal[j as usize].elevation - z).abs() / way
-    };
-    base.mesh.ring(i).iter().map(slope).fold(0.0, f32::max)
+        steepest = steepest.max((crust[j as usize].elevation - z).abs() / way);
+    }
+    steepest
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math;
-
-    #[test]
-    fn maps_of_no_planet_are_refused() {
-        let map = |value: f32| {
-            EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).unwrap()
-        };
-        let plain = || TerrainMaps {
-            crust: map(-11.0),
-            age: None,
-            plateau: None,
-            hills: None,
-        };
-        let error = TerrainMaps {
-            crust: map(8848.0),
-            ..plain()
-        }
-        .check()
-        .unwrap_err();
-        assert!(
-            error.to_string().contains("8848 at pixel 0") && error.to_string().contains("metres")
-        );
-        let refused = |maps: TerrainMaps| matches!(maps.check(), Err(MapError::Range { .. }));
-        assert!(refused(TerrainMaps {
-            age: Some(map(-1.0)),
-            ..plain()
-        }));
-        assert!(refused(TerrainMaps {
-            plateau: Some(map(1.1)),
-            ..plain()
-        }));
-        assert!(refused(TerrainMaps {
-            hills: Some(map(-0.1)),
-            ..plain()
-        }));
-        assert_eq!(
-            TerrainMaps {
-                age: Some(map(4000.0)),
-                hills: Some(map(1.0)),
-                ..plain()
-            }
-            .check(),
-            Ok(())
-        );
-    }
-
-    #[test]
-    fn heights_beyond_all_bounds_are_clamped() {
-        let (top, metre) = (100_000 * GRAINS, 1e-3);
-        assert_eq!(
-            [metre, 1e9, f32::NEG_INFINITY, f32::NAN].map(to_grains),
-            [GRAINS, top, -top, 0]
-        );
-    }
-
-    #[test]
-    fn maps_alone_make_a_terrain() {
-        let base = BaseMesh::new(1, 0.05).unwrap();
-        let crust = EquirectMap::from_fn(32, |lat, _| (lat / 20.0) as f32).unwrap();
-        let ones = EquirectMap::from_fn(4, |_, _| 0.5).unwrap();
-        let maps = TerrainMaps {
-            crust,
-            age: None,
-            plateau: Some(ones),
-            hills: None,
-        };
-        let terrain = Terrain::from_maps(&base, &maps);
-        assert!(terrain.plateau.iter().all(|&p| p == 0.5));
-        for (i, p) in base.mesh.points().iter().enumerate() {
-            let z = math::lat_lon(*p).0 / 20.0;
-            let found = f64::from(terrain.ground[i]) / 1_024_000.0;
-            assert!(found < z + 0.6 && found > z - 1.4, "{z} {found}");
-            assert!(terrain.crust[i] >= terrain.ground[i]);
-        }
-    }
-}
+#[path = "terrain_tests.rs"]
+mod tests;

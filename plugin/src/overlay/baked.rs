@@ -8,7 +8,7 @@ use super::palette::{self, Rgba, classes};
 use super::raster::Raster;
 use super::{Overlay, rivers};
 use crate::control::Bake;
-use crate::hydrology::{NONE, Site};
+use crate::hydrology::{NO_VERTEX, ShoreClass};
 use crate::math;
 use crate::parallel;
 use crate::random::mix;
@@ -86,7 +86,7 @@ fn mean(column: &[f32], at: &Location) -> f32 {
 fn is_sea(bake: &Bake, at: &Location) -> bool {
     let drainage = &bake.drainage;
     let ground = at.interpolate(|k| f64::from(drainage.ground[k as usize]));
-    ground < 0.0 && drainage.sites[at.nearest as usize] != Site::Land
+    ground < 0.0 && drainage.shore[at.nearest as usize] != ShoreClass::Land
 }
 
 /// The colour of land or sea.
@@ -113,7 +113,7 @@ fn discharge_at(bake: &Bake, at: &Location) -> Rgba {
 fn basin_at(bake: &Bake, at: &Location) -> Rgba {
     let i = at.nearest as usize;
     let basin = bake.drainage.basin[i];
-    if is_sea(bake, at) || basin == NONE {
+    if is_sea(bake, at) || basin == NO_VERTEX {
         return backdrop(bake, at);
     }
     let color = palette::distinct(mix(u64::from(basin)) as u32);

@@ -6,7 +6,7 @@ use super::discharge::discharge_color;
 use super::palette::{self, Rgba};
 use super::raster::Raster;
 use crate::control::Bake;
-use crate::hydrology::{Drainage, NONE};
+use crate::hydrology::{Drainage, NO_VERTEX};
 use crate::math;
 use bevy::math::DVec3;
 
@@ -40,7 +40,7 @@ impl RiverReach {
     /// The reach that begins at vertex `i`; `None` where water goes no further.
     fn from_vertex(drainage: &Drainage, i: u32, color: Rgba) -> Option<Self> {
         let to = drainage.routes.receiver[i as usize];
-        (to != NONE).then_some(Self {
+        (to != NO_VERTEX).then_some(Self {
             order: drainage.strahler[i as usize],
             ends: [i, to],
             color,

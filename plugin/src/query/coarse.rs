@@ -3,7 +3,9 @@
 //!
 //! It serves planets whose ground was not amplified, and tests.
 
-use super::{Ground, GroundError, checked};
+use super::check::{check_count, check_radius, checked};
+use super::error::GroundError;
+use super::ground::Ground;
 use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use std::sync::Arc;
@@ -20,40 +22,42 @@ pub struct CoarseGround {
 impl CoarseGround {
     /// A ground of `heights_m` above the sea at the samples of `mesh`, on a planet of `radius_m`.
     ///
+    /// ```
+    /// use bevy::math::DVec3;
+    /// use bevy_pangaea::query::{CoarseGround, Ground};
+    /// use bevy_pangaea::sphere::SphereMesh;
+    /// use std::sync::Arc;
+    ///
+    /// let mesh = Arc::new(SphereMesh::fibonacci(1000)?);
+    /// let heights = mesh.points().iter().map(|p| 4000.0 * p.z as f32).collect();
+    /// let ground = CoarseGround::new(mesh, heights, 6_370_000.0)?;
+    /// assert!(ground.height(DVec3::Z, 17)? > 3950.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`GroundError::Radius`]; [`GroundError::Count`] if there is not one height per sample;
-    /// [`GroundError::Unavailable`] if one is not a number.
+    /// [`GroundError::Unavailable`] if one is infinite or NaN.
     pub fn new(
         mesh: Arc<SphereMesh>,
         heights_m: Vec<f32>,
         radius_m: f64,
     ) -> Result<Self, GroundError> {
-        if !(radius_m > 0.0 && radius_m.is_finite()) {
-            return Err(GroundError::Radius(radius_m));
-        }
-        if heights_m.len() != mesh.len() {
-            let n = mesh.len();
-            return Err(GroundError::Count {
-                what: "heights",
-                value: heights_m.len(),
-                min: n,
-                max: n,
-            });
-        }
+        check_radius(radius_m)?;
+        check_count("heights", heights_m.len(), [mesh.len(), mesh.len()])?;
         if let Some(i) = heights_m.iter().position(|height| !height.is_finite()) {
-            return Err(GroundError::Unavailable(format!(
-                "the height of sample {i} is not a number"
-            )));
+            let reason = format!("the height of sample {i} is not a number");
+            return Err(GroundError::Unavailable(reason));
         }
-        let bound = |best: fn(f32, f32) -> f32| {
-            f64::from(heights_m.iter().copied().fold(heights_m[0], best))
-        };
-        let bounds_m = [bound(f32::min), bound(f32::max)];
+        let mut bounds = [heights_m[0]; 2];
+        for &height in &heights_m {
+            bounds = [bounds[0].min(height), bounds[1].max(height)];
+        }
         Ok(Self {
             mesh,
             heights_m,
             radius_m,
-            bounds_m,
+            bounds_m: bounds.map(f64::from),
         })
     }
 }
@@ -77,17 +81,31 @@ impl Ground for CoarseGround {
 mod tests {
     use super::*;
 
+    fn ground(samples: u32, height: impl Fn(DVec3) -> f32) -> CoarseGround {
+        let mesh = Arc::new(SphereMesh::fibonacci(samples).unwrap());
+        let heights = mesh.points().iter().map(|&p| height(p)).collect();
+        CoarseGround::new(mesh, heights, 1e6).unwrap()
+    }
+
+    /// Height in m that falls from the north pole to the south pole.
+    fn tilted(p: DVec3) -> f32 {
+        1000.0 * p.z as f32
+    }
+
     #[test]
-    fn samples_keep_their_heights_and_points_between_lie_between() {
-        let mesh = Arc::new(SphereMesh::fibonacci(2000).unwrap());
-        let heights: Vec<f32> = mesh.points().iter().map(|p| 1000.0 * p.z as f32).collect();
-        let ground = CoarseGround::new(mesh.clone(), heights.clone(), 1e6).unwrap();
+    fn samples_keep_their_heights() {
+        let ground = ground(2000, tilted);
         for i in (0..2000).step_by(37) {
-            assert_eq!(
-                ground.height(mesh.point(i), 5).unwrap(),
-                heights[i as usize]
-            );
+            let p = ground.mesh.point(i);
+            assert_eq!(ground.height(p, 5).unwrap(), tilted(p));
         }
+        let [low, high] = ground.bounds_m();
+        assert!(low < -990.0 && high > 990.0);
+    }
+
+    #[test]
+    fn points_between_samples_lie_between() {
+        let ground = ground(2000, tilted);
         for lat in [-80.0, -12.5, 0.0, 33.0, 89.0] {
             let p = crate::math::direction(lat, 100.0 + lat);
             let found = f64::from(ground.height(p * 3.0, 17).unwrap());
@@ -95,34 +113,31 @@ mod tests {
             assert!((found - 1000.0 * p.z).abs() < 1.5, "{found} {}", p.z);
             assert_eq!(ground.height(p, 0), ground.height(p, 17));
         }
-        let [low, high] = ground.bounds_m();
-        assert!(low < -990.0 && high > 990.0);
+    }
+
+    /// The error of a ground of 100 samples.
+    fn refused(heights: Vec<f32>, radius: f64) -> GroundError {
+        let mesh = Arc::new(SphereMesh::fibonacci(100).unwrap());
+        CoarseGround::new(mesh, heights, radius).unwrap_err()
     }
 
     #[test]
     fn bad_grounds_are_refused() {
-        let mesh = Arc::new(SphereMesh::fibonacci(100).unwrap());
-        let new = |heights: Vec<f32>, radius| {
-            CoarseGround::new(mesh.clone(), heights, radius).map(|_| ())
-        };
-        assert_eq!(new(vec![0.0; 100], 0.0), Err(GroundError::Radius(0.0)));
-        assert!(matches!(
-            new(vec![0.0; 100], f64::NAN),
-            Err(GroundError::Radius(_))
-        ));
-        assert!(matches!(
-            new(vec![0.0; 99], 1e6),
-            Err(GroundError::Count { value: 99, .. })
-        ));
-        assert!(matches!(
-            new(vec![f32::NAN; 100], 1e6),
-            Err(GroundError::Unavailable(_))
-        ));
-        let ground = CoarseGround::new(mesh.clone(), vec![0.0; 100], 1e6).unwrap();
+        for radius in [0.0, f64::NAN] {
+            let error = refused(vec![0.0; 100], radius);
+            assert!(matches!(error, GroundError::Radius(_)));
+        }
+        let short = refused(vec![0.0; 99], 1e6);
+        assert!(matches!(short, GroundError::Count { value: 99, .. }));
+        let nan = refused(vec![f32::NAN; 100], 1e6);
+        assert!(matches!(nan, GroundError::Unavailable(_)));
+    }
+
+    #[test]
+    fn bad_questions_are_refused() {
+        let ground = ground(100, |_| 0.0);
         assert_eq!(ground.height(DVec3::X, 18), Err(GroundError::Level(18)));
-        assert_eq!(
-            ground.height(DVec3::NAN, 1),
-            Err(GroundError::NotADirection)
-        );
+        let nowhere = ground.height(DVec3::NAN, 1);
+        assert_eq!(nowhere, Err(GroundError::NotADirection));
     }
 }

@@ -1,9 +1,10 @@
 //! The ground's own triangles around a point: the collider that fits what is drawn, to the last
 //! bit.
 
+use super::check::{check_length, checked};
+use super::error::GroundError;
 use super::patch::Patch;
-use super::planet::quantised;
-use super::{GroundError, PlanetGround, checked};
+use super::planet::{PlanetGround, quantised};
 use crate::math::east_north;
 use bevy::math::{DVec2, DVec3};
 use core::f64::consts::FRAC_1_SQRT_2;
@@ -13,44 +14,62 @@ use pangaea_shaders::amplify::ground::{Caps, RefinedGround, refine_faces};
 use pangaea_shaders::amplify::mark::View;
 use pangaea_shaders::amplify::topology::{Face, SplitMark};
 
-/// Most edges of a level along the side of a collider: two and a half million triangles, where they
-/// are small eight.
-const MOST_EDGES: f64 = 1000.0;
+/// Most edges of a level along the side of a collider: two and a half million triangles, or eight
+/// times as many where they are small.
+const MAX_EDGES: f64 = 1000.0;
+
+/// Shortest side of a collider in m.
+const SHORTEST_M: f64 = 1e-3;
 
 /// How far around the square is refined, in edges of the level before. Triangles are of all sizes:
 /// the first is nearly always enough.
-const MARGINS: [f64; 4] = [0.0, 2.0, 6.0, 20.0];
+const MARGINS_EDGES: [f64; 4] = [0.0, 2.0, 6.0, 20.0];
+
+/// By how much corners may move when they become f32, relative to the largest coordinate.
+const ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
 
 impl PlanetGround {
     /// The triangles of a level that reach into the square of `side_m` around a direction of any
-    /// length; its sides run east and north. They cover it all: whatever falls towards the planet's
-    /// centre from above the square hits one. Every corner is a vertex of the ground, so colliders
-    /// of neighbouring squares fit together.
+    /// length; its sides run east and north. They cover it all: a body that falls towards the
+    /// planet's centre from above the square hits one. Every corner is a vertex of the ground, so
+    /// colliders of neighbouring squares fit together.
+    ///
+    /// ```
+    /// use bevy::math::DVec3;
+    /// use bevy_pangaea::query::{PlanetGround, Rules};
+    /// use pangaea_shaders::amplify::synthetic::control_mesh;
+    ///
+    /// let ground = PlanetGround::new(&control_mesh(6_370_000, 3, 7), Rules::default())?;
+    /// let patch = ground.collider(DVec3::new(0.2, 0.5, 0.3), 2000.0, 12)?;
+    /// let below = patch.triangles.iter().flatten().all(|&i| (i as usize) < patch.positions.len());
+    /// assert!(below && !patch.triangles.is_empty());
+    /// # Ok::<(), bevy_pangaea::query::GroundError>(())
+    /// ```
     ///
     /// # Errors
     /// [`GroundError::NotADirection`], [`GroundError::Level`]; [`GroundError::Length`] for a side
     /// shorter than 1 mm or longer than 1000 edges of the level or half the planet's radius, and
     /// for one with too many triangles.
     pub fn collider(&self, direction: DVec3, side_m: f64, level: u8) -> Result<Patch, GroundError> {
+        const WHAT: &str = "the side of the collider";
         let up = checked(direction, level)?;
         let radius = f64::from(self.base().scale.radius_m);
+        // The planet's edge is in sixteenths of a metre.
         let edge = f64::from(self.base().scale.edge) / 16.0 / f64::from(1_u32 << level);
-        let (min, max) = (1e-3, (MOST_EDGES * edge).min(0.5 * radius));
-        let refused = |max| GroundError::Length {
-            what: "the side of the collider",
-            value: side_m,
-            min,
-            max,
-        };
-        if !(min..=max).contains(&side_m) {
-            return Err(refused(max));
-        }
-        let square = Square::new(up, radius, side_m);
-        for margin in MARGINS {
+        let longest = (MAX_EDGES * edge).min(0.5 * radius);
+        check_length(WHAT, side_m, [SHORTEST_M, longest])?;
+        let square = TangentSquare::new(up, radius, side_m);
+        // Where a refinement leaves a hole in the square, a wider one is tried.
+        for margin in MARGINS_EDGES {
             let refined = self.refined(&square, 2.0 * margin * edge, level);
             if refined.capped.is_some() {
-                // Half the side has a quarter of the triangles.
-                return Err(refused(0.5 * side_m));
+                return Err(GroundError::Length {
+                    what: WHAT,
+                    value: side_m,
+                    min: SHORTEST_M,
+                    // Half the side has a quarter of the triangles.
+                    max: 0.5 * side_m,
+                });
             }
             if let Some(patch) = self.cut(&refined, &square, level) {
                 return Ok(patch);
@@ -62,78 +81,107 @@ impl PlanetGround {
     }
 
     /// The ground of a square and of `margin` m around it.
-    fn refined(&self, square: &Square, margin: f64, level: u8) -> RefinedGround {
-        let side = |side: DVec3| (side * f64::from(Q16)).round().to_array().map(|x| x as i32);
+    fn refined(&self, square: &TangentSquare, margin: f64, level: u8) -> RefinedGround {
+        let sides = [square.east, square.north];
+        let sides = sides.map(|side| (side * f64::from(Q16)).round().to_array().map(|x| x as i32));
+        // The view is a circle: it must hold the corners of the square.
         let reach = ((square.half + margin) / FRAC_1_SQRT_2).ceil() as u32;
-        let sides = [side(square.east), side(square.north)];
         let view = View::square(quantised(square.up), sides, reach, u32::from(level));
         refine_faces(self.base(), self.rules(), &view, &Caps::default())
     }
 
     /// The finest triangles of a refinement that reach into a square, with the corners they use;
-    /// none if some of the square was not refined so far.
-    fn cut(&self, refined: &RefinedGround, square: &Square, level: u8) -> Option<Patch> {
-        let places: Vec<_> = refined
+    /// `None` if a part of the square was not refined so far.
+    fn cut(&self, refined: &RefinedGround, square: &TangentSquare, level: u8) -> Option<Patch> {
+        let places: Vec<Option<DVec2>> = refined
             .vertices
             .iter()
-            .map(|v| square.place(v.direction))
+            .map(|vertex| square.place(vertex.direction))
             .collect();
         let meets = |face: &&Face| square.meets(face.vertices.map(|v| places[v as usize]));
-        let (finest, coarser) = refined.levels.get(..=usize::from(level))?.split_last()?;
-        let mut leaves = coarser
+        let levels = refined.levels.get(..=usize::from(level))?;
+        let (finest, coarser) = levels.split_last()?;
+        // Where a coarser triangle was not split the finest ones do not cover the square.
+        let mut unsplit = coarser
             .iter()
             .flat_map(|level| &level.faces)
-            .filter(|f| f.mark != SplitMark::Split);
-        if leaves.any(|face| meets(&face)) {
+            .filter(|face| face.mark != SplitMark::Split);
+        if unsplit.any(|face| meets(&face)) {
             return None;
         }
-        let height = self
-            .leaf_at(quantised(square.up), level)
-            .height_m(quantised(square.up));
+        let at = quantised(square.up);
+        let height = self.leaf_at(at, level).height_m(at);
         let origin = square.up * (square.radius + height);
-        let mut patch = Patch {
-            origin,
-            positions: Vec::new(),
-            triangles: Vec::new(),
-        };
-        let mut kept = OceanCache::default();
-        let mut place = |v: u32| {
-            let vertex = &refined.vertices[v as usize];
-            let ground = carve(&mut kept, &refined.scale, vertex).ground;
-            // Rounding lets directions leave the sphere by up to 5 cm.
-            let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
-            (unit * (square.radius + f64::from(ground) / f64::from(GRAINS)) - origin).as_vec3()
-        };
-        let mut numbers = vec![u32::MAX; refined.vertices.len()];
+        let mut builder = PatchBuilder::new(refined, square.radius, origin);
         for face in finest.faces.iter().filter(meets) {
-            let corners = face.vertices.map(|v| {
-                let number = &mut numbers[v as usize];
-                if *number == u32::MAX {
-                    *number = patch.positions.len() as u32;
-                    patch.positions.push(place(v));
-                }
-                *number
-            });
-            patch.triangles.push(corners);
+            builder.push(face);
         }
-        Some(patch)
+        Some(builder.patch)
+    }
+}
+
+/// A patch that grows by faces of a refinement.
+struct PatchBuilder<'a> {
+    refined: &'a RefinedGround,
+    radius_m: f64,
+    kept: OceanCache,
+    /// Number in the patch of every vertex, or `u32::MAX`.
+    numbers: Vec<u32>,
+    patch: Patch,
+}
+
+impl<'a> PatchBuilder<'a> {
+    fn new(refined: &'a RefinedGround, radius_m: f64, origin: DVec3) -> Self {
+        Self {
+            refined,
+            radius_m,
+            kept: OceanCache::default(),
+            numbers: vec![u32::MAX; refined.vertices.len()],
+            patch: Patch {
+                origin,
+                positions: Vec::new(),
+                triangles: Vec::new(),
+            },
+        }
+    }
+
+    fn push(&mut self, face: &Face) {
+        let corners = face.vertices.map(|v| self.number(v));
+        self.patch.triangles.push(corners);
+    }
+
+    /// The number of a vertex in the patch, which gets its position when it is met first.
+    fn number(&mut self, v: u32) -> u32 {
+        let known = self.numbers[v as usize];
+        if known != u32::MAX {
+            return known;
+        }
+        let number = self.patch.positions.len() as u32;
+        self.numbers[v as usize] = number;
+        let vertex = &self.refined.vertices[v as usize];
+        let ground = carve(&mut self.kept, &self.refined.scale, vertex).ground;
+        // Rounding lets directions leave the sphere by up to 5 cm.
+        let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
+        let place = unit * (self.radius_m + f64::from(ground) / f64::from(GRAINS));
+        let position = (place - self.patch.origin).as_vec3();
+        self.patch.positions.push(position);
+        number
     }
 }
 
 /// A square of the plane that touches the sea level at a point, as seen from the planet's centre:
 /// there edges are straight whatever their ends' heights.
-struct Square {
+struct TangentSquare {
     up: DVec3,
     east: DVec3,
     north: DVec3,
+    /// Radius of the planet in m.
     radius: f64,
+    /// Half the side in m.
     half: f64,
 }
 
-/// By how much corners may move when they become f32, relative to the largest coordinate.
-const ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
-
-impl Square {
+impl TangentSquare {
     fn new(up: DVec3, radius: f64, side: f64) -> Self {
         let (east, north) = east_north(up);
         Self {
@@ -146,7 +194,7 @@ impl Square {
     }
 
     /// Where the line from the centre along a direction meets the plane, m to the east and to the
-    /// north; none where it leads away.
+    /// north; `None` where it leads away.
     fn place(&self, direction: [i32; 3]) -> Option<DVec2> {
         let direction = DVec3::from_array(direction.map(f64::from));
         let ahead = direction.dot(self.up);
@@ -154,131 +202,31 @@ impl Square {
         (ahead > 0.0).then(|| flat * (self.radius / ahead))
     }
 
-    /// Whether a triangle reaches into the square: no side of either keeps them apart. (No edge of
-    /// a control mesh is so long that a triangle could have a corner behind the planet, and another
-    /// in a square.)
+    /// Whether a triangle reaches into the square: no side of either separates them (the theorem of
+    /// separating axes). No edge of a control mesh is so long that a triangle could have a corner
+    /// behind the planet, and another in a square.
     fn meets(&self, corners: [Option<DVec2>; 3]) -> bool {
         let [Some(a), Some(b), Some(c)] = corners else {
             return false;
         };
         let reach = a.abs().max(b.abs()).max(c.abs()).max_element();
+        // Grown by what corners may move, or a body could fall between two colliders.
         let half = self.half + ROUNDING * reach;
-        let apart = |axis: DVec2| {
-            let [x, y, z] = [a, b, c].map(|corner| corner.dot(axis));
-            let most = half * (axis.x.abs() + axis.y.abs());
-            x.min(y).min(z) > most || x.max(y).max(z) < -most
-        };
-        ![
-            DVec2::X,
-            DVec2::Y,
-            (b - a).perp(),
-            (c - b).perp(),
-            (a - c).perp(),
-        ]
-        .into_iter()
-        .any(apart)
+        let sides = [(b - a).perp(), (c - b).perp(), (a - c).perp()];
+        let axes = [DVec2::X, DVec2::Y].into_iter().chain(sides);
+        !axes
+            .into_iter()
+            .any(|axis| separates(axis, [a, b, c], half))
     }
+}
+
+/// Whether a triangle and the square of half a side about the origin lie apart along an axis.
+fn separates(axis: DVec2, triangle: [DVec2; 3], half: f64) -> bool {
+    let [x, y, z] = triangle.map(|corner| corner.dot(axis));
+    let most = half * (axis.x.abs() + axis.y.abs());
+    x.min(y).min(z) > most || x.max(y).max(z) < -most
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::query::{Ground, PatchTree};
-    use crate::random::{Purpose, Stream};
-    use pangaea_shaders::amplify::rules::Rules;
-    use pangaea_shaders::amplify::synthetic::control_mesh;
-
-    fn ground() -> PlanetGround {
-        PlanetGround::new(&control_mesh(6_370_000, 3, 7), Rules::default()).unwrap()
-    }
-
-    /// The longest side of a level, as its error has it.
-    fn longest(ground: &PlanetGround, level: u8) -> f64 {
-        match ground.collider(DVec3::X, f64::INFINITY, level) {
-            Err(GroundError::Length { max, .. }) => max,
-            other => panic!("{other:?}"),
-        }
-    }
-
-    /// Lets points fall on a collider from above its square, corners included.
-    fn assert_covered(ground: &PlanetGround, up: DVec3, side: f64, level: u8) {
-        let up = up.normalize();
-        let patch = ground.collider(up, side, level).unwrap();
-        let tree = PatchTree::new(patch).unwrap();
-        let (east, north) = east_north(up);
-        let stream = Stream::new(7, Purpose::ReliefSites, 0);
-        for k in 0..200 {
-            let share = |n: u64| match k {
-                0..4 => 0.4999 * if (k >> n) & 1 == 0 { 1.0 } else { -1.0 },
-                _ => stream.unit(2 * k + n) - 0.5,
-            };
-            let place = up * ground.radius_m() + (east * share(0) + north * share(1)) * side;
-            let down = -place.normalize();
-            let hit = tree
-                .cast(down * -(ground.radius_m() + 3e5), down, 6e5)
-                .unwrap();
-            assert!(
-                hit.is_some(),
-                "a hole in {side} m of level {level} at {up}, {k}"
-            );
-        }
-    }
-
-    #[test]
-    fn whatever_falls_on_the_square_hits_the_collider() {
-        let ground = ground();
-        let stream = Stream::new(8, Purpose::ReliefSites, 0);
-        for (side, level) in [
-            (0.1, 17),
-            (0.001, 17),
-            (64.0, 5),
-            (64.0, 17),
-            (1000.0, 14),
-            (1e5, 9),
-            (2e6, 3),
-        ] {
-            for k in 0..8 {
-                assert_covered(&ground, stream.direction(2 * k), side, level);
-            }
-        }
-        assert_covered(&ground, DVec3::Z, 64.0, 17);
-        assert_covered(&ground, -DVec3::Z, 1e6, 0);
-    }
-
-    #[test]
-    fn the_longest_side_is_one_that_is_made() {
-        let ground = ground();
-        assert_eq!(longest(&ground, 3), 0.5 * 6_370_000.0);
-        for level in [5, 13] {
-            let side = longest(&ground, level);
-            assert_covered(&ground, DVec3::new(0.2, -0.5, 0.4), side, level);
-        }
-    }
-
-    #[test]
-    fn a_square_meets_what_crosses_it_and_nothing_else() {
-        let square = Square::new(DVec3::X, 1000.0, 2.0);
-        let meets =
-            |corners: [[f64; 2]; 3]| square.meets(corners.map(|c| Some(DVec2::from_array(c))));
-        assert!(
-            meets([[-50.0, -50.0], [50.0, -50.0], [0.0, 90.0]]),
-            "it lies within"
-        );
-        assert!(
-            meets([[-9.0, 0.1], [9.0, 0.0], [9.0, 0.2]]),
-            "a sliver lies across"
-        );
-        assert!(
-            meets([[0.5, 0.5], [9.0, 9.0], [9.0, 8.0]]),
-            "a corner lies within"
-        );
-        assert!(!meets([[1.1, -5.0], [1.1, 5.0], [9.0, 0.0]]), "beside it");
-        assert!(
-            !meets([[0.0, 2.1], [2.1, 0.0], [9.0, 9.0]]),
-            "across a corner"
-        );
-        assert!(!square.meets([Some(DVec2::ZERO), Some(DVec2::X), None]));
-        assert_eq!(square.place([-5, 0, 0]), None);
-        assert_eq!(square.place([10, 2, -1]), Some(DVec2::new(200.0, -100.0)));
-    }
-}
+#[path = "collider_tests.rs"]
+mod tests;

@@ -1,26 +1,48 @@
-//! What a ground answers, and the levels of its detail.
-//!
-//! Level 0 is the control mesh with edges of about 52 km on an Earth-sized planet (paper 002 §4);
-//! every level halves them. Rules go by level, not by length: a planet of any radius has the same
-//! levels.
+//! The questions that every reader of a ground asks.
 
-use super::{Climate, GroundError};
-use crate::math;
+use super::check::{check_count, checked};
+use super::error::GroundError;
+use super::sample::{NormalStencil, Sample};
+use super::surface::ClimateSample;
 use bevy::math::DVec3;
+use rayon::prelude::*;
 
-/// The finest level: edges of 0.4 m on an Earth-sized planet.
-pub const LEVELS: u8 = 17;
-
-/// Edge of the control mesh in planet radii: 52 km on a planet of 6370 km (paper 002 §4).
-const BASE_EDGE: f64 = 52.0 / 6370.0;
+/// Points of a batch of samples that a thread asks for in a row: neighbours share work.
+const SAMPLES_PER_RUN: usize = 64;
 
 /// The ground of a planet. Every method may be called from many threads at once.
+///
+/// A ground needs a radius and heights; all other answers follow from them, and a ground that knows
+/// better gives its own.
+///
+/// ```
+/// use bevy::math::DVec3;
+/// use bevy_pangaea::query::{Ground, GroundError, GroundSurface, checked};
+///
+/// /// A ball of 1000 km under 50 m of water.
+/// struct Ocean;
+///
+/// impl Ground for Ocean {
+///     fn radius_m(&self) -> f64 {
+///         1e6
+///     }
+///
+///     fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
+///         checked(direction, level).map(|_| -50.0)
+///     }
+/// }
+///
+/// let sample = Ocean.sample(DVec3::new(1.0, 2.0, 3.0), 12)?;
+/// assert_eq!((sample.height_m, sample.water_m), (-50.0, 0.0));
+/// assert_eq!(sample.surface, GroundSurface::SeaFloor);
+/// # Ok::<(), GroundError>(())
+/// ```
 pub trait Ground: Sync {
     /// Radius of the sea level in m.
     fn radius_m(&self) -> f64;
 
     /// Height of the ground above sea level in m, at a direction of any length and a level up to
-    /// [`LEVELS`].
+    /// [`LEVELS`](super::LEVELS).
     ///
     /// # Errors
     /// [`GroundError::NotADirection`], [`GroundError::Level`].
@@ -37,7 +59,7 @@ pub trait Ground: Sync {
         level: u8,
         heights: &mut [f32],
     ) -> Result<(), GroundError> {
-        same_length(directions, heights)?;
+        check_same_length(directions, heights)?;
         for (direction, height) in directions.iter().zip(heights) {
             *height = self.height(*direction, level)?;
         }
@@ -58,9 +80,51 @@ pub trait Ground: Sync {
     ///
     /// # Errors
     /// As [`height`](Self::height).
-    fn climate(&self, direction: DVec3, height_m: f32) -> Result<Climate, GroundError> {
+    fn climate(&self, direction: DVec3, height_m: f32) -> Result<ClimateSample, GroundError> {
         let unit = checked(direction, 0)?;
-        Ok(Climate::of_latitude(unit.z, height_m))
+        Ok(ClimateSample::of_latitude(unit.z, height_m))
+    }
+
+    /// Unit normal of the ground in the planet's axes: of the surface through the four points that
+    /// lie one edge of the level to the east, west, north and south.
+    ///
+    /// # Errors
+    /// As [`height`](Self::height); [`GroundError::Radius`].
+    fn normal(&self, direction: DVec3, level: u8) -> Result<DVec3, GroundError> {
+        let up = checked(direction, level)?;
+        let stencil = NormalStencil::new(up, self.radius_m(), level)?;
+        let mut heights = [0.0; 4];
+        self.heights(&stencil.around, level, &mut heights)?;
+        Ok(stencil.normal(heights))
+    }
+
+    /// All there is to know of the ground at a direction of any length. The same as single
+    /// questions at the unit direction; a ground that finds a place once for all of them is faster.
+    ///
+    /// # Errors
+    /// As [`normal`](Self::normal).
+    fn sample(&self, direction: DVec3, level: u8) -> Result<Sample, GroundError> {
+        let up = checked(direction, level)?;
+        let height_m = self.height(up, level)?;
+        let water_m = self.water(up, level)?;
+        let normal = self.normal(up, level)?;
+        let climate = self.climate(up, height_m)?;
+        Ok(Sample::new(up, height_m, water_m, normal, climate))
+    }
+
+    /// The ground at many directions, in their order and with the bits of
+    /// [`sample`](Self::sample), on all threads.
+    ///
+    /// # Errors
+    /// As [`sample`](Self::sample), for the first refused direction.
+    fn samples(&self, directions: &[DVec3], level: u8) -> Result<Vec<Sample>, GroundError> {
+        let sample = |&direction: &DVec3| self.sample(direction, level);
+        // Collected first: which of several errors is told must not depend on the threads.
+        let runs: Vec<Vec<_>> = directions
+            .par_chunks(SAMPLES_PER_RUN)
+            .map(|run| run.iter().map(sample).collect())
+            .collect();
+        runs.into_iter().flatten().collect()
     }
 
     /// Lowest and highest ground in m that there can be; rays are followed between them.
@@ -70,111 +134,11 @@ pub trait Ground: Sync {
 }
 
 /// Refuses two slices of different lengths.
-pub(super) fn same_length(directions: &[DVec3], heights: &[f32]) -> Result<(), GroundError> {
-    if directions.len() == heights.len() {
-        return Ok(());
-    }
+pub(super) fn check_same_length(directions: &[DVec3], heights: &[f32]) -> Result<(), GroundError> {
     let n = directions.len();
-    Err(GroundError::Count {
-        what: "the number of heights",
-        value: heights.len(),
-        min: n,
-        max: n,
-    })
-}
-
-/// The unit vector along `direction`, which may have any length, if it and the level are good.
-///
-/// # Errors
-/// [`GroundError::NotADirection`], [`GroundError::Level`].
-pub fn checked(direction: DVec3, level: u8) -> Result<DVec3, GroundError> {
-    if level > LEVELS {
-        return Err(GroundError::Level(level));
-    }
-    let largest = direction.abs().max_element();
-    if !direction.is_finite() || largest == 0.0 {
-        return Err(GroundError::NotADirection);
-    }
-    // Dividing by the largest component first keeps the length clear of overflow and underflow.
-    Ok((direction / largest).normalize())
-}
-
-/// The direction of a latitude and a longitude in degrees; longitudes count from -360 to 360.
-///
-/// # Errors
-/// [`GroundError::Latitude`], [`GroundError::Longitude`].
-pub fn direction_at(latitude: f64, longitude: f64) -> Result<DVec3, GroundError> {
-    if !(-90.0..=90.0).contains(&latitude) {
-        return Err(GroundError::Latitude(latitude));
-    }
-    if !(-360.0..=360.0).contains(&longitude) {
-        return Err(GroundError::Longitude(longitude));
-    }
-    Ok(math::direction(latitude, longitude))
-}
-
-/// Mean length of an edge at a level in m.
-pub fn spacing(radius_m: f64, level: u8) -> f64 {
-    radius_m * BASE_EDGE / (1_u64 << level.min(63)) as f64
-}
-
-/// The coarsest level whose edges are not longer than `spacing_m`; the finest where none is short
-/// enough.
-pub fn level_for(radius_m: f64, spacing_m: f64) -> u8 {
-    (0..LEVELS)
-        .find(|&level| spacing(radius_m, level) <= spacing_m)
-        .unwrap_or(LEVELS)
+    check_count("the number of heights", heights.len(), [n, n])
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn levels_reach_from_the_control_mesh_to_the_ground() {
-        let earth = 6_370_000.0;
-        assert!((spacing(earth, 0) - 52_000.0).abs() < 1e-6);
-        assert!((spacing(earth, LEVELS) - 0.397).abs() < 1e-3);
-        assert_eq!(level_for(earth, 92.6), 10);
-        assert_eq!(level_for(earth, 1e9), 0);
-        assert_eq!(
-            (
-                level_for(earth, 0.5),
-                level_for(earth, 1e-9),
-                level_for(earth, f64::NAN)
-            ),
-            (17, 17, 17)
-        );
-        // A planet of a hundredth of the size has the same levels.
-        assert_eq!(level_for(63_700.0, 0.926), level_for(earth, 92.6));
-    }
-
-    #[test]
-    fn bad_directions_levels_and_coordinates_are_refused() {
-        for bad in [
-            DVec3::ZERO,
-            DVec3::NAN,
-            DVec3::new(f64::INFINITY, 0.0, 1.0),
-            DVec3::new(0.0, f64::NAN, 1.0),
-        ] {
-            assert_eq!(checked(bad, 0), Err(GroundError::NotADirection));
-        }
-        assert_eq!(checked(DVec3::X, 18), Err(GroundError::Level(18)));
-        for far in [1e-300, 1e300] {
-            assert!((checked(DVec3::new(far, far, 0.0), 17).unwrap().length() - 1.0).abs() < 1e-15);
-        }
-        for bad in [90.1, -91.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(
-                direction_at(bad, 0.0),
-                Err(GroundError::Latitude(_))
-            ));
-        }
-        for bad in [360.5, f64::NAN, f64::NEG_INFINITY] {
-            assert!(matches!(
-                direction_at(0.0, bad),
-                Err(GroundError::Longitude(_))
-            ));
-        }
-        assert!((direction_at(0.0, 270.0).unwrap() + DVec3::Y).length() < 1e-15);
-    }
-}
+#[path = "ground_tests.rs"]
+mod tests;

@@ -1,12 +1,20 @@
 //! A patch of triangles around a point, as colliders want it: an origin in f64, positions near it
 //! in f32.
 
-use super::{AzimuthalEquidistant, Ground, GroundError, Square, checked};
+use super::check::{check_length, check_radius, checked};
+use super::error::GroundError;
+use super::ground::Ground;
+use super::projection::AzimuthalEquidistant;
+use super::raster::MapSquare;
 use bevy::math::{DVec3, Vec3};
+use bevy::reflect::Reflect;
 use rayon::prelude::*;
 
+/// Shortest side and spacing of a patch in m.
+const SHORTEST_M: f64 = 1e-3;
+
 /// A square patch of the ground.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Reflect)]
 pub struct Patch {
     /// The point that positions count from: at the middle of the patch on the ground; m from the
     /// planet's centre.
@@ -21,9 +29,25 @@ pub struct Patch {
 /// The ground around a direction of any length: a square of `side_m` with corners every `spacing_m`
 /// (a little less, so that whole steps fill the side), at `level`.
 ///
+/// ```
+/// use bevy::math::DVec3;
+/// use bevy_pangaea::query::{PatchTree, PlanetGround, Rules, collider_patch};
+/// use pangaea_shaders::amplify::synthetic::control_mesh;
+///
+/// let ground = PlanetGround::new(&control_mesh(6_370_000, 3, 7), Rules::default())?;
+/// let patch = collider_patch(&ground, DVec3::X, 4000.0, 500.0, 8)?;
+/// assert_eq!(patch.positions.len(), 9 * 9);
+///
+/// // A ray from 20 km above its middle straight down meets it.
+/// let tree = PatchTree::new(patch)?;
+/// let hit = tree.cast(DVec3::X * 6_390_000.0, -DVec3::X, 1e5)?;
+/// assert!(hit.is_some());
+/// # Ok::<(), bevy_pangaea::query::GroundError>(())
+/// ```
+///
 /// # Errors
-/// [`GroundError::Length`] for a side or spacing that makes no patch, [`GroundError::Count`] for
-/// more than 16,383 steps to a side, else as [`Ground::height`].
+/// [`GroundError::Length`] for a side or spacing that is zero, NaN or too long,
+/// [`GroundError::Count`] for more than 16,383 steps to a side, else as [`Ground::height`].
 pub fn collider_patch(
     ground: &(impl Ground + ?Sized),
     direction: DVec3,
@@ -33,44 +57,26 @@ pub fn collider_patch(
 ) -> Result<Patch, GroundError> {
     let up = checked(direction, level)?;
     let radius = ground.radius_m();
-    if !(radius > 0.0 && radius.is_finite()) {
-        return Err(GroundError::Radius(radius));
-    }
-    let (min, max) = (1e-3, AzimuthalEquidistant::largest_square(radius));
-    if !(min..=max).contains(&side_m) {
-        return Err(GroundError::Length {
-            what: "the side of the patch",
-            value: side_m,
-            min,
-            max,
-        });
-    }
-    if !(min..=side_m).contains(&spacing_m) {
-        return Err(GroundError::Length {
-            what: "the spacing",
-            value: spacing_m,
-            min,
-            max: side_m,
-        });
-    }
+    check_radius(radius)?;
+    let largest = AzimuthalEquidistant::largest_square(radius);
+    check_length("the side of the patch", side_m, [SHORTEST_M, largest])?;
+    check_length("the spacing", spacing_m, [SHORTEST_M, side_m])?;
     // A hair less, so that 64 m at 0.1 m are 640 steps.
     let steps = (side_m / spacing_m - 1e-9).ceil().max(1.0) as usize;
     // Corners are the pixel centres of a square that is half a step larger all around.
     let corners = steps.saturating_add(1);
     let whole = side_m * (corners as f64 / steps as f64);
-    let square = Square::new(
-        AzimuthalEquidistant::about(up, radius),
-        whole.min(max),
-        corners,
-    )?;
+    let about = AzimuthalEquidistant::about(up, radius);
+    let square = MapSquare::new(about, whole.min(largest), corners)?;
     let grid = square.heights(ground, level)?;
     let origin = up * (radius + f64::from(ground.height(up, level)?));
-    let place = |i: usize| {
-        square.direction(i % corners, i / corners) * (radius + f64::from(grid.values[i]))
-    };
+    // In f32 only about the origin: far from it a metre could not be told from the next.
     let positions = (0..grid.values.len())
         .into_par_iter()
-        .map(|i| (place(i) - origin).as_vec3())
+        .map(|i| {
+            let unit = square.direction(i % corners, i / corners);
+            (unit * (radius + f64::from(grid.values[i])) - origin).as_vec3()
+        })
         .collect();
     Ok(Patch {
         origin,
@@ -82,13 +88,16 @@ pub fn collider_patch(
 /// Two triangles for each cell of a square grid of `n` by `n` corners whose rows begin in the north
 /// west, counter-clockwise seen from outside.
 pub(crate) fn grid_triangles(n: usize) -> Vec<[u32; 3]> {
-    let cell = |i: usize| {
-        let (x, y) = (i % (n - 1), i / (n - 1));
-        let corner = |dx: usize, dy: usize| ((y + dy) * n + x + dx) as u32;
-        let [a, b, c, d] = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
-        [[a, c, b], [b, c, d]]
-    };
-    (0..(n - 1) * (n - 1)).flat_map(cell).collect()
+    let mut triangles = Vec::with_capacity(2 * (n - 1) * (n - 1));
+    for y in 0..n - 1 {
+        for x in 0..n - 1 {
+            let north_west = (y * n + x) as u32;
+            let south_west = north_west + n as u32;
+            triangles.push([north_west, south_west, north_west + 1]);
+            triangles.push([north_west + 1, south_west, south_west + 1]);
+        }
+    }
+    triangles
 }
 
 #[cfg(test)]
@@ -96,41 +105,45 @@ mod tests {
     use super::*;
     use crate::math;
 
+    const RADIUS_M: f64 = 1e6;
+
     /// A ball with a bump of 100 m, 2 km wide, at 0° N 0° E.
     struct Bump;
 
     impl Ground for Bump {
         fn radius_m(&self) -> f64 {
-            1e6
+            RADIUS_M
         }
 
         fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
-            let away = 1e6 * math::angle_between(checked(direction, level)?, DVec3::X);
+            let away = RADIUS_M * math::angle_between(checked(direction, level)?, DVec3::X);
             Ok((100.0 * math::exp(-(away / 1000.0) * (away / 1000.0))) as f32)
         }
+    }
+
+    /// Holds the corners of a patch of 64 m at 0.5 m to the ground.
+    fn assert_on_ground(patch: &Patch, up: DVec3) {
+        let middle = patch.positions[64 * 129 + 64];
+        assert!(middle.length() < 1e-5, "the middle is the origin");
+        for p in patch.positions.iter().step_by(97) {
+            let place = patch.origin + p.as_dvec3();
+            let height = f64::from(Bump.height(place, 17).unwrap());
+            assert!((place.length() - RADIUS_M - height).abs() < 1e-4);
+            assert!(p.length() < 32.0 * 1.5);
+        }
+        let corner = patch.positions[0].as_dvec3();
+        let away = (corner - up * corner.dot(up)).length();
+        // On the bump a degree is up to a ten-thousandth longer than at sea level.
+        assert!((away - 32.0 * 2.0_f64.sqrt()).abs() < 0.01);
     }
 
     #[test]
     fn corners_lie_on_the_ground_around_the_origin() {
         for up in [DVec3::X, DVec3::Z, -DVec3::Z, math::direction(0.01, 0.02)] {
             let patch = collider_patch(&Bump, up, 64.0, 0.5, 17).unwrap();
-            assert_eq!(
-                (patch.positions.len(), patch.triangles.len()),
-                (129 * 129, 2 * 128 * 128)
-            );
-            assert!(
-                patch.positions[64 * 129 + 64].length() < 1e-5,
-                "the middle is the origin"
-            );
-            for p in patch.positions.iter().step_by(97) {
-                let place = patch.origin + p.as_dvec3();
-                let height = f64::from(Bump.height(place, 17).unwrap());
-                assert!((place.length() - 1e6 - height).abs() < 1e-4);
-                assert!(p.length() < 32.0 * 1.5);
-            }
-            let corner = patch.positions[0].as_dvec3();
-            // On the bump a degree is up to a ten-thousandth longer than at sea level.
-            assert!(((corner - up * corner.dot(up)).length() - 32.0 * 2.0_f64.sqrt()).abs() < 0.01);
+            assert_eq!(patch.positions.len(), 129 * 129);
+            assert_eq!(patch.triangles.len(), 2 * 128 * 128);
+            assert_on_ground(&patch, up);
         }
     }
 
@@ -148,11 +161,13 @@ mod tests {
         assert!((area - 100.0).abs() < 1e-3, "{area}");
     }
 
+    /// The error of a patch about a direction.
+    fn refused(up: DVec3, side: f64, spacing: f64, level: u8) -> GroundError {
+        collider_patch(&Bump, up, side, spacing, level).unwrap_err()
+    }
+
     #[test]
     fn bad_patches_are_refused() {
-        let patch = |side, spacing, level| {
-            collider_patch(&Bump, DVec3::X, side, spacing, level).map(|_| ())
-        };
         for (side, spacing) in [
             (0.0, 0.5),
             (f64::NAN, 0.5),
@@ -161,17 +176,16 @@ mod tests {
             (64.0, 65.0),
             (1e9, 1e5),
         ] {
+            let error = refused(DVec3::X, side, spacing, 17);
             assert!(
-                matches!(patch(side, spacing, 17), Err(GroundError::Length { .. })),
+                matches!(error, GroundError::Length { .. }),
                 "{side} {spacing}"
             );
         }
-        assert!(matches!(
-            patch(1e5, 1e-3, 17),
-            Err(GroundError::Count { .. })
-        ));
-        assert_eq!(patch(64.0, 1.0, 18), Err(GroundError::Level(18)));
-        let nowhere = collider_patch(&Bump, DVec3::ZERO, 64.0, 1.0, 17).map(|_| ());
-        assert_eq!(nowhere, Err(GroundError::NotADirection));
+        let many = refused(DVec3::X, 1e5, 1e-3, 17);
+        assert!(matches!(many, GroundError::Count { .. }));
+        assert_eq!(refused(DVec3::X, 64.0, 1.0, 18), GroundError::Level(18));
+        let nowhere = refused(DVec3::ZERO, 64.0, 1.0, 17);
+        assert_eq!(nowhere, GroundError::NotADirection);
     }
 }

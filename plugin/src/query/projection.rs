@@ -5,14 +5,25 @@
 //! pole and no antimeridian to except. The plane's x points east, y north, in metres along the sea
 //! level.
 
-use super::GroundError;
-use super::ground::direction_at;
-use crate::math::east_north;
-use crate::math::{self, PI};
+use super::check::{check_radius, direction_at};
+use super::error::GroundError;
+use crate::math::{self, PI, east_north};
 use bevy::math::{DVec2, DVec3};
+use bevy::reflect::Reflect;
 
 /// The projection about one centre.
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// ```
+/// use bevy::math::DVec2;
+/// use bevy_pangaea::query::{AzimuthalEquidistant, direction_at};
+///
+/// let map = AzimuthalEquidistant::new(45.0, 10.0, 6_370_000.0)?;
+/// let pole = map.plane(direction_at(90.0, 0.0)?);
+/// assert!((pole - DVec2::new(0.0, map.radius_m() * 45_f64.to_radians())).length() < 1e-3);
+/// # Ok::<(), bevy_pangaea::query::GroundError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Reflect)]
+#[reflect(opaque, Clone, Debug, PartialEq)]
 pub struct AzimuthalEquidistant {
     centre: DVec3,
     east: DVec3,
@@ -28,9 +39,7 @@ impl AzimuthalEquidistant {
     /// # Errors
     /// [`GroundError::Latitude`], [`GroundError::Longitude`], [`GroundError::Radius`].
     pub fn new(latitude: f64, longitude: f64, radius_m: f64) -> Result<Self, GroundError> {
-        if !(radius_m > 0.0 && radius_m.is_finite()) {
-            return Err(GroundError::Radius(radius_m));
-        }
+        check_radius(radius_m)?;
         let centre = direction_at(latitude, longitude)?;
         let (sin, cos) = math::sin_cos(longitude.to_radians());
         let east = DVec3::new(-sin, cos, 0.0);
@@ -120,18 +129,14 @@ mod tests {
 
     #[test]
     fn north_is_up_and_degrees_are_equally_long_from_the_centre() {
-        let map = about(0.0, 0.0);
         let degree = R * PI / 180.0;
-        assert!(
-            (map.plane(math::direction(0.0, 10.0)) - DVec2::new(10.0 * degree, 0.0)).length()
-                < 1e-6
-        );
-        assert!(
-            (map.plane(math::direction(-20.0, 0.0)) - DVec2::new(0.0, -20.0 * degree)).length()
-                < 1e-6
-        );
-        let map = about(45.0, 100.0);
-        assert!((map.plane(DVec3::Z) - DVec2::new(0.0, 45.0 * degree)).length() < 1e-6);
+        let map = about(0.0, 0.0);
+        let east = map.plane(math::direction(0.0, 10.0));
+        assert!((east - DVec2::new(10.0 * degree, 0.0)).length() < 1e-6);
+        let south = map.plane(math::direction(-20.0, 0.0));
+        assert!((south - DVec2::new(0.0, -20.0 * degree)).length() < 1e-6);
+        let pole = about(45.0, 100.0).plane(DVec3::Z);
+        assert!((pole - DVec2::new(0.0, 45.0 * degree)).length() < 1e-6);
     }
 
     #[test]
@@ -145,10 +150,8 @@ mod tests {
         let c = math::acos(sin0 * sin + cos0 * cos * cos_l);
         let k = c / math::sin(c);
         let (x, y) = (k * cos * sin_l, k * (cos0 * sin - sin0 * cos * cos_l));
-        assert!(
-            (found - DVec2::new(x, y)).length() < 1e-12,
-            "{found} {x} {y}"
-        );
+        let expected = DVec2::new(x, y);
+        assert!((found - expected).length() < 1e-12, "{found} {expected}");
     }
 
     #[test]
@@ -162,15 +165,9 @@ mod tests {
         ] {
             let map = about(lat, lon);
             assert!(map.plane(map.centre()).length() < 1e-9);
-            for plane in [
-                DVec2::new(3e5, -2e5),
-                DVec2::new(-1e6, 1e-3),
-                DVec2::new(0.0, 1.0),
-            ] {
-                assert!(
-                    (map.plane(map.direction(plane)) - plane).length() < 1e-7,
-                    "{lat} {lon} {plane}"
-                );
+            for plane in [DVec2::new(3e5, -2e5), DVec2::new(-1e6, 1e-3), DVec2::Y] {
+                let back = map.plane(map.direction(plane));
+                assert!((back - plane).length() < 1e-7, "{lat} {lon} {plane}");
             }
         }
         // At the north pole, up is along the meridian opposite to the given one.
@@ -189,7 +186,8 @@ mod tests {
     proptest! {
         #[test]
         fn distances_from_the_centre_are_true_and_points_come_back(
-            lat in -90.0..90.0_f64, lon in -180.0..180.0_f64, x in -1e7..1e7_f64, y in -1e7..1e7_f64,
+            lat in -90.0..90.0_f64, lon in -180.0..180.0_f64,
+            x in -1e7..1e7_f64, y in -1e7..1e7_f64,
         ) {
             let map = about(lat, lon);
             let p = map.direction(DVec2::new(x, y));
@@ -203,17 +201,9 @@ mod tests {
 
     #[test]
     fn bad_centres_are_refused() {
-        assert!(matches!(
-            AzimuthalEquidistant::new(91.0, 0.0, R),
-            Err(GroundError::Latitude(_))
-        ));
-        assert!(matches!(
-            AzimuthalEquidistant::new(0.0, f64::NAN, R),
-            Err(GroundError::Longitude(_))
-        ));
-        assert!(matches!(
-            AzimuthalEquidistant::new(0.0, 0.0, -1.0),
-            Err(GroundError::Radius(_))
-        ));
+        let new = |lat, lon, radius| AzimuthalEquidistant::new(lat, lon, radius).map(|_| ());
+        assert_eq!(new(91.0, 0.0, R), Err(GroundError::Latitude(91.0)));
+        assert_eq!(new(0.0, 400.0, R), Err(GroundError::Longitude(400.0)));
+        assert_eq!(new(0.0, 0.0, -1.0), Err(GroundError::Radius(-1.0)));
     }
 }

@@ -1,13 +1,21 @@
-//! Heights on squares: what exports, statistics and pictures read.
+//! Heights on squares, for exports, statistics and pictures.
 
-use super::{AzimuthalEquidistant, Ground, GroundError, LEVELS, level_for};
+use super::check::{check_count, check_length};
+use super::error::GroundError;
+use super::ground::Ground;
+use super::level::{LEVELS, level_for};
+use super::projection::AzimuthalEquidistant;
 use crate::parallel;
 use bevy::math::{DVec2, DVec3};
+use bevy::reflect::Reflect;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
+/// Smallest side of a pixel in m.
+const LEAST_PIXEL_M: f64 = 1e-3;
+
 /// A grid of heights in m, rows from the north, values at the centres of pixels.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Reflect)]
 pub struct HeightGrid {
     /// Number of columns.
     pub width: usize,
@@ -37,15 +45,28 @@ impl HeightGrid {
 }
 
 /// A square of an [`AzimuthalEquidistant`] projection about its middle, north up.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Square {
+///
+/// ```
+/// use bevy_pangaea::query::{AzimuthalEquidistant, MapSquare, PlanetGround, Rules};
+/// use pangaea_shaders::amplify::synthetic::control_mesh;
+///
+/// let ground = PlanetGround::new(&control_mesh(6_370_000, 3, 7), Rules::default())?;
+/// let about = AzimuthalEquidistant::new(30.0, -12.0, 6_370_000.0)?;
+/// let square = MapSquare::new(about, 2_000_000.0, 16)?;
+/// let grid = square.heights(&ground, square.level())?;
+/// assert_eq!((grid.width, grid.height), (16, 16));
+/// # Ok::<(), bevy_pangaea::query::GroundError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Reflect)]
+#[reflect(opaque, Clone, Debug, PartialEq)]
+pub struct MapSquare {
     projection: AzimuthalEquidistant,
     side_m: f64,
     pixels: usize,
     level: Option<u8>,
 }
 
-impl Square {
+impl MapSquare {
     /// Most pixels to a side.
     pub const MAX_PIXELS: usize = 16_384;
 
@@ -59,27 +80,10 @@ impl Square {
         side_m: f64,
         pixels: usize,
     ) -> Result<Self, GroundError> {
-        let (min, max) = (2, Self::MAX_PIXELS);
-        if !(min..=max).contains(&pixels) {
-            return Err(GroundError::Count {
-                what: "the number of pixels",
-                value: pixels,
-                min,
-                max,
-            });
-        }
-        let (min, max) = (
-            pixels as f64 * 1e-3,
-            AzimuthalEquidistant::largest_square(projection.radius_m()),
-        );
-        if !(min..=max).contains(&side_m) {
-            return Err(GroundError::Length {
-                what: "the side of the square",
-                value: side_m,
-                min,
-                max,
-            });
-        }
+        check_count("the number of pixels", pixels, [2, Self::MAX_PIXELS])?;
+        let least = pixels as f64 * LEAST_PIXEL_M;
+        let most = AzimuthalEquidistant::largest_square(projection.radius_m());
+        check_length("the side of the square", side_m, [least, most])?;
         Ok(Self {
             projection,
             side_m,
@@ -159,27 +163,20 @@ impl Square {
         level: u8,
         go_on: impl Fn(usize) -> bool + Sync,
     ) -> Result<HeightGrid, GroundError> {
-        let count = self.pixels * self.pixels;
-        let mut values = vec![0.0_f32; count];
+        let mut values = vec![0.0_f32; self.pixels * self.pixels];
         let known = AtomicUsize::new(0);
-        let batches = values
-            .par_chunks_mut(parallel::CHUNK)
-            .enumerate()
-            .map(|(batch, heights)| {
-                if !go_on(known.load(Ordering::Relaxed)) {
-                    return Err(GroundError::Stopped);
-                }
-                let first = batch * parallel::CHUNK;
-                let pixels = first..first + heights.len();
-                let directions: Vec<DVec3> = pixels
-                    .map(|i| self.direction(i % self.pixels, i / self.pixels))
-                    .collect();
-                ground.heights(&directions, level, heights)?;
-                known.fetch_add(heights.len(), Ordering::Relaxed);
-                Ok(())
-            });
+        let batches = values.par_chunks_mut(parallel::CHUNK).enumerate();
+        let results = batches.map(|(batch, heights)| {
+            if !go_on(known.load(Ordering::Relaxed)) {
+                return Err(GroundError::Stopped);
+            }
+            let directions = self.directions(batch * parallel::CHUNK, heights.len());
+            ground.heights(&directions, level, heights)?;
+            known.fetch_add(heights.len(), Ordering::Relaxed);
+            Ok(())
+        });
         // Collected first: which of several errors is told must not depend on the threads.
-        let results: Vec<Result<(), GroundError>> = batches.collect();
+        let results: Vec<Result<(), GroundError>> = results.collect();
         results.into_iter().collect::<Result<(), GroundError>>()?;
         Ok(HeightGrid {
             width: self.pixels,
@@ -188,101 +185,15 @@ impl Square {
             pixel_m: [self.pixel_m(); 2],
         })
     }
+
+    /// Unit vectors of so many pixels from the `first` on, row by row.
+    fn directions(&self, first: usize, count: usize) -> Vec<DVec3> {
+        (first..first + count)
+            .map(|i| self.direction(i % self.pixels, i / self.pixels))
+            .collect()
+    }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math;
-    use crate::query::checked;
-
-    /// Height = 10 m per degree of latitude, and of longitude in a second copy.
-    struct Degrees(bool);
-
-    impl Ground for Degrees {
-        fn radius_m(&self) -> f64 {
-            6_370_000.0
-        }
-
-        fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
-            let (lat, lon) = math::lat_lon(checked(direction, level)?);
-            Ok(10.0 * if self.0 { lon } else { lat } as f32)
-        }
-    }
-
-    fn square(lat: f64, lon: f64, side_m: f64, pixels: usize) -> Square {
-        Square::new(
-            AzimuthalEquidistant::new(lat, lon, 6_370_000.0).unwrap(),
-            side_m,
-            pixels,
-        )
-        .unwrap()
-    }
-
-    #[test]
-    fn north_is_up_and_values_are_those_of_pixel_centres() {
-        let degree = 6_370_000.0 * math::PI / 180.0;
-        let square = square(30.0, 40.0, 8.0 * degree, 8);
-        let lat = square.heights(&Degrees(false), 5).unwrap();
-        assert_eq!((lat.width, lat.height, lat.values.len()), (8, 8, 64));
-        // The middle column is half a pixel off the meridian; latitudes differ by a few hundredths
-        // of a degree there.
-        for (y, expected) in (0..8).map(|y| (y, 33.5 - y as f32)) {
-            assert!((lat.row(y)[4] / 10.0 - expected).abs() < 0.02, "{y}");
-        }
-        let lon = square.heights(&Degrees(true), 5).unwrap();
-        assert!(lon.row(3).windows(2).all(|pair| pair[0] < pair[1]));
-        assert_eq!(lat.range().unwrap()[1], lat.row(0)[4].max(lat.row(0)[3]));
-    }
-
-    #[test]
-    fn whoever_asks_hears_how_far_it_is_and_may_stop() {
-        let square = square(30.0, 40.0, 1e6, 100);
-        let heard = AtomicUsize::new(0);
-        let listen = |pixels| {
-            heard.fetch_max(pixels, Ordering::Relaxed);
-            true
-        };
-        let grid = square.heights_while(&Degrees(true), 5, listen).unwrap();
-        assert_eq!(Ok(grid), square.heights(&Degrees(true), 5));
-        // The last batch begins when others are known; two threads may begin it together.
-        assert!((1..10_000).contains(&heard.into_inner()));
-        let stopped = square.heights_while(&Degrees(true), 5, |pixels| pixels < 4000);
-        assert_eq!(stopped, Err(GroundError::Stopped));
-    }
-
-    #[test]
-    fn levels_follow_pixels() {
-        assert_eq!(square(0.0, 0.0, 60_004.8, 648).level(), 10);
-        assert_eq!(square(0.0, 0.0, 64.0, 128).level(), 17);
-        assert_eq!(square(0.0, 0.0, 64.0, 128).at_level(9).unwrap().level(), 9);
-        assert_eq!(
-            square(0.0, 0.0, 64.0, 128).at_level(18),
-            Err(GroundError::Level(18))
-        );
-    }
-
-    #[test]
-    fn bad_squares_and_levels_are_refused() {
-        let map = AzimuthalEquidistant::new(0.0, 0.0, 50_000.0).unwrap();
-        for side in [0.0, -1.0, f64::NAN, f64::INFINITY, 300_000.0] {
-            assert!(
-                matches!(Square::new(map, side, 16), Err(GroundError::Length { .. })),
-                "{side}"
-            );
-        }
-        for pixels in [0, 1, 20_000, usize::MAX] {
-            assert!(
-                matches!(
-                    Square::new(map, 1000.0, pixels),
-                    Err(GroundError::Count { .. })
-                ),
-                "{pixels}"
-            );
-        }
-        assert_eq!(
-            square(0.0, 0.0, 1e5, 9).heights(&Degrees(true), 18),
-            Err(GroundError::Level(18))
-        );
-    }
-}
+#[path = "raster_tests.rs"]
+mod tests;

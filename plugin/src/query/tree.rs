@@ -4,22 +4,26 @@
 //! tested in f64 (Möller and Trumbore 1997). The nearest hit wins, of equally near ones the first
 //! triangle. Both sides of a triangle are hit.
 
-use super::{GroundError, Patch, RayHit, checked};
+use super::check::{check_length, check_position, checked};
+use super::error::GroundError;
+use super::patch::Patch;
+use super::ray::RayHit;
 use bevy::math::{DVec3, Vec3};
 use obvhs::Boundable;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use obvhs::ray::{Ray, RayHit as Nearest};
+use obvhs::ray::{Ray, RayHit as PrunedHit};
 
 /// How much boxes are grown, as a share of the patch: more than f32 rounds.
-const SLACK: f32 = 1e-5;
+const BOX_SLACK: f32 = 1e-5;
 
 /// A patch in which rays are cast.
 pub struct PatchTree {
     patch: Patch,
     tree: Bvh2,
+    /// How much boxes were grown, in m.
     slack: f32,
 }
 
@@ -31,47 +35,45 @@ impl Boundable for TriangleBox {
     }
 }
 
+/// A ray in coordinates about the patch's origin. It is cast both ways from its point nearest to
+/// the origin, where f32 is as fine as the patch is small.
+struct LocalRay {
+    /// The nearest point.
+    start: DVec3,
+    along: DVec3,
+    /// Distance of the nearest point from the ray's origin in m; negative behind it.
+    shift: f64,
+    max_m: f64,
+}
+
+/// Distance of a hit from the ray's origin in m, and its triangle: the smaller the better.
+type BestHit = Option<(f64, usize)>;
+
 impl PatchTree {
     /// A tree over the triangles of a patch.
     ///
     /// # Errors
-    /// [`GroundError::Count`] for a patch without triangles, or with one that has no such corner.
+    /// [`GroundError::Count`] for a patch without triangles, or with one whose corner is not there.
     pub fn new(patch: Patch) -> Result<Self, GroundError> {
         let corners = patch.positions.len();
-        let highest = patch
-            .triangles
-            .as_flattened()
-            .iter()
-            .max()
-            .map(|&i| i as usize);
-        match highest {
-            Some(value) if value < corners => {}
-            value => {
-                let (value, max) = (value.unwrap_or(0), corners.saturating_sub(1));
-                return Err(GroundError::Count {
-                    what: "the corners of the patch",
-                    value,
-                    min: 0,
-                    max,
-                });
-            }
+        let highest = patch.triangles.as_flattened().iter().max();
+        if highest.is_none_or(|&highest| highest as usize >= corners) {
+            return Err(GroundError::Count {
+                what: "the corners of the patch",
+                value: highest.map_or(0, |&highest| highest as usize),
+                min: 0,
+                max: corners.saturating_sub(1),
+            });
         }
-        let reach = patch
-            .positions
-            .iter()
-            .map(|p| p.abs().max_element())
-            .fold(0.0, f32::max);
-        let slack = SLACK * reach;
+        let largest = |reach: f32, p: &Vec3| reach.max(p.abs().max_element());
+        let slack = BOX_SLACK * patch.positions.iter().fold(0.0, largest);
         let boxes: Vec<TriangleBox> = patch
             .triangles
             .iter()
-            .map(|t| triangle_box(&patch, *t, slack))
+            .map(|triangle| triangle_box(&patch, *triangle, slack))
             .collect();
-        let tree = build_bvh2(
-            &boxes,
-            BvhBuildParams::fastest_build(),
-            &mut core::time::Duration::default(),
-        );
+        let mut time = core::time::Duration::default();
+        let tree = build_bvh2(&boxes, BvhBuildParams::fastest_build(), &mut time);
         Ok(Self { patch, tree, slack })
     }
 
@@ -84,8 +86,8 @@ impl PatchTree {
     /// `direction` (of any length), at most `max_m` away.
     ///
     /// # Errors
-    /// [`GroundError::NotADirection`] for a ray that is none; [`GroundError::Length`] for a `max_m`
-    /// that is negative or not a number.
+    /// [`GroundError::NotADirection`] for an origin or a direction that is infinite or NaN, and a
+    /// direction of zero; [`GroundError::Length`] for a `max_m` that is negative or NaN.
     pub fn cast(
         &self,
         origin: DVec3,
@@ -93,43 +95,52 @@ impl PatchTree {
         max_m: f64,
     ) -> Result<Option<RayHit>, GroundError> {
         let along = checked(direction, 0)?;
-        if !origin.is_finite() {
-            return Err(GroundError::NotADirection);
-        }
-        if max_m.is_nan() || max_m < 0.0 {
-            return Err(GroundError::Length {
-                what: "the ray",
-                value: max_m,
-                min: 0.0,
-                max: f64::INFINITY,
-            });
-        }
-        // From where the ray is nearest to the middle, f32 is as fine as the patch is small.
+        check_position(origin)?;
+        check_length("the ray", max_m, [0.0, f64::INFINITY])?;
         let local = origin - self.patch.origin;
         let shift = -local.dot(along);
-        let start = local + along * shift;
-        let single = |v: DVec3| v.as_vec3().to_array().into();
-        let mut best: Option<(f64, usize)> = None;
-        for (direction, sign) in [(along, 1.0), (-along, -1.0)] {
-            let pruning = Ray::new_inf(single(start), single(direction));
-            self.tree
-                .ray_traverse(pruning, &mut Nearest::none(), |_, slot| {
-                    let k = self.tree.primitive_indices[slot] as usize;
-                    if let Some(t) = self.hit(k, start, direction) {
-                        let found = (shift + sign * t, k);
-                        let within = (0.0..=max_m).contains(&found.0);
-                        if within && best.is_none_or(|best| found < best) {
-                            best = Some(found);
-                        }
-                    }
-                    // Backwards the nearest hit is the last one met: nothing is pruned.
-                    match best {
-                        Some((distance, _)) if sign > 0.0 => (distance - shift) as f32 + self.slack,
-                        _ => f32::INFINITY,
-                    }
-                });
-        }
+        let ray = LocalRay {
+            start: local + along * shift,
+            along,
+            shift,
+            max_m,
+        };
+        // The ray's origin may lie on either side of the nearest point: both halves are cast, and
+        // hits before the origin are left out.
+        let ahead = self.best_hit(&ray, 1.0, None);
+        let best = self.best_hit(&ray, -1.0, ahead);
         Ok(best.map(|(distance_m, k)| self.found(origin + along * distance_m, distance_m, k)))
+    }
+
+    /// The best hit of the half of a ray that leads ahead (`sign` 1) or back (-1), or one that is
+    /// known and better.
+    fn best_hit(&self, ray: &LocalRay, sign: f64, mut best: BestHit) -> BestHit {
+        let direction = ray.along * sign;
+        let single = |v: DVec3| v.as_vec3().to_array().into();
+        let pruning = Ray::new_inf(single(ray.start), single(direction));
+        self.tree
+            .ray_traverse(pruning, &mut PrunedHit::none(), |_, slot| {
+                self.meet(ray, sign, slot, &mut best)
+            });
+        best
+    }
+
+    /// Meets the triangle in a slot of the tree. Returns the distance from the ray's start in m
+    /// beyond which no box needs to be looked at.
+    fn meet(&self, ray: &LocalRay, sign: f64, slot: usize, best: &mut BestHit) -> f32 {
+        let k = self.tree.primitive_indices[slot] as usize;
+        if let Some(t) = self.hit(k, ray.start, ray.along * sign) {
+            let found = (ray.shift + sign * t, k);
+            let is_within = (0.0..=ray.max_m).contains(&found.0);
+            if is_within && best.is_none_or(|best| found < best) {
+                *best = Some(found);
+            }
+        }
+        // Backwards the nearest hit is the last one met: nothing is pruned.
+        match best {
+            Some((distance, _)) if sign > 0.0 => (*distance - ray.shift) as f32 + self.slack,
+            _ => f32::INFINITY,
+        }
     }
 
     fn found(&self, point: DVec3, distance_m: f64, k: usize) -> RayHit {
@@ -154,6 +165,7 @@ impl PatchTree {
         if determinant == 0.0 {
             return None;
         }
+        // Barycentric coordinates u and v of the point, and its distance t.
         let from_a = start - a;
         let u = from_a.dot(across) / determinant;
         let turned = from_a.cross(ab);
@@ -174,119 +186,5 @@ fn triangle_box(patch: &Patch, triangle: [u32; 3], slack: f32) -> TriangleBox {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math;
-    use crate::query::{Ground, cast_ray, collider_patch};
-    use proptest::prelude::*;
-    use std::sync::LazyLock;
-
-    /// Waves of 20 m, 200 m long, on a ball.
-    struct Waves;
-
-    impl Ground for Waves {
-        fn radius_m(&self) -> f64 {
-            1e6
-        }
-
-        fn height(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
-            let up = checked(direction, level)?;
-            Ok(
-                (20.0 * math::sin(math::TAU * up.y * 5e3) * math::sin(math::TAU * up.z * 5e3))
-                    as f32,
-            )
-        }
-
-        fn bounds_m(&self) -> [f64; 2] {
-            [-21.0, 21.0]
-        }
-    }
-
-    fn tree() -> &'static PatchTree {
-        static TREE: LazyLock<PatchTree> = LazyLock::new(|| {
-            PatchTree::new(collider_patch(&Waves, DVec3::X, 400.0, 4.0, 17).unwrap()).unwrap()
-        });
-        &TREE
-    }
-
-    proptest! {
-        #[test]
-        fn the_tree_finds_what_a_test_of_all_triangles_finds(
-            y in -250.0..250.0_f64, z in -250.0..250.0_f64, above in -40.0..300.0_f64,
-            dx in -1.0..1.0_f64, dy in -1.0..1.0_f64, dz in -1.0..1.0_f64, max in 0.0..800.0_f64,
-        ) {
-            let tree = tree();
-            let origin = DVec3::new(1e6 + above, y, z);
-            let direction = DVec3::new(dx, dy, dz);
-            prop_assume!(direction.length() > 0.01);
-            let found = tree.cast(origin, direction, max).unwrap();
-            let (along, local) = (direction.normalize(), origin - tree.patch.origin);
-            let all = (0..tree.patch.triangles.len()).filter_map(|k| tree.hit(k, local, along));
-            let nearest = all.filter(|&t| t <= max).fold(f64::INFINITY, f64::min);
-            match found {
-                Some(hit) => prop_assert!((hit.distance_m - nearest).abs() < 1e-6, "{} {nearest}", hit.distance_m),
-                // Between two triangles, or at the very end of the ray, rounding decides.
-                None => prop_assert!(nearest > max - 1e-6, "{nearest}"),
-            }
-        }
-    }
-
-    #[test]
-    fn a_patch_is_hit_where_the_ground_is() {
-        let tree = tree();
-        for (y, z) in [(3.0, 7.0), (50.5, -41.0), (-120.0, 99.0)] {
-            let origin = DVec3::new(1e6 + 500.0, y, z);
-            let toward = DVec3::new(-1.0, 0.1, -0.05);
-            let ground = cast_ray(&Waves, origin, toward, 1e4, 17).unwrap().unwrap();
-            let patch = tree.cast(origin, toward, 1e4).unwrap().unwrap();
-            // Chords of 4 m lie up to 4 cm off waves of 200 m.
-            assert!((ground.distance_m - patch.distance_m).abs() < 0.1);
-            assert!(math::angle_between(ground.normal, patch.normal) < 0.1);
-        }
-        assert_eq!(
-            tree.cast(DVec3::new(1e6 + 500.0, 0.0, 0.0), DVec3::X, 1e6)
-                .unwrap(),
-            None
-        );
-        assert_eq!(
-            tree.cast(DVec3::new(1e6 + 500.0, 0.0, 0.0), -DVec3::X, 400.0)
-                .unwrap(),
-            None
-        );
-    }
-
-    #[test]
-    fn bad_patches_and_rays_are_refused() {
-        let patch = tree().patch().clone();
-        let empty = Patch {
-            triangles: Vec::new(),
-            ..patch.clone()
-        };
-        assert!(matches!(
-            PatchTree::new(empty).map(|_| ()),
-            Err(GroundError::Count { .. })
-        ));
-        let torn = Patch {
-            triangles: vec![[0, 1, 1_000_000]],
-            ..patch
-        };
-        assert!(matches!(
-            PatchTree::new(torn).map(|_| ()),
-            Err(GroundError::Count { .. })
-        ));
-        let tree = tree();
-        let cast = |origin, direction, max| tree.cast(origin, direction, max).map(|_| ());
-        assert_eq!(
-            cast(DVec3::NAN, DVec3::X, 1.0),
-            Err(GroundError::NotADirection)
-        );
-        assert_eq!(
-            cast(DVec3::X, DVec3::ZERO, 1.0),
-            Err(GroundError::NotADirection)
-        );
-        assert!(matches!(
-            cast(DVec3::X, DVec3::X, f64::NAN),
-            Err(GroundError::Length { .. })
-        ));
-    }
-}
+#[path = "tree_tests.rs"]
+mod tests;

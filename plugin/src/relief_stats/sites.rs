@@ -1,14 +1,16 @@
-//! Places on a planet by what built their relief, drawn by its seed.
+//! Places on a planet by the orogeny that built their relief, drawn by its seed.
 //!
 //! Only samples whose neighbours are of the same class are drawn: a tile about one of them lies in
 //! the middle of its class. Where the planet has none of them, samples at the border do.
 
-use super::{Relief, median, relief};
+use super::quantile::median;
+use super::tile::ReliefStats;
 use crate::crust::Orogeny;
 use crate::math;
-use crate::query::{AzimuthalEquidistant, Ground, GroundError, Square};
+use crate::query::{AzimuthalEquidistant, Ground, GroundError, MapSquare};
 use crate::random::{Purpose, Stream};
 use crate::sphere::SphereMesh;
+use bevy::reflect::Reflect;
 
 /// Sites drawn of each class.
 pub const SITES: usize = 20;
@@ -19,8 +21,26 @@ pub const TILE_PIXELS: usize = 648;
 /// Side of that tile in m: 60 km at 92.6 m, as the measured tiles of the Earth.
 pub const TILE_M: f64 = 92.6 * TILE_PIXELS as f64;
 
-/// What built the relief of a place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Age in My below which a belt is young: the Himalaya and the Andes rose within it.
+const YOUNG_MY: f32 = 30.0;
+
+/// Lowest elevation of young belts in km: it leaves out their forelands.
+const YOUNG_BELT_KM: f32 = 1.0;
+
+/// Age in My above which a belt is old: Appalachians and Scottish Highlands are.
+const OLD_MY: f32 = 150.0;
+
+/// Lowest elevation of old belts in km.
+const OLD_BELT_KM: f32 = 0.2;
+
+/// Age in My above which an orogeny no longer counts: no relief is left of it.
+const FORGOTTEN_MY: f32 = 400.0;
+
+/// Highest elevation of plains in km.
+const PLAIN_KM: f32 = 0.5;
+
+/// The orogeny that built the relief of a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
 pub enum ReliefClass {
     /// Collision of continents less than 30 My ago, above 1 km.
     YoungHimalayan,
@@ -54,12 +74,14 @@ impl ReliefClass {
     /// Does crust of this elevation in km, orogeny, and age of the orogeny in My belong to the
     /// class?
     pub fn holds(self, elevation: f32, orogeny: Orogeny, age: f32) -> bool {
+        let is_young = age < YOUNG_MY && elevation > YOUNG_BELT_KM;
         match self {
-            Self::YoungHimalayan => orogeny == Orogeny::Himalayan && age < 30.0 && elevation > 1.0,
-            Self::YoungAndean => orogeny == Orogeny::Andean && age < 30.0 && elevation > 1.0,
-            Self::OldBelts => orogeny != Orogeny::None && age > 150.0 && elevation > 0.2,
+            Self::YoungHimalayan => orogeny == Orogeny::Himalayan && is_young,
+            Self::YoungAndean => orogeny == Orogeny::Andean && is_young,
+            Self::OldBelts => orogeny != Orogeny::None && age > OLD_MY && elevation > OLD_BELT_KM,
             Self::Plains => {
-                (orogeny == Orogeny::None || age > 400.0) && elevation > 0.0 && elevation < 0.5
+                let is_unfolded = orogeny == Orogeny::None || age > FORGOTTEN_MY;
+                is_unfolded && elevation > 0.0 && elevation < PLAIN_KM
             }
         }
     }
@@ -80,24 +102,27 @@ pub struct SiteInput<'a> {
     pub seed: u64,
 }
 
+impl SiteInput<'_> {
+    /// Number of samples with an entry in every column.
+    fn len(&self) -> usize {
+        let columns = self.elevation.len().min(self.orogeny.len());
+        self.mesh.len().min(columns).min(self.orogeny_age.len())
+    }
+
+    /// Whether a sample belongs to a class.
+    fn holds(&self, class: ReliefClass, sample: u32) -> bool {
+        let i = sample as usize;
+        i < self.len() && class.holds(self.elevation[i], self.orogeny[i], self.orogeny_age[i])
+    }
+}
+
 /// Up to [`SITES`] samples of a class, in the order in which they were drawn.
 pub fn sites(input: &SiteInput, class: ReliefClass) -> Vec<u32> {
-    let n = input
-        .mesh
-        .len()
-        .min(input.elevation.len())
-        .min(input.orogeny.len())
-        .min(input.orogeny_age.len());
-    let holds = |i: u32| {
-        let i = i as usize;
-        i < n && class.holds(input.elevation[i], input.orogeny[i], input.orogeny_age[i])
-    };
-    let all: Vec<u32> = (0..n as u32).filter(|&i| holds(i)).collect();
-    let inner: Vec<u32> = all
-        .iter()
-        .copied()
-        .filter(|&i| input.mesh.ring(i).iter().all(|&j| holds(j)))
-        .collect();
+    let holds = |i: u32| input.holds(class, i);
+    let is_inner = |i: u32| input.mesh.ring(i).iter().all(|&j| holds(j));
+    let all: Vec<u32> = (0..input.len() as u32).filter(|&i| holds(i)).collect();
+    let inner: Vec<u32> = all.iter().copied().filter(|&i| is_inner(i)).collect();
+    // In the middle of its class, unless the planet has only borders of it.
     let mut candidates = if inner.is_empty() { all } else { inner };
     let stream = Stream::new(input.seed, Purpose::ReliefSites, class as u64);
     // The first steps of a shuffle: no sample is drawn twice.
@@ -110,7 +135,8 @@ pub fn sites(input: &SiteInput, class: ReliefClass) -> Vec<u32> {
     candidates
 }
 
-/// The relief of the tile around each site, one after the other, each on all threads.
+/// The relief of the tile around each site, one after the other, each on all threads; `seen` is
+/// called after each.
 ///
 /// # Errors
 /// As [`Ground::height`].
@@ -119,18 +145,15 @@ pub fn class_relief(
     mesh: &SphereMesh,
     sites: &[u32],
     mut seen: impl FnMut(),
-) -> Result<Vec<Relief>, GroundError> {
+) -> Result<Vec<ReliefStats>, GroundError> {
     let mut reliefs = Vec::with_capacity(sites.len());
     for &site in sites {
         let (lat, lon) = math::lat_lon(mesh.point(site));
+        let about = AzimuthalEquidistant::new(lat, lon, ground.radius_m())?;
         // A small planet has smaller tiles: half of what fits around it.
         let side = TILE_M.min(0.5 * AzimuthalEquidistant::largest_square(ground.radius_m()));
-        let square = Square::new(
-            AzimuthalEquidistant::new(lat, lon, ground.radius_m())?,
-            side,
-            TILE_PIXELS,
-        )?;
-        reliefs.extend(relief(&square.heights(ground, square.level())?));
+        let square = MapSquare::new(about, side, TILE_PIXELS)?;
+        reliefs.extend(ReliefStats::of(&square.heights(ground, square.level())?));
         seen();
     }
     Ok(reliefs)
@@ -138,13 +161,14 @@ pub fn class_relief(
 
 /// Medians over the sites of a class: relief in 10 km in m, 90th percentile of the slope in
 /// degrees, spectral exponent. `None` where no site has the figure.
-pub fn medians(reliefs: &[Relief]) -> [Option<f64>; 3] {
-    let of = |figure: &(dyn Fn(&Relief) -> Option<f64> + Sync)| {
-        median(reliefs.iter().filter_map(figure).collect())
-    };
+pub fn medians(reliefs: &[ReliefStats]) -> [Option<f64>; 3] {
     [
-        of(&|r| r.relief10_median_m),
-        of(&|r| Some(r.slope_p90_deg)),
-        of(&|r| r.spectral_exponent),
+        median(reliefs.iter().filter_map(|r| r.relief10_median_m).collect()),
+        median(reliefs.iter().map(|r| r.slope_p90_deg).collect()),
+        median(reliefs.iter().filter_map(|r| r.spectral_exponent).collect()),
     ]
 }
+
+#[cfg(test)]
+#[path = "sites_tests.rs"]
+mod tests;

@@ -3,16 +3,16 @@
 //! Windows are rectangles of whole pixels that do not exceed 10 km, placed every half window from
 //! the north west corner, all within the tile.
 
-use super::median;
+use super::quantile::median;
 use crate::query::HeightGrid;
 use rayon::prelude::*;
 
 /// Size of the windows in m.
-pub const WINDOW_M: f64 = 10_000.0;
+const WINDOW_M: f64 = 10_000.0;
 
 /// Relief of the windows of a tile.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WindowRelief {
+pub(super) struct WindowRelief {
     /// Median in m.
     pub median_m: f64,
     /// Largest in m.
@@ -21,19 +21,18 @@ pub struct WindowRelief {
 
 /// The relief in windows 10 km across; `None` if the tile is smaller, or a pixel larger than half a
 /// window.
-pub fn window_relief(tile: &HeightGrid) -> Option<WindowRelief> {
+pub(super) fn window_relief(tile: &HeightGrid) -> Option<WindowRelief> {
     let [columns, rows] = tile.pixel_m.map(|pixel| (WINDOW_M / pixel) as usize);
     if columns < 2 || rows < 2 || columns > tile.width || rows > tile.height {
         return None;
     }
-    let starts =
-        |size: usize, window: usize| (0..=size - window).step_by(window / 2).collect::<Vec<_>>();
     let west = starts(tile.width, columns);
+    let size = [columns, rows];
     let ranges: Vec<f64> = starts(tile.height, rows)
         .into_par_iter()
         .flat_map_iter(|north| {
             west.iter()
-                .map(move |&west| f64::from(range(tile, [west, north], [columns, rows])))
+                .map(move |&west| f64::from(range(tile, [west, north], size)))
         })
         .collect();
     let max_m = ranges.iter().copied().fold(0.0, f64::max);
@@ -43,6 +42,12 @@ pub fn window_relief(tile: &HeightGrid) -> Option<WindowRelief> {
     })
 }
 
+/// Where windows begin along a side: every half window, all within the tile.
+fn starts(side: usize, window: usize) -> Vec<usize> {
+    (0..=side - window).step_by(window / 2).collect()
+}
+
+/// Highest less lowest elevation of a window in m.
 fn range(tile: &HeightGrid, [west, north]: [usize; 2], [columns, rows]: [usize; 2]) -> f32 {
     let (mut low, mut high) = (f32::INFINITY, f32::NEG_INFINITY);
     for y in north..north + rows {

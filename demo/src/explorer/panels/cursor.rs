@@ -6,7 +6,7 @@ use crate::explorer::widgets::{hint, row};
 use bevy::math::DVec3;
 use bevy_egui::egui::Ui;
 use bevy_pangaea::control::Bake;
-use bevy_pangaea::hydrology::{Drainage, LakeKind, flow};
+use bevy_pangaea::hydrology::{Drainage, LakeKind};
 use bevy_pangaea::math::azimuth;
 use bevy_pangaea::prelude::*;
 
@@ -92,7 +92,7 @@ fn weather(ui: &mut Ui, bake: &Bake, direction: DVec3) {
 fn water(ui: &mut Ui, drainage: &Drainage, i: usize) {
     let order = drainage.strahler[i];
     if order > 0 {
-        let discharge = flow::per_second(drainage.discharge[i]);
+        let discharge = drainage.discharge_m3s(i);
         row(ui, "River, order", order.to_string());
         row(ui, "Discharge", format!("{discharge:.0} m³/s"));
     }

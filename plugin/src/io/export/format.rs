@@ -1,7 +1,7 @@
 //! The formats that squares are written in.
 
 use super::error::ExportError;
-use crate::query::Square;
+use crate::query::MapSquare;
 use bevy::prelude::*;
 use std::path::Path;
 
@@ -43,7 +43,7 @@ impl ExportFormat {
     /// Most pixels to a side: a mesh of more would not fit into a file of four gigabytes.
     pub fn max_pixels(self) -> usize {
         match self {
-            Self::GeoTiff | Self::Grey => Square::MAX_PIXELS,
+            Self::GeoTiff | Self::Grey => MapSquare::MAX_PIXELS,
             Self::Mesh => 8192,
         }
     }

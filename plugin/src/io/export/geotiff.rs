@@ -2,18 +2,18 @@
 //! equidistant about the middle of the square, on a sphere of the planet's radius.
 
 use super::error::{ExportError, cannot_encode};
-use crate::query::{HeightGrid, Square};
+use crate::query::{HeightGrid, MapSquare};
 use std::io::Cursor;
 use tiff::encoder::{TiffEncoder, colortype};
 use tiff::tags::Tag;
 use tiff::{TiffError, TiffResult};
 
 /// The file of a square.
-pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
+pub(super) fn encode(square: &MapSquare, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
     write(square, grid).map_err(|error: TiffError| cannot_encode(error))
 }
 
-fn write(square: &Square, grid: &HeightGrid) -> TiffResult<Vec<u8>> {
+fn write(square: &MapSquare, grid: &HeightGrid) -> TiffResult<Vec<u8>> {
     let mut bytes = Cursor::new(Vec::new());
     let mut encoder = TiffEncoder::new(&mut bytes)?;
     let side = square.pixels() as u32;
@@ -47,7 +47,7 @@ struct GeoKeys {
 
 impl GeoKeys {
     /// The coordinate system of a square.
-    fn new(square: &Square) -> Self {
+    fn new(square: &MapSquare) -> Self {
         let projection = square.projection();
         let (lat, lon) = projection.lat_lon();
         let mut keys = Self::default();

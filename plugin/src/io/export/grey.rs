@@ -4,11 +4,11 @@
 use super::error::{ExportError, cannot_encode};
 use crate::io::Sidecar;
 use crate::io::png::grey_png;
-use crate::query::{HeightGrid, Square};
+use crate::query::{HeightGrid, MapSquare};
 
 /// The picture and its sidecar.
 pub(super) fn encode(
-    square: &Square,
+    square: &MapSquare,
     grid: &HeightGrid,
 ) -> Result<(Vec<u8>, Vec<u8>), ExportError> {
     let [low, high] = grid.range().unwrap_or_default().map(f64::from);

@@ -6,7 +6,7 @@
 //! as glTF has it. Lengths are in m.
 
 use super::error::{ExportError, cannot_encode};
-use crate::query::{HeightGrid, Square, grid_triangles};
+use crate::query::{HeightGrid, MapSquare, grid_triangles};
 use bevy::math::{DVec3, Vec3};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -18,7 +18,7 @@ const ARRAY_BUFFER: u32 = 34_962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34_963;
 
 /// The file of a square.
-pub(super) fn encode(square: &Square, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
+pub(super) fn encode(square: &MapSquare, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
     let positions = positions(square, grid);
     let normals = normals(square.pixels(), &positions);
     let triangles = grid_triangles(square.pixels());
@@ -99,7 +99,7 @@ fn glb(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, ExportError> {
 }
 
 /// Where the centre of each pixel is.
-fn positions(square: &Square, grid: &HeightGrid) -> Vec<Vec3> {
+fn positions(square: &MapSquare, grid: &HeightGrid) -> Vec<Vec3> {
     (0..grid.values.len())
         .into_par_iter()
         .map(|i| position(square, grid, i))
@@ -108,7 +108,7 @@ fn positions(square: &Square, grid: &HeightGrid) -> Vec<Vec3> {
 
 /// Where the centre of pixel `i` is: relative to the middle of the square, before it is an f32, or
 /// the planet's radius would cost its metres.
-fn position(square: &Square, grid: &HeightGrid, i: usize) -> Vec3 {
+fn position(square: &MapSquare, grid: &HeightGrid, i: usize) -> Vec3 {
     let projection = square.projection();
     let (up, (east, north)) = (projection.centre(), projection.axes());
     let origin = up * projection.radius_m();

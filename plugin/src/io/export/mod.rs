@@ -22,7 +22,7 @@ pub use error::ExportError;
 pub use format::ExportFormat;
 
 use super::write_all_atomically;
-use crate::query::{Ground, HeightGrid, Square};
+use crate::query::{Ground, HeightGrid, MapSquare};
 use error::cannot_encode;
 use std::path::{Path, PathBuf};
 
@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// [`ExportError::Extension`], [`ExportError::Pixels`], [`ExportError::Encode`].
 pub fn encode(
-    square: &Square,
+    square: &MapSquare,
     grid: &HeightGrid,
     path: &Path,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, ExportError> {
@@ -62,7 +62,7 @@ pub fn encode(
 /// ```
 /// use bevy::math::DVec3;
 /// use bevy_pangaea::io::export;
-/// use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, Square};
+/// use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, MapSquare};
 ///
 /// /// Hills on a small planet.
 /// struct Hills;
@@ -79,7 +79,7 @@ pub fn encode(
 ///
 /// # let folder = tempfile::tempdir()?;
 /// let place = AzimuthalEquidistant::new(45.0, 7.0, Hills.radius_m())?;
-/// let square = Square::new(place, 1000.0, 16)?;
+/// let square = MapSquare::new(place, 1000.0, 16)?;
 /// let files = export(&Hills, &square, &folder.path().join("hills.png"))?;
 /// assert_eq!(files.len(), 2, "a picture and its sidecar");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -89,7 +89,7 @@ pub fn encode(
 /// [`ExportError`]; nothing is written then.
 pub fn export(
     ground: &(impl Ground + ?Sized),
-    square: &Square,
+    square: &MapSquare,
     path: &Path,
 ) -> Result<Vec<PathBuf>, ExportError> {
     // Refused before the ground is asked a million times.

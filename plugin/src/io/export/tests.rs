@@ -28,9 +28,9 @@ impl Ground for Mountain {
     }
 }
 
-fn square(pixels: usize) -> Square {
+fn square(pixels: usize) -> MapSquare {
     let projection = AzimuthalEquidistant::new(-10.0, 20.0, R).unwrap();
-    Square::new(projection, 40_000.0, pixels).unwrap()
+    MapSquare::new(projection, 40_000.0, pixels).unwrap()
 }
 
 /// The heights of the mountain on a square.

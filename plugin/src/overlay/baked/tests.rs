@@ -66,7 +66,7 @@ fn darkness(bake: &Bake, i: u32) -> i32 {
 fn discharge_darkens_down_the_rivers() {
     let bake = bake();
     let routes = &bake.drainage.routes;
-    let on_land = |i: u32| i != NONE && bake.drainage.sites[i as usize] == Site::Land;
+    let on_land = |i: u32| i != NO_VERTEX && bake.drainage.shore[i as usize] == ShoreClass::Land;
     let steps: Vec<(u32, u32)> = (routes.order.iter())
         .map(|&i| (i, routes.receiver[i as usize]))
         .filter(|&(i, to)| on_land(i) && on_land(to))

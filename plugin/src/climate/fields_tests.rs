@@ -11,7 +11,7 @@ fn planet(elevation: impl Fn(f64, f64) -> f32 + Sync) -> (SphereMesh, Climate) {
     (mesh, climate)
 }
 
-/// Mean rain of the vertices within a box of latitudes and longitudes.
+/// Mean of a field over the vertices within a box of latitudes and longitudes.
 fn mean(mesh: &SphereMesh, field: &[f32], lat: (f64, f64), lon: (f64, f64)) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for (p, &value) in mesh.points().iter().zip(field) {
@@ -41,38 +41,46 @@ fn rain_is_symmetric_without_relief() {
     }
 }
 
-#[test]
-fn dry_belts_lie_between_15_and_30_degrees() {
-    // All sea, and continents in every belt.
-    for land in [false, true] {
-        let (mesh, climate) = planet(|_, lon| {
-            if land && lon.rem_euclid(120.0) < 50.0 {
-                0.3
-            } else {
-                -4.0
-            }
-        });
-        for sign in [1.0, -1.0] {
-            let belt = |k: i32| {
-                let low = f64::from(k) * 2.5;
-                let range = if sign > 0.0 {
-                    (low, low + 2.5)
-                } else {
-                    (-low - 2.5, -low)
-                };
-                mean(&mesh, &climate.rain, range, ALL)
-            };
-            let driest = (0..22)
-                .min_by(|&a, &b| belt(a).total_cmp(&belt(b)))
-                .unwrap();
-            assert!(
-                (6..12).contains(&driest),
-                "driest at {} degrees",
-                2.5 * f64::from(driest)
-            );
-            assert!(belt(0) > 2.5 * belt(driest) && belt(18) > 1.3 * belt(driest));
-        }
+/// Belts of 2.5 degrees are numbered from the equator.
+const BELT_DEG: f64 = 2.5;
+
+/// Mean rain of belt `k` north (`sign` 1) or south (-1) of the equator.
+fn belt_rain(mesh: &SphereMesh, climate: &Climate, sign: f64, k: i32) -> f64 {
+    let low = f64::from(k) * BELT_DEG;
+    let range = if sign > 0.0 {
+        (low, low + BELT_DEG)
+    } else {
+        (-low - BELT_DEG, -low)
+    };
+    mean(mesh, &climate.rain, range, ALL)
+}
+
+/// Holds the driest belt of both hemispheres to 15 to 30 degrees.
+fn assert_dry_subtropics(mesh: &SphereMesh, climate: &Climate) {
+    for sign in [1.0, -1.0] {
+        let belt = |k: i32| belt_rain(mesh, climate, sign, k);
+        let driest = (0..22)
+            .min_by(|&a, &b| belt(a).total_cmp(&belt(b)))
+            .unwrap();
+        let latitude = BELT_DEG * f64::from(driest);
+        assert!((6..12).contains(&driest), "driest at {latitude} degrees");
+        assert!(belt(0) > 2.5 * belt(driest) && belt(18) > 1.3 * belt(driest));
     }
+}
+
+#[test]
+fn dry_belts_of_the_sea_lie_between_15_and_30_degrees() {
+    let (mesh, climate) = planet(|_, _| -4.0);
+    assert_dry_subtropics(&mesh, &climate);
+}
+
+#[test]
+fn dry_belts_of_continents_lie_between_15_and_30_degrees() {
+    let (mesh, climate) = planet(|_, lon| {
+        let is_land = lon.rem_euclid(120.0) < 50.0;
+        if is_land { 0.3 } else { -4.0 }
+    });
+    assert_dry_subtropics(&mesh, &climate);
 }
 
 #[test]
@@ -94,27 +102,17 @@ fn a_ridge_athwart_the_westerlies_has_a_wet_and_a_dry_side() {
 #[test]
 fn rain_falls_off_with_the_distance_to_the_sea_along_the_wind() {
     let (mesh, climate) = planet(|_, lon| {
-        if (-60.0..60.0).contains(&lon) {
-            0.2
-        } else {
-            -4.0
-        }
+        let is_land = (-60.0..60.0).contains(&lon);
+        if is_land { 0.2 } else { -4.0 }
     });
-    let at = |lon: f64| mean(&mesh, &climate.rain, (42.0, 52.0), (lon, lon + 10.0));
-    assert!(
-        at(-55.0) > 1.3 * at(0.0) && at(-25.0) > at(25.0),
-        "{} {} {}",
-        at(-55.0),
-        at(0.0),
-        at(45.0)
-    );
+    // Westerlies bring rain from the west, trades from the east.
+    let west = |lon: f64| mean(&mesh, &climate.rain, (42.0, 52.0), (lon, lon + 10.0));
+    let [coast, middle] = [-55.0, 0.0].map(west);
+    assert!(coast > 1.3 * middle, "{coast} {middle}");
+    assert!(west(-25.0) > west(25.0));
     let trades = |lon: f64| mean(&mesh, &climate.rain, (16.0, 26.0), (lon, lon + 10.0));
-    assert!(
-        trades(48.0) > 1.3 * trades(-40.0),
-        "{} {}",
-        trades(48.0),
-        trades(-40.0)
-    );
+    let [coast, inland] = [48.0, -40.0].map(trades);
+    assert!(coast > 1.3 * inland, "{coast} {inland}");
 }
 
 #[test]
@@ -134,40 +132,40 @@ fn everything_is_finite_smooth_and_the_same_again() {
     }
 }
 
+/// A map with a value at the north pole.
+fn with_pole(value: f32) -> Option<EquirectMap> {
+    EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).ok()
+}
+
+/// A map of one value.
+fn uniform(value: f32) -> Option<EquirectMap> {
+    EquirectMap::from_fn(8, |_, _| value).ok()
+}
+
 #[test]
-fn maps_of_no_climate_are_refused() {
-    let map =
-        |value: f32| EquirectMap::from_fn(8, |lat, _| if lat > 60.0 { value } else { 0.5 }).ok();
-    let [temperature, rain, wetness] = [288.0, -1.0, 1.5].map(map);
-    for maps in [
-        ClimateMaps {
-            temperature,
-            ..ClimateMaps::default()
-        },
-        ClimateMaps {
-            rain,
-            ..ClimateMaps::default()
-        },
-        ClimateMaps {
-            wetness,
-            ..ClimateMaps::default()
-        },
-    ] {
-        assert!(matches!(
-            maps.check(),
-            Err(MapError::Range { pixel: 0, .. })
-        ));
+fn maps_of_impossible_climates_are_refused() {
+    let kelvin = ClimateMaps {
+        temperature: with_pole(288.0),
+        ..ClimateMaps::default()
+    };
+    let negative = ClimateMaps {
+        rain: with_pole(-1.0),
+        ..ClimateMaps::default()
+    };
+    let beyond = ClimateMaps {
+        wetness: with_pole(1.5),
+        ..ClimateMaps::default()
+    };
+    for maps in [kelvin, negative, beyond] {
+        let refused = maps.check();
+        assert!(matches!(refused, Err(MapError::Range { pixel: 0, .. })));
     }
-    let [temperature, rain, wetness] = [-150.0, 1e6, 1.0].map(map);
-    assert_eq!(
-        ClimateMaps {
-            temperature,
-            rain,
-            wetness
-        }
-        .check(),
-        Ok(())
-    );
+    let extreme = ClimateMaps {
+        temperature: with_pole(-150.0),
+        rain: with_pole(1e6),
+        wetness: with_pole(1.0),
+    };
+    assert_eq!(extreme.check(), Ok(()));
     assert_eq!(ClimateMaps::default().check(), Ok(()));
 }
 
@@ -175,24 +173,24 @@ fn maps_of_no_climate_are_refused() {
 fn maps_replace_fields_and_the_others_follow() {
     let mesh = SphereMesh::fibonacci(2000).unwrap();
     let winds = Winds::new(&mesh);
-    let map = |value: f32| EquirectMap::from_fn(8, |_, _| value).ok();
     let maps = ClimateMaps {
-        rain: map(700.0),
-        temperature: map(12.0),
+        rain: uniform(700.0),
+        temperature: uniform(12.0),
         wetness: None,
     };
     let climate = Climate::new(&mesh, &winds, &vec![0.1; 2000], &maps);
     assert!(climate.rain.iter().all(|r| (r - 700.0).abs() < 1e-3));
-    let expected = wetness::wetness(700.0, wetness::evaporation(12.0));
+    let expected = wetness(700.0, potential_evaporation(12.0));
     assert!(climate.wetness.iter().all(|w| (w - expected).abs() < 1e-5));
-    let wet = ClimateMaps {
-        wetness: map(0.25),
+}
+
+#[test]
+fn a_map_of_wetness_is_used_as_it_is() {
+    let mesh = SphereMesh::fibonacci(500).unwrap();
+    let maps = ClimateMaps {
+        wetness: uniform(0.25),
         ..ClimateMaps::default()
     };
-    assert!(
-        Climate::new(&mesh, &winds, &[], &wet)
-            .wetness
-            .iter()
-            .all(|&w| w == 0.25)
-    );
+    let climate = Climate::new(&mesh, &Winds::new(&mesh), &[], &maps);
+    assert!(climate.wetness.iter().all(|&w| w == 0.25));
 }

@@ -1,0 +1,155 @@
+//! All fields of the climate, each from the model or from a user's map.
+
+use super::map::{EquirectMap, MapError};
+use super::rain::rain;
+use super::temperature::mean_temperature;
+use super::wetness::{open_water_loss, potential_evaporation, runoff, wetness};
+use super::wind::Winds;
+use crate::parallel;
+use crate::sphere::SphereMesh;
+use bevy::reflect::Reflect;
+use core::ops::RangeInclusive;
+
+/// Annual means at every vertex of a mesh.
+#[derive(Clone, Debug, Default, PartialEq, Reflect)]
+pub struct Climate {
+    /// Temperature at the ground in °C.
+    pub temperature: Vec<f32>,
+    /// Rain and snow in mm per year.
+    pub rain: Vec<f32>,
+    /// Wetness W of paper 002 §3: 0 in deserts, 1 in rain forests.
+    pub wetness: Vec<f32>,
+    /// Part of the rain that runs off, in mm per year.
+    pub runoff: Vec<f32>,
+    /// Evaporation of a water surface less the rain on it, in mm per year; negative where lakes
+    /// gain water.
+    pub open_water_loss: Vec<f32>,
+}
+
+/// Maps that replace fields of the climate.
+#[derive(Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ClimateMaps {
+    /// Temperature at the ground in °C, -150..=150.
+    pub temperature: Option<EquirectMap>,
+    /// Rain in mm per year, at least 0.
+    pub rain: Option<EquirectMap>,
+    /// Wetness W, 0..=1.
+    pub wetness: Option<EquirectMap>,
+}
+
+impl ClimateMaps {
+    /// Refuses maps with values that their quantity cannot have.
+    ///
+    /// # Errors
+    /// [`MapError::Range`].
+    pub fn check(&self) -> Result<(), MapError> {
+        let degrees = "from -150 to 150 °C";
+        EquirectMap::check(
+            self.temperature.as_ref(),
+            "the temperature",
+            TEMPERATURES_C,
+            degrees,
+        )?;
+        let millimetres = "at least 0 mm per year";
+        EquirectMap::check(
+            self.rain.as_ref(),
+            "the rain",
+            0.0..=f32::INFINITY,
+            millimetres,
+        )?;
+        EquirectMap::check(
+            self.wetness.as_ref(),
+            "the wetness",
+            0.0..=1.0,
+            "from 0 to 1",
+        )
+    }
+}
+
+/// Temperatures in °C that a map may have: wide enough for worlds without life; a map in kelvin
+/// is refused.
+const TEMPERATURES_C: RangeInclusive<f32> = -150.0..=150.0;
+
+/// Most rain of a map in mm per year that has an effect: with more, the discharge of the greatest
+/// rivers would not fit into 64 bits on the largest planets.
+const MAX_RAIN_MM: f32 = 30_000.0;
+
+/// Elevation in km of vertices that were given none: sea.
+const MISSING_ELEVATION_KM: f32 = -1.0;
+
+impl Climate {
+    /// The climate of a planet with elevations in km at the vertices of `mesh`, whose `winds` are
+    /// known. Elevations beyond the mesh's vertices are ignored, missing ones are sea.
+    ///
+    /// ```
+    /// use bevy_pangaea::climate::{Climate, ClimateMaps, Winds};
+    /// use bevy_pangaea::sphere::SphereMesh;
+    ///
+    /// let mesh = SphereMesh::fibonacci(1000)?;
+    /// let plain = vec![0.2; mesh.len()];
+    /// let climate = Climate::new(&mesh, &Winds::new(&mesh), &plain, &ClimateMaps::default());
+    ///
+    /// let at = |p| mesh.nearest(p) as usize;
+    /// let [equator, pole] = [at(bevy::math::DVec3::X), at(bevy::math::DVec3::Z)];
+    /// assert!(climate.temperature[equator] > climate.temperature[pole] + 30.0);
+    /// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
+    /// ```
+    pub fn new(mesh: &SphereMesh, winds: &Winds, elevation: &[f32], maps: &ClimateMaps) -> Self {
+        let n = mesh.len();
+        let mut height = elevation.to_vec();
+        height.resize(n, MISSING_ELEVATION_KM);
+
+        // Each field follows from those before it, given or not.
+        let temperature = sampled(mesh, &maps.temperature, TEMPERATURES_C).unwrap_or_else(|| {
+            parallel::map(n, |i| mean_temperature(mesh.point(i).z, height[i as usize]))
+        });
+        let rain = sampled(mesh, &maps.rain, 0.0..=MAX_RAIN_MM)
+            .unwrap_or_else(|| rain(mesh, winds, &temperature, &height));
+
+        let evaporation = parallel::map(n, |i| potential_evaporation(temperature[i as usize]));
+        let wetness = sampled(mesh, &maps.wetness, 0.0..=1.0)
+            .unwrap_or_else(|| by_vertex(wetness, &rain, &evaporation));
+        Self {
+            temperature,
+            wetness,
+            runoff: by_vertex(runoff, &rain, &evaporation),
+            open_water_loss: by_vertex(open_water_loss, &rain, &evaporation),
+            rain,
+        }
+    }
+
+    /// Number of vertices.
+    pub fn len(&self) -> usize {
+        self.rain.len()
+    }
+
+    /// Whether there are no vertices.
+    pub fn is_empty(&self) -> bool {
+        self.rain.is_empty()
+    }
+}
+
+/// A law of rain and potential evaporation at every vertex.
+fn by_vertex(law: fn(f32, f32) -> f32, rain: &[f32], evaporation: &[f32]) -> Vec<f32> {
+    parallel::map(rain.len(), |i| {
+        law(rain[i as usize], evaporation[i as usize])
+    })
+}
+
+/// The values of a given map at the vertices of a mesh, clamped to a range.
+fn sampled(
+    mesh: &SphereMesh,
+    map: &Option<EquirectMap>,
+    range: RangeInclusive<f32>,
+) -> Option<Vec<f32>> {
+    let map = map.as_ref()?;
+    let (low, high) = range.into_inner();
+    Some(parallel::map(mesh.len(), |i| {
+        map.at(mesh.point(i)).clamp(low, high)
+    }))
+}
+
+#[cfg(test)]
+#[path = "fields_tests.rs"]
+mod tests;
