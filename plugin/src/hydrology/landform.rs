@@ -79,7 +79,7 @@ impl CrustSample {
     /// The crust between three samples of a surface, by their numbers and weights.
     pub(super) fn between(surface: &Surface, corners: ([usize; 3], [f32; 3])) -> Self {
         let (samples, weights) = corners;
-        let corners = Corners { samples, weights };
+        let corners = CornerSamples { samples, weights };
         let crust = &surface.crust;
         let folded = |i: usize| share_of(crust.orogeny[i] != Orogeny::None);
         let collision = |i: usize| share_of(crust.orogeny[i] == Orogeny::Himalayan);
@@ -150,12 +150,12 @@ impl CrustSample {
 }
 
 /// Three samples and their weights.
-struct Corners {
+struct CornerSamples {
     samples: [usize; 3],
     weights: [f32; 3],
 }
 
-impl Corners {
+impl CornerSamples {
     /// The weighted sum of a value; the weights sum to 1.
     fn mean(&self, value: impl Fn(usize) -> f32) -> f32 {
         let parts = (0..3).map(|k| self.weights[k] * value(self.samples[k]));

@@ -66,7 +66,7 @@ pub(super) struct WaterBalance<'a> {
 /// is known, and whether it spills is decided before anything downstream is looked at.
 pub(super) fn close_basins(balance: &WaterBalance, routes: &mut Routes) -> Vec<ClosedLake> {
     let depression_of = depressions_by_vertex(routes, balance.mesh.len());
-    let mut sweep = Sweep {
+    let mut sweep = UpstreamSweep {
         discharge: balance.supply.to_vec(),
         spills: Vec::new(),
         closed: Vec::new(),
@@ -94,7 +94,7 @@ pub(super) fn close_basins(balance: &WaterBalance, routes: &mut Routes) -> Vec<C
 }
 
 /// A sweep upstream first.
-struct Sweep {
+struct UpstreamSweep {
     /// Water in m³ per year that has reached each vertex.
     discharge: Vec<u64>,
     /// Receivers outside of the present depression, and the m³ per year that they would get.
@@ -102,7 +102,7 @@ struct Sweep {
     closed: Vec<ClosedLake>,
 }
 
-impl Sweep {
+impl UpstreamSweep {
     fn pass_on(&mut self, to: u32, amount: u64) {
         if to != NO_VERTEX {
             self.discharge[to as usize] += amount;

@@ -70,7 +70,7 @@ pub struct Horton {
 impl HydrologyStats {
     /// The figures of a drainage.
     pub fn new(mesh: &SphereMesh, climate: &Climate, drainage: &Drainage) -> Self {
-        let land = Land::new(mesh, drainage);
+        let land = LandVertices::new(mesh, drainage);
         let endorheic = |i: usize| if drainage.is_endorheic(i) { 1.0 } else { 0.0 };
         // Rivers end where nothing receives them: at coasts, and in sinks.
         let ends = (0..mesh.len()).filter(|&i| drainage.routes.receiver[i] == NO_VERTEX);
@@ -92,14 +92,14 @@ impl HydrologyStats {
 }
 
 /// The vertices on land.
-struct Land<'a> {
+struct LandVertices<'a> {
     mesh: &'a SphereMesh,
     vertices: Vec<u32>,
     /// In steradians.
     area: f64,
 }
 
-impl<'a> Land<'a> {
+impl<'a> LandVertices<'a> {
     fn new(mesh: &'a SphereMesh, drainage: &Drainage) -> Self {
         let is_land = |i: &u32| drainage.shore[*i as usize] == ShoreClass::Land;
         let vertices: Vec<u32> = (0..mesh.len() as u32).filter(is_land).collect();

@@ -172,10 +172,10 @@ impl Terrain {
         plateau: Option<&EquirectMap>,
         hills: Option<&EquirectMap>,
     ) -> Self {
-        let forms: Vec<Landform> = parallel::map(base.mesh.len(), |i| {
+        let forms: Vec<VertexRelief> = parallel::map(base.mesh.len(), |i| {
             let p = base.mesh.point(i);
             let given = |map: &EquirectMap| map.at(p).clamp(0.0, 1.0);
-            Landform::new(base, crust, i, plateau.map(given), hills.map(given))
+            VertexRelief::new(base, crust, i, plateau.map(given), hills.map(given))
         });
         Self {
             ground: column(&forms, |f| to_grains(f.ground)),
@@ -201,7 +201,7 @@ impl Terrain {
 }
 
 /// The relief of one vertex.
-struct Landform {
+struct VertexRelief {
     /// Level of the valleys in km.
     ground: f32,
     /// C: level of the summits in km.
@@ -212,7 +212,7 @@ struct Landform {
     hills: f32,
 }
 
-impl Landform {
+impl VertexRelief {
     /// The relief of vertex `i` of a base mesh with such crust; maps may give the presence of
     /// plateaus and hills.
     fn new(
