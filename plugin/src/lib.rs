@@ -157,8 +157,8 @@
 //!
 //! # What it costs
 //!
-//! About 6 ms a step at the 60,000 samples of the default recipe, at most 8 ms of a frame, and
-//! nothing that waits: see [`guide::costs`].
+//! About 6 ms a step at the 60,000 samples of the default recipe, about 8 ms of a frame at
+//! most; planets and bakes are made in the background: see [`guide::costs`].
 //!
 //! # Further reading
 //!

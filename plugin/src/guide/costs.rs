@@ -1,4 +1,4 @@
-//! The costs of everything, on two cores of a server (2 GHz) with 40 plates.
+//! The costs of everything, on two cores, with 40 plates.
 //!
 //! # Steps
 //!
@@ -18,8 +18,8 @@
 //! # A new planet
 //!
 //! It is built on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), its parallel parts by
-//! half of the machine's threads; the frame in which it is put onto its entity spends a
-//! millisecond on that. [`PlanetState::spawn`] waits for all of it.
+//! half of the machine's threads; the frame in which it is put onto its entity only moves columns
+//! there and spawns plates and terranes. [`PlanetState::spawn`] waits for all of it.
 //!
 //! # The ground
 //!
