@@ -20,6 +20,8 @@ use std::path::Path;
 /// picture that has no sidecar.
 ///
 /// ```
+/// # #[cfg(feature = "export")]
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// use bevy_pangaea::io::{load_map, png::grey_png};
 ///
 /// # let folder = tempfile::tempdir()?;
@@ -29,7 +31,10 @@ use std::path::Path;
 ///
 /// let rain = load_map(&path, Some([0.0, 2000.0]))?;
 /// assert_eq!(rain.size(), [4, 2]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok(())
+/// # }
+/// # #[cfg(not(feature = "export"))]
+/// # fn main() {}
 /// ```
 ///
 /// # Errors
