@@ -92,6 +92,7 @@ fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
     let mut band = Band::read(bytes, check_size)?;
     // Climate data often begins at Greenwich: half a planet off is worse than no map.
     if let Some(extent) = band.extent_deg() {
+        // Files may count from the centres of their pixels.
         let pixel = 360.0 / f64::from(band.size[0]);
         let whole = [-180.0, 180.0, -90.0, 90.0];
         let mut ends = extent.iter().zip(whole);
