@@ -18,8 +18,8 @@ use bevy::prelude::*;
 use bevy_pangaea::control::{BakeSettings, PlanetBake, bake_now};
 use bevy_pangaea::plate::boundary::Rim;
 use bevy_pangaea::plate::contact::{Contact, Contacts, Role};
+use bevy_pangaea::plate::front::{FrontField, FrontInput};
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::process::front::{FrontField, FrontInput};
 use bevy_pangaea::query::{
     AzimuthalEquidistant, Ground, PlanetGround, Rules, Square, direction_at, sample, samples,
 };
@@ -29,7 +29,7 @@ use bevy_pangaea::sphere::SphereMesh;
 use pangaea_shaders::amplify::fixed::ONE;
 use pangaea_shaders::amplify::ground::{Caps, refine};
 use pangaea_shaders::amplify::mark::View;
-use pangaea_shaders::amplify::topology::Mark;
+use pangaea_shaders::amplify::topology::SplitMark;
 use pangaea_shaders::amplify::vertex::Vertex;
 use pangaea_tests::shape::small;
 use pangaea_tests::world::{get, heard, listen, planet_app, plates, spawn, state, steps};
@@ -251,7 +251,7 @@ fn leaves_around(ground: &PlanetGround, direction: DVec3, level: u8) -> Vec<[Ver
     let refined = refine(ground.base(), ground.rules(), &view, &Caps::default());
     let faces = refined.levels[usize::from(level)].faces.iter();
     faces
-        .filter(|face| face.mark != Mark::Split)
+        .filter(|face| face.mark != SplitMark::Split)
         .map(|face| face.vertices.map(|v| refined.vertices[v as usize]))
         .collect()
 }

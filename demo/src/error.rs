@@ -1,6 +1,5 @@
 //! Why a command fails, as one line on stderr and an exit code.
 
-use crate::picture::PictureError;
 use bevy_pangaea::io::{ExportError, IoError};
 use bevy_pangaea::planet::PlanetError;
 use bevy_pangaea::query::GroundError;
@@ -11,7 +10,7 @@ use thiserror::Error;
 /// Why a command fails.
 #[derive(Debug, Error)]
 pub enum CliError {
-    /// What the user gave is refused: a number, a name, a file, a folder. Exit code 2.
+    /// Something that the user gave is refused: a number, a name, a file, a folder. Exit code 2.
     #[error("{0}")]
     Input(String),
     /// The machine lacks something that the command needs, such as a GPU adapter. Exit code 1.
@@ -65,11 +64,5 @@ impl From<ExportError> for CliError {
             ExportError::Encode(_) => Self::Failed(error.to_string()),
             other => Self::input(other),
         }
-    }
-}
-
-impl From<PictureError> for CliError {
-    fn from(error: PictureError) -> Self {
-        Self::Failed(error.to_string())
     }
 }

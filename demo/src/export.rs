@@ -2,34 +2,31 @@
 
 use crate::cli::ExportArgs;
 use crate::error::CliError;
-use crate::ground::ground_of;
+use crate::ground::{bake_planet, ground};
 use crate::interrupt;
 use crate::output::{check_file, say};
 use crate::progress;
-use bevy_pangaea::io::export::{self as squares, ExportFormat};
+use bevy_pangaea::io::export::{ExportFormat, encode};
 use bevy_pangaea::io::{load, write_all_atomically};
 use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid, Square};
 
 /// Runs the command.
+///
+/// # Errors
+/// If an option or the planet is refused, or the user interrupts it; nothing is written then.
 pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     interrupt::watch();
-    // Refused before a planet is loaded: a wrong name, and a place where no file can be.
-    let format = ExportFormat::of(&args.out)?;
-    format.check(args.pixels as usize)?;
-    check_file(&args.out)?;
-    if format == ExportFormat::Grey {
-        check_file(&args.out.with_extension("json"))?;
-    }
-    let climate = args.climate.load()?;
-    let state = load(&args.planet)?;
+    check_output(args)?;
+    let climate = args.ground.climate.load()?;
+    let state = load(&args.ground.planet)?;
     let square = square(args, 1000.0 * state.planet.radius)?;
-    let ground = ground_of(state, climate)?;
+    let ground = ground(&bake_planet(state, climate)?)?;
     say(&format!(
         "level {}, {:.3} m to a pixel",
         square.level(),
         square.pixel_m()
     ));
-    let files = squares::encode(&square, &heights(&ground, &square)?, &args.out)?;
+    let files = encode(&square, &heights(&ground, &square)?, &args.out)?;
     interrupt::check()?;
     write_all_atomically(&files)?;
     for (path, _) in files {
@@ -38,14 +35,24 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     Ok(())
 }
 
+/// Refuses a name without a format and a place where no file can be, before a planet is loaded.
+fn check_output(args: &ExportArgs) -> Result<(), CliError> {
+    let format = ExportFormat::of(&args.out)?;
+    format.check(args.pixels)?;
+    check_file(&args.out)?;
+    if format == ExportFormat::Grey {
+        check_file(&args.out.with_extension("json"))?;
+    }
+    Ok(())
+}
+
 /// The heights of the square, with a progress bar.
 fn heights(ground: &impl Ground, square: &Square) -> Result<HeightGrid, CliError> {
     let bar = progress::bar(square.pixels() as u64, "rows", "amplifying");
-    let go_on = |pixels: usize| {
+    let heights = square.heights_while(ground, square.level(), |pixels| {
         bar.set_position((pixels / square.pixels()) as u64);
         interrupt::check().is_ok()
-    };
-    let heights = square.heights_while(ground, square.level(), go_on);
+    });
     bar.finish_and_clear();
     interrupt::check()?;
     Ok(heights?)
@@ -55,12 +62,17 @@ fn heights(ground: &impl Ground, square: &Square) -> Result<HeightGrid, CliError
 fn square(args: &ExportArgs, radius_m: f64) -> Result<Square, CliError> {
     let middle = args.region.middle;
     let projection = AzimuthalEquidistant::new(middle.lat, middle.lon, radius_m)?;
-    let square = Square::new(
-        projection,
-        1000.0 * args.region.size_km,
-        args.pixels as usize,
-    );
-    let square = square.map_err(|error| match error {
+    let square = Square::new(projection, 1000.0 * args.region.size_km, args.pixels)
+        .map_err(|error| in_options(args, error))?;
+    match args.level {
+        Some(level) => Ok(square.at_level(level)?),
+        None => Ok(square),
+    }
+}
+
+/// Says a refused length in the terms of the options.
+fn in_options(args: &ExportArgs, error: GroundError) -> CliError {
+    match error {
         GroundError::Length { min, max, .. } => CliError::input(format!(
             "--region: with {} pixels SIZE_KM is {} to {:.0}, not {}",
             args.pixels,
@@ -69,9 +81,5 @@ fn square(args: &ExportArgs, radius_m: f64) -> Result<Square, CliError> {
             args.region.size_km
         )),
         error => error.into(),
-    })?;
-    match args.level {
-        Some(level) => Ok(square.at_level(level as u8)?),
-        None => Ok(square),
     }
 }

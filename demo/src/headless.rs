@@ -1,28 +1,25 @@
 //! Planets without a window: an app that has the simulation and nothing else.
 
-use crate::cli::GrowthArgs;
-use crate::course::Course;
+use crate::bench::floor::memory_floor_ms;
 use crate::error::CliError;
 use crate::interrupt;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
-use bevy_pangaea::authoring::CommandRejected;
-use bevy_pangaea::authoring::Scenario;
+use bevy_pangaea::authoring::{CommandRejected, Scenario};
 use bevy_pangaea::climate::ClimateMaps;
 use bevy_pangaea::control::{BakeRules, BakeSettings, PlanetBake, bake_now};
-use bevy_pangaea::crust::{Ledger, PlanetSurface};
+use bevy_pangaea::crust::{Crust, Ledger, PlanetSurface};
 use bevy_pangaea::io::stats::StatsInput;
-use bevy_pangaea::io::{capture, load};
+use bevy_pangaea::io::{Timings, capture};
 use bevy_pangaea::overlay::OverlayInput;
 use bevy_pangaea::params::TectonicParams;
 use bevy_pangaea::planet::{GeologicClock, Lattice, Planet, PlanetRecipe};
 use bevy_pangaea::plate::PlateTable;
 use bevy_pangaea::plate::plate_table;
 use bevy_pangaea::resample::project_now;
-use bevy_pangaea::schedule::run_steps;
+use bevy_pangaea::schedule::{StageTimings, run_steps};
 use bevy_pangaea::spawn::PlanetState;
 use bevy_pangaea::sphere::SphereMesh;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -36,7 +33,7 @@ pub struct Headless {
 
 /// The first command that a planet refused.
 #[derive(Resource, Default)]
-struct Refused(Option<String>);
+struct FirstRefusal(Option<String>);
 
 impl Headless {
     /// Puts a planet into an app of its own.
@@ -47,12 +44,9 @@ impl Headless {
             bevy::time::TimePlugin,
             PangaeaPlugins,
         ));
-        app.init_resource::<Refused>();
-        app.add_observer(
-            |rejected: On<CommandRejected>, mut refused: ResMut<Refused>| {
-                refused.0.get_or_insert_with(|| rejected.error.to_string());
-            },
-        );
+        app.init_resource::<FirstRefusal>();
+        app.add_observer(note_refusal);
+        // Nothing runs the app, so that it is completed by hand.
         app.finish();
         app.cleanup();
         let planet = state.spawn(app.world_mut());
@@ -69,13 +63,13 @@ impl Headless {
         }
     }
 
-    /// Renews the surface that maps and figures read.
-    pub fn look(&mut self) {
+    /// Brings the surface that maps and figures read up to date.
+    pub fn project(&mut self) {
         project_now(self.app.world_mut(), self.planet);
     }
 
-    /// Bakes the climate, but for what `maps` give, the rivers and the control maps of the surface
-    /// as it was last looked at.
+    /// Bakes the climate, in which `maps` replace fields, the rivers and the control maps of the
+    /// surface as it was last projected.
     ///
     /// # Errors
     /// If the planet cannot be baked.
@@ -100,7 +94,7 @@ impl Headless {
         interrupt::check()?;
         let step = self.get::<GeologicClock>()?.step;
         run_steps(self.app.world_mut(), self.planet, 1);
-        match self.app.world_mut().resource_mut::<Refused>().0.take() {
+        match self.app.world_mut().resource_mut::<FirstRefusal>().0.take() {
             None => Ok(()),
             Some(problem) => Err(CliError::input(format!(
                 "a command at step {step} is refused: {problem}"
@@ -108,21 +102,24 @@ impl Headless {
         }
     }
 
-    /// A component of the planet; every planet has those that are asked for here.
+    /// A component of the planet.
+    ///
+    /// # Errors
+    /// If the planet has no such component; every planet has those that commands read.
     pub fn get<T: Component>(&self) -> Result<&T, CliError> {
-        let missing = || {
-            CliError::Failed(format!(
-                "the planet lost its {}",
-                core::any::type_name::<T>()
-            ))
-        };
-        self.app.world().get::<T>(self.planet).ok_or_else(missing)
+        self.app.world().get::<T>(self.planet).ok_or_else(|| {
+            let name = core::any::type_name::<T>();
+            CliError::Failed(format!("the planet lost its {name}"))
+        })
     }
 
     /// The state of the planet.
+    ///
+    /// # Errors
+    /// If the planet is in the middle of a step.
     pub fn state(&self) -> Result<PlanetState, CliError> {
-        let torn = || CliError::Failed("the planet is in the middle of a step".into());
-        capture(self.app.world(), self.planet).ok_or_else(torn)
+        capture(self.app.world(), self.planet)
+            .ok_or_else(|| CliError::Failed("the planet is in the middle of a step".into()))
     }
 
     /// The plates, ordered by number.
@@ -130,26 +127,42 @@ impl Headless {
         plate_table(self.app.world(), self.planet)
     }
 
-    /// What overlays look at.
+    /// The planet as overlays read it.
+    ///
+    /// # Errors
+    /// As [`get`](Self::get).
     pub fn overlay_input<'a>(
         &'a self,
         plates: &'a PlateTable,
     ) -> Result<OverlayInput<'a>, CliError> {
+        let bake = self.app.world().get::<PlanetBake>(self.planet);
         Ok(OverlayInput {
             planet: self.get::<Planet>()?,
             mesh: &self.get::<Lattice>()?.0,
             surface: self.get::<PlanetSurface>()?,
             plates,
             params: self.get::<TectonicParams>()?,
-            bake: self
-                .app
-                .world()
-                .get::<PlanetBake>(self.planet)
-                .map(|bake| &*bake.0),
+            bake: bake.map(|bake| &*bake.0),
         })
     }
 
-    /// What figures are computed from.
+    /// How long the planet took, with the ms that its mesh and the whole of it took.
+    ///
+    /// # Errors
+    /// As [`get`](Self::get).
+    pub fn timings(&self, mesh_ms: f64, total_ms: f64) -> Result<Timings, CliError> {
+        Ok(Timings {
+            mesh: Some(mesh_ms),
+            total: Some(total_ms),
+            floor: Some(memory_floor_ms(self.get::<Crust>()?)),
+            ..Timings::of_stages(self.get::<StageTimings>()?)
+        })
+    }
+
+    /// The planet as statistics read it.
+    ///
+    /// # Errors
+    /// As [`get`](Self::get).
     pub fn stats_input(&self, plates: usize) -> Result<StatsInput<'_>, CliError> {
         Ok(StatsInput {
             mesh: &self.get::<Lattice>()?.0,
@@ -162,68 +175,19 @@ impl Headless {
     }
 }
 
-/// A planet at time 0, and how long its mesh took in ms.
-pub fn sprout(recipe: &PlanetRecipe) -> Result<(PlanetState, f64), CliError> {
+/// Remembers the first command that the planet refuses, for [`Headless::step`] to report.
+fn note_refusal(rejected: On<CommandRejected>, mut first: ResMut<FirstRefusal>) {
+    first.0.get_or_insert_with(|| rejected.error.to_string());
+}
+
+/// A planet at time 0, and how many ms its mesh took.
+///
+/// # Errors
+/// If the recipe is refused.
+pub fn initial_planet(recipe: &PlanetRecipe) -> Result<(PlanetState, f64), CliError> {
     recipe.validate()?;
     let start = Instant::now();
     let mesh = SphereMesh::fibonacci(recipe.samples).map_err(CliError::input)?;
     let mesh_ms = start.elapsed().as_secs_f64() * 1e3;
     Ok((PlanetState::on(recipe, Arc::new(mesh))?, mesh_ms))
-}
-
-/// A planet, or all that is needed to grow it.
-pub enum Seedling {
-    /// A planet that stays as it is.
-    Saved(Box<PlanetState>),
-    /// One that is still to come.
-    Sown(Box<PlanetRecipe>, Course),
-}
-
-impl Seedling {
-    /// The planet in a file, or the one that the options describe.
-    ///
-    /// # Errors
-    /// If the file, or what the options say, is refused.
-    pub fn new(file: Option<&Path>, args: &GrowthArgs) -> Result<Self, CliError> {
-        set_threads(args.threads)?;
-        if let Some(path) = file {
-            return Ok(Self::Saved(Box::new(load(path)?)));
-        }
-        let recipe = args.recipe.checked()?;
-        let course = Course::new(args, recipe.params.time_step)?;
-        Ok(Self::Sown(Box::new(recipe), course))
-    }
-
-    /// Radius in km.
-    pub fn radius(&self) -> f64 {
-        match self {
-            Self::Saved(state) => state.planet.radius,
-            Self::Sown(recipe, _) => recipe.radius,
-        }
-    }
-
-    /// Grows it, with a progress bar; that may take minutes.
-    ///
-    /// # Errors
-    /// If a command of the scenario is refused, or the user interrupts it.
-    pub fn grow(self) -> Result<PlanetState, CliError> {
-        match self {
-            Self::Saved(state) => Ok(*state),
-            Self::Sown(recipe, course) => {
-                let mut headless = Headless::new(sprout(&recipe)?.0);
-                course.run(&mut headless)?;
-                headless.state()
-            }
-        }
-    }
-}
-
-/// Sets the number of threads of all parallel loops.
-pub fn set_threads(threads: Option<u64>) -> Result<(), CliError> {
-    let Some(threads) = threads else {
-        return Ok(());
-    };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads as usize);
-    pool.build_global()
-        .map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))
 }

@@ -10,6 +10,9 @@ use bevy_pangaea::planet::Planet;
 use std::fmt::Write;
 
 /// Runs the command.
+///
+/// # Errors
+/// If the file is refused.
 pub fn info(args: &InfoArgs) -> Result<(), CliError> {
     let state = load(&args.file)?;
     let hash = digest(&state);
@@ -22,12 +25,11 @@ pub fn info(args: &InfoArgs) -> Result<(), CliError> {
     print(&facts(&headless, &stats)?)
 }
 
+/// The facts as lines of a name and a value.
 fn facts(headless: &Headless, stats: &Stats) -> Result<String, CliError> {
     let planet = headless.get::<Planet>()?;
     let commands = headless.get::<Recording>()?.0.len();
-    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
-    let elevation = stats.elevation_km;
-    let facts = [
+    let origin = [
         ("format", save::VERSION.to_string()),
         ("digest", stats.digest.clone()),
         ("seed", planet.seed.to_string()),
@@ -39,6 +41,18 @@ fn facts(headless: &Headless, stats: &Stats) -> Result<String, CliError> {
             format!("{} My in {} steps", stats.time_my, stats.steps),
         ),
         ("commands", commands.to_string()),
+    ];
+    let mut text = String::new();
+    for (name, value) in origin.into_iter().chain(measures(stats)) {
+        let _ = writeln!(text, "{name:<12} {value}");
+    }
+    Ok(text)
+}
+
+/// The facts that were measured on the surface.
+fn measures(stats: &Stats) -> [(&'static str, String); 7] {
+    let elevation = stats.elevation_km;
+    [
         ("land", percent(stats.land_fraction)),
         ("continental", percent(stats.continental_fraction)),
         (
@@ -64,10 +78,9 @@ fn facts(headless: &Headless, stats: &Stats) -> Result<String, CliError> {
                 stats.ledger.unexplained_max
             ),
         ),
-    ];
-    let mut text = String::new();
-    for (name, value) in facts {
-        let _ = writeln!(text, "{name:<12} {value}");
-    }
-    Ok(text)
+    ]
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.1} %", 100.0 * share)
 }

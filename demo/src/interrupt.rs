@@ -3,7 +3,7 @@
 use crate::error::CliError;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-static ASKED: AtomicBool = AtomicBool::new(false);
+static INTERRUPT_ASKED: AtomicBool = AtomicBool::new(false);
 
 /// From now on an interrupt is only noted, for [`check`] to find; a second one ends the program at
 /// once.
@@ -11,7 +11,7 @@ static ASKED: AtomicBool = AtomicBool::new(false);
 /// Where that cannot be arranged, an interrupt ends the program as it always did.
 pub fn watch() {
     let _ = ctrlc::set_handler(|| {
-        if ASKED.swap(true, Ordering::Relaxed) {
+        if INTERRUPT_ASKED.swap(true, Ordering::Relaxed) {
             std::process::exit(CliError::INTERRUPTED.into());
         }
     });
@@ -22,7 +22,7 @@ pub fn watch() {
 /// # Errors
 /// [`CliError::Interrupted`] after an interrupt.
 pub fn check() -> Result<(), CliError> {
-    if ASKED.load(Ordering::Relaxed) {
+    if INTERRUPT_ASKED.load(Ordering::Relaxed) {
         Err(CliError::Interrupted)
     } else {
         Ok(())

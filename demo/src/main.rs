@@ -3,19 +3,21 @@
 #![allow(unreachable_pub, reason = "nothing outside can reach into a program")]
 #![allow(
     clippy::disallowed_methods,
-    reason = "what is drawn or typed is no part of a planet's state"
+    reason = "pictures and forms are no part of a planet's state"
 )]
 
-mod cli;
-mod climate;
 mod error;
 mod values;
 
-mod course;
-mod headless;
+mod cli;
 mod interrupt;
 mod output;
 mod progress;
+
+mod headless;
+
+mod growth;
+mod source;
 
 mod bench;
 mod generate;
@@ -57,14 +59,11 @@ fn main() -> ExitCode {
         Some(Command::Relief(args)) => relief::relief(args),
         Some(Command::Query(args)) => query::query(args),
     };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => fail(&error),
-    }
+    exit(result)
 }
 
-/// Opens the explorer. Files are read and tried first: a window is no place to refuse the command
-/// line.
+/// Opens the explorer. Files are read and paths tried first: a command line is refused on the
+/// terminal, not in a window.
 fn explore(cli: &Cli) -> Result<(), CliError> {
     let recipe = cli.start.recipe.checked()?;
     if let Some(path) = &cli.capture {
@@ -74,31 +73,31 @@ fn explore(cli: &Cli) -> Result<(), CliError> {
         Some(path) => Some((Box::new(load(path)?), path.clone())),
         None => None,
     };
-    let frames = cli.frames.map(|frames| frames as u32);
     explorer::run(explorer::Options {
         recipe,
         open,
-        frames,
+        frames: cli.frames,
         capture: cli.capture.clone(),
     })
     .map_err(CliError::Failed)
 }
 
-fn fail(error: &CliError) -> ExitCode {
-    output::say(&format!("error: {error}"));
-    error.exit_code()
+fn exit(result: Result<(), CliError>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            output::say(&format!("error: {error}"));
+            error.exit_code()
+        }
+    }
 }
 
 /// Help and version go to stdout; anything else is one line on stderr.
 fn refuse(error: &clap::Error) -> ExitCode {
-    if matches!(
-        error.kind(),
-        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion
-    ) {
-        return output::print(&error.render().to_string())
-            .map_or_else(|error| fail(&error), |()| ExitCode::SUCCESS);
-    }
     let text = error.render().to_string();
+    if let ErrorKind::DisplayHelp | ErrorKind::DisplayVersion = error.kind() {
+        return exit(output::print(&text));
+    }
     // The first paragraph is the problem; usage and hints follow.
     let problem: Vec<&str> = text
         .lines()

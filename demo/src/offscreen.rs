@@ -1,6 +1,7 @@
 //! Pictures without a window: one app, one camera, one image in memory.
 //!
-//! Frames are run by hand until the globe shows the planet as it is; then the image is read back.
+//! The app is updated frame by frame until the globe shows the planet as it is; then the image is
+//! read back.
 
 use bevy::app::PluginsState;
 use bevy::camera::RenderTarget;
@@ -11,13 +12,14 @@ use bevy::prelude::*;
 use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
 use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
+use bevy::render::settings::RenderCreation;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy::render::{RenderApp, RenderPlugin};
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 use bevy_pangaea::control::bake_now;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::overlay::Raster;
+use bevy_pangaea::overlay::{Overlay, Raster};
 use bevy_pangaea::render::adapter::{NoAdapter, open_adapter};
 use bevy_pangaea::render::{Globe, GlobeDrawn, PangaeaRenderPlugin};
 use bevy_pangaea::resample::project_now;
@@ -29,11 +31,11 @@ use thiserror::Error;
 pub const FIELD_OF_VIEW: f32 = 0.7;
 
 /// Frames that run before the image is read: meshes and pipelines are made in the first ones.
-const WARM_UP: usize = 4;
+const WARM_UP_FRAMES: usize = 4;
 
 /// Longest wait for a picture; two million samples on one core of a slow machine need a fraction of
 /// it.
-const PATIENCE: Duration = Duration::from_secs(240);
+const LONGEST_WAIT: Duration = Duration::from_secs(240);
 
 /// Why there is no picture.
 #[derive(Debug, Error)]
@@ -44,7 +46,7 @@ pub enum OffscreenError {
     /// The size is refused.
     #[error("a picture of {0}x{1} pixels is outside of 16x16..=8192x8192")]
     Size(u32, u32),
-    /// The planet has no climate and no rivers to show.
+    /// The planet cannot have the climate and rivers that the overlay shows.
     #[error("the planet cannot be shown so: {0}")]
     Planet(String),
     /// The renderer stopped.
@@ -74,42 +76,9 @@ impl Offscreen {
         if !(fits.contains(&width) && fits.contains(&height)) {
             return Err(OffscreenError::Size(width, height));
         }
-        let renderer = RenderPlugin {
-            render_creation: open_adapter()?,
-            synchronous_pipeline_compilation: true,
-            ..default()
-        };
-        let window = WindowPlugin {
-            primary_window: None,
-            exit_condition: ExitCondition::DontExit,
-            ..default()
-        };
-        let log = LogPlugin {
-            level: Level::ERROR,
-            filter: "error".into(),
-            ..default()
-        };
-        let mut app = App::new();
-        app.add_plugins(
-            DefaultPlugins
-                .set(window)
-                .set(renderer)
-                .set(log)
-                .disable::<WinitPlugin>()
-                .disable::<PipelinedRenderingPlugin>(),
-        )
-        .add_plugins(PangaeaRenderPlugin)
-        .init_resource::<Captured>()
-        .insert_resource(ClearColor(Color::srgb_u8(3, 4, 8)));
-        while app.plugins_state() == PluginsState::Adding {
-            bevy::tasks::tick_global_task_pools_on_main_thread();
-        }
-        app.finish();
-        app.cleanup();
-        let mut image =
-            Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
-        image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
-        let target = app.world_mut().resource_mut::<Assets<Image>>().add(image);
+        let mut app = windowless_app(open_adapter()?);
+        let mut images = app.world_mut().resource_mut::<Assets<Image>>();
+        let target = images.add(target_image(width, height));
         let camera = (
             Camera3d::default(),
             Tonemapping::None,
@@ -142,40 +111,30 @@ impl Offscreen {
         let Some(planet) = self.planet else {
             return Err(OffscreenError::Renderer("there is no planet".into()));
         };
-        let near = 0.05 * (view.translation.length() - 1.0).max(1e-5);
-        let projection = PerspectiveProjection {
-            fov: FIELD_OF_VIEW,
-            near: near.min(0.1),
-            ..default()
-        };
+        let overlay = globe.overlay;
         let world = self.app.world_mut();
         world
             .entity_mut(self.camera)
-            .insert((view, Projection::Perspective(projection)));
-        world.entity_mut(planet).insert(globe.clone());
-        if globe.overlay.needs_bake() {
+            .insert((view, projection_from(&view)));
+        world.entity_mut(planet).insert(globe);
+        if overlay.needs_bake() {
             project_now(world, planet);
             bake_now(world, planet).map_err(|error| OffscreenError::Planet(error.to_string()))?;
         }
-        let deadline = Instant::now() + PATIENCE;
-        self.run_until(deadline, |world| {
-            let version = world
-                .get::<PlanetSurface>(planet)
-                .map(|surface| surface.version);
-            let drawn = world.get::<GlobeDrawn>(planet);
-            drawn.is_some_and(|d| Some(d.version) == version && d.overlay == globe.overlay)
-        })?;
-        for _ in 0..WARM_UP {
+        let deadline = Instant::now() + LONGEST_WAIT;
+        self.run_until(deadline, |world| is_drawn(world, planet, overlay))?;
+        for _ in 0..WARM_UP_FRAMES {
             self.frame()?;
         }
+        self.read_back(deadline)
+    }
+
+    /// The image as it is after the next frames.
+    fn read_back(&mut self, deadline: Instant) -> Result<Raster, OffscreenError> {
         self.app
             .world_mut()
             .spawn(Screenshot::image(self.target.clone()))
-            .observe(
-                |shot: On<ScreenshotCaptured>, mut captured: ResMut<Captured>| {
-                    captured.0 = Some(shot.image.clone());
-                },
-            );
+            .observe(keep_image);
         self.run_until(deadline, |world| world.resource::<Captured>().0.is_some())?;
         let image = self.app.world_mut().resource_mut::<Captured>().0.take();
         image
@@ -202,6 +161,7 @@ impl Offscreen {
         if let Some(exit) = self.app.should_exit() {
             return Err(OffscreenError::Renderer(format!("{exit:?}")));
         }
+        // Screenshots arrive when the device has been polled.
         if let Some(render) = self.app.get_sub_app(RenderApp)
             && let Some(device) = render.world().get_resource::<RenderDevice>()
         {
@@ -211,6 +171,72 @@ impl Offscreen {
         }
         Ok(())
     }
+}
+
+/// Bevy with a renderer and no window, and the globe.
+fn windowless_app(adapter: RenderCreation) -> App {
+    let renderer = RenderPlugin {
+        render_creation: adapter,
+        synchronous_pipeline_compilation: true,
+        ..default()
+    };
+    let window = WindowPlugin {
+        primary_window: None,
+        exit_condition: ExitCondition::DontExit,
+        ..default()
+    };
+    let log = LogPlugin {
+        level: Level::ERROR,
+        filter: "error".into(),
+        ..default()
+    };
+    // One frame is rendered per update, so that `run_until` sees what it waits for.
+    let plugins = DefaultPlugins
+        .set(window)
+        .set(renderer)
+        .set(log)
+        .disable::<WinitPlugin>()
+        .disable::<PipelinedRenderingPlugin>();
+    let mut app = App::new();
+    app.add_plugins((plugins, PangaeaRenderPlugin))
+        .init_resource::<Captured>()
+        .insert_resource(ClearColor(Color::srgb_u8(3, 4, 8)));
+    // The renderer opens its device on a task, which nobody else runs before the app does.
+    while app.plugins_state() == PluginsState::Adding {
+        bevy::tasks::tick_global_task_pools_on_main_thread();
+    }
+    app.finish();
+    app.cleanup();
+    app
+}
+
+/// An image that a camera can draw into and that can be read back.
+fn target_image(width: u32, height: u32) -> Image {
+    let mut image = Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
+    image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
+    image
+}
+
+/// The perspective of a camera at `view`. Its near plane comes nearer where the ground does.
+fn projection_from(view: &Transform) -> Projection {
+    let near = 0.05 * (view.translation.length() - 1.0).max(1e-5);
+    Projection::Perspective(PerspectiveProjection {
+        fov: FIELD_OF_VIEW,
+        near: near.min(0.1),
+        ..default()
+    })
+}
+
+/// Whether the globe shows the present surface of the planet in this overlay.
+fn is_drawn(world: &World, planet: Entity, overlay: Overlay) -> bool {
+    let surface = world.get::<PlanetSurface>(planet);
+    let version = surface.map(|surface| surface.version);
+    let drawn = world.get::<GlobeDrawn>(planet);
+    drawn.is_some_and(|drawn| Some(drawn.version) == version && drawn.overlay == overlay)
+}
+
+fn keep_image(shot: On<ScreenshotCaptured>, mut captured: ResMut<Captured>) {
+    captured.0 = Some(shot.image.clone());
 }
 
 /// The colours of an image without its opacity.

@@ -1,7 +1,8 @@
-//! Files that a command writes, all or none, and text on stdout.
+//! Files that a command writes, all of them or not one, and text on stdout.
 
 use crate::error::CliError;
 use bevy_pangaea::io::{write_all_atomically, write_atomically};
+use serde::Serialize;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -19,32 +20,25 @@ impl Files {
     /// to it.
     ///
     /// # Errors
-    /// If not.
+    /// If one of them cannot be written.
     pub fn new<'a>(
         folder: &Path,
         names: impl IntoIterator<Item = &'a str>,
     ) -> Result<Self, CliError> {
-        let refused = |error: io::Error| {
-            CliError::input(format!("cannot write to {}: {error}", folder.display()))
-        };
-        let missing = folder
-            .ancestors()
-            .take_while(|f| !f.as_os_str().is_empty() && !f.exists());
-        let made = missing.map(Path::to_path_buf).collect();
-        // From here on an early return removes what was made.
+        // From here on an early return removes the folders that were made.
         let files = Self {
             folder: folder.to_path_buf(),
-            made,
+            made: missing_folders(folder),
             files: Vec::new(),
         };
-        fs::create_dir_all(folder).map_err(refused)?;
+        fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
         for name in names {
             check_file(&folder.join(name))?;
         }
         let probe = folder.join(format!(".pangaea.{}.part", std::process::id()));
         let probed = fs::write(&probe, [0; 4096]);
         let _ = fs::remove_file(&probe);
-        probed.map_err(refused)?;
+        probed.map_err(|error| unwritable(folder, &error))?;
         Ok(files)
     }
 
@@ -53,7 +47,7 @@ impl Files {
         self.files.push((self.folder.join(name), content));
     }
 
-    /// Writes all files, or none, and returns their paths in the order in which they were added.
+    /// Writes all files, or not one, and returns their paths in the order in which they were added.
     ///
     /// # Errors
     /// If one cannot be written; no file is changed then.
@@ -74,10 +68,23 @@ impl Drop for Files {
     }
 }
 
+/// The folders of a path that do not exist, the innermost first.
+fn missing_folders(folder: &Path) -> Vec<PathBuf> {
+    folder
+        .ancestors()
+        .take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists())
+        .map(Path::to_path_buf)
+        .collect()
+}
+
+fn unwritable(folder: &Path, error: &io::Error) -> CliError {
+    CliError::input(format!("cannot write to {}: {error}", folder.display()))
+}
+
 /// Refuses a path at which no file can be, before minutes are spent on its content.
 ///
 /// # Errors
-/// If it is a folder, or lies in none.
+/// If it is a folder, or its folder does not exist.
 pub fn check_file(path: &Path) -> Result<(), CliError> {
     let folder = path
         .parent()
@@ -101,6 +108,17 @@ pub fn check_file(path: &Path) -> Result<(), CliError> {
 /// If it cannot be written.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<(), CliError> {
     Ok(write_atomically(path, |out| out.write_all(content))?)
+}
+
+/// A value as the text of a JSON file.
+///
+/// # Errors
+/// If it has no form in JSON.
+pub fn json(value: &impl Serialize) -> Result<Vec<u8>, CliError> {
+    let mut json =
+        serde_json::to_vec_pretty(value).map_err(|error| CliError::Failed(error.to_string()))?;
+    json.push(b'\n');
+    Ok(json)
 }
 
 /// Prints to stdout. A reader that has gone away is no error.

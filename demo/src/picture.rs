@@ -1,24 +1,25 @@
 //! `pangaea render`: the globe as a PNG file, and the eight orbit views of a machine without a
 //! display.
 
-use crate::cli::{CameraSpec, RenderArgs, ViewsArgs};
+use crate::cli::{RenderArgs, ViewsArgs};
 use crate::error::CliError;
-use crate::headless::Seedling;
 use crate::interrupt;
 use crate::offscreen::{Offscreen, OffscreenError};
 use crate::output::{Files, check_file, print, write_file};
+use crate::source::PlanetSource;
+use crate::values::CameraSpec;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use bevy_pangaea::io::png::rgb_png;
 use bevy_pangaea::math;
 use bevy_pangaea::overlay::{Overlay, Raster};
-use bevy_pangaea::render::{Globe, to_bevy};
+use bevy_pangaea::render::{Globe, from_bevy, to_bevy};
 use thiserror::Error;
 
 /// Why there is no picture.
 #[derive(Debug, Error)]
 pub enum PictureError {
-    /// It could not be drawn.
+    /// The globe could not be drawn.
     #[error(transparent)]
     Offscreen(#[from] OffscreenError),
     /// The picture could not be encoded.
@@ -26,8 +27,14 @@ pub enum PictureError {
     Encode(String),
 }
 
+impl From<PictureError> for CliError {
+    fn from(error: PictureError) -> Self {
+        Self::Failed(error.to_string())
+    }
+}
+
 /// Where the eight orbit views are taken from: from four sides, in both hemispheres.
-const ORBIT: [(&str, f64, f64); 8] = [
+const ORBIT_VIEWS: [(&str, f64, f64); 8] = [
     ("orbit-1", 12.0, 0.0),
     ("orbit-2", -14.0, 45.0),
     ("orbit-3", 20.0, 90.0),
@@ -44,23 +51,24 @@ const ORBIT_ALTITUDE: f64 = 2.1;
 /// Size of the orbit views in pixels.
 const ORBIT_SIZE: (u32, u32) = (1280, 720);
 
-/// Draws what `pangaea render` was asked for, and writes it.
+/// Draws the picture that `pangaea render` is asked for, and writes it.
 ///
 /// # Errors
 /// [`CliError`]; nothing is written then.
 pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     interrupt::watch();
-    let seedling = Seedling::new(args.planet.as_deref(), &args.growth)?;
+    // All that can be refused is refused before the planet grows.
+    let source = PlanetSource::new(args.planet.as_deref(), &args.growth)?;
     check_file(&args.out)?;
-    let view = view(&args.camera, seedling.radius());
+    let view = view(&args.camera, source.radius());
     let globe = Globe {
         overlay: args.overlay,
         sun: sun(&view),
         ..default()
     };
-    let mut studio = Offscreen::new(args.size).map_err(PictureError::from)?;
-    studio.show(seedling.grow()?);
-    let picture = studio.picture(view, globe).map_err(PictureError::from)?;
+    let mut offscreen = Offscreen::new(args.size).map_err(PictureError::from)?;
+    offscreen.show(source.planet()?);
+    let picture = offscreen.picture(view, globe).map_err(PictureError::from)?;
     interrupt::check()?;
     write_file(&args.out, &png(&picture)?)
 }
@@ -71,15 +79,16 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
 /// [`CliError`]; nothing is written then.
 pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
     interrupt::watch();
-    let seedling = Seedling::new(None, &args.growth)?;
-    let names = ORBIT.map(|(name, ..)| format!("{name}.png"));
+    let source = PlanetSource::new(None, &args.growth)?;
+    let names = ORBIT_VIEWS.map(|(name, ..)| format!("{name}.png"));
+    // The adapter and the folder are tried before the planet grows.
     let mut files = Files::new(&args.out, names.iter().map(String::as_str))?;
-    let mut studio = Offscreen::new(ORBIT_SIZE).map_err(PictureError::from)?;
-    let radius = seedling.radius();
-    studio.show(seedling.grow()?);
-    for (name, (_, lat, lon)) in names.iter().zip(ORBIT) {
+    let mut offscreen = Offscreen::new(ORBIT_SIZE).map_err(PictureError::from)?;
+    let radius = source.radius();
+    offscreen.show(source.planet()?);
+    for (name, (_, lat, lon)) in names.iter().zip(ORBIT_VIEWS) {
         interrupt::check()?;
-        files.add(name, orbit_view(&mut studio, radius, lat, lon)?);
+        files.add(name, orbit_view(&mut offscreen, radius, lat, lon)?);
     }
     interrupt::check()?;
     let list: String = files
@@ -92,28 +101,26 @@ pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
 
 /// The planet that is on show, from an orbit above `lat` and `lon`, as a PNG file.
 fn orbit_view(
-    studio: &mut Offscreen,
+    offscreen: &mut Offscreen,
     radius: f64,
     lat: f64,
     lon: f64,
 ) -> Result<Vec<u8>, PictureError> {
     let altitude_m = ORBIT_ALTITUDE * radius * 1000.0;
-    let view = view(
-        &CameraSpec {
-            lat,
-            lon,
-            altitude_m,
-            heading: 0.0,
-            pitch: -90.0,
-        },
-        radius,
-    );
+    let camera = CameraSpec {
+        lat,
+        lon,
+        altitude_m,
+        heading: 0.0,
+        pitch: -90.0,
+    };
+    let view = view(&camera, radius);
     let globe = Globe {
         overlay: Overlay::Elevation,
         sun: sun(&view),
         ..default()
     };
-    png(&studio.picture(view, globe)?)
+    png(&offscreen.picture(view, globe)?)
 }
 
 /// Where the camera stands and looks on a planet of `radius` km.
@@ -122,6 +129,7 @@ fn orbit_view(
 /// heading up.
 fn view(camera: &CameraSpec, radius: f64) -> Transform {
     let up = math::direction(camera.lat, camera.lon);
+    // At a pole the longitude says which way is east.
     let east = math::direction(0.0, camera.lon + 90.0);
     let north = up.cross(east);
     let (sin, cos) = math::sin_cos(camera.heading.to_radians());
@@ -138,12 +146,13 @@ fn view(camera: &CameraSpec, radius: f64) -> Transform {
     }
 }
 
-/// A sun behind the camera's left shoulder: the terminator is seen, two thirds of the disc are lit.
+/// Direction of a sun behind the camera's left shoulder: the terminator is seen, two thirds of the
+/// disc are lit.
 fn sun(view: &Transform) -> DVec3 {
     let up = view.translation.normalize();
     let left = view.rotation * Vec3::NEG_X;
     let side = (left - up * left.dot(up)).normalize_or(up.any_orthonormal_vector());
-    bevy_pangaea::render::from_bevy(0.62 * up + 0.7 * side + 0.35 * side.cross(up)).normalize()
+    from_bevy(0.62 * up + 0.7 * side + 0.35 * side.cross(up)).normalize()
 }
 
 fn png(raster: &Raster) -> Result<Vec<u8>, PictureError> {

@@ -1,10 +1,10 @@
 //! `pangaea query`: the ground at points, as comma separated values.
 
-use crate::cli::{PlaceSpec, QueryArgs};
+use crate::cli::QueryArgs;
 use crate::error::CliError;
-use crate::ground::ground_of;
+use crate::ground::{bake_planet, ground};
 use crate::output::print;
-use crate::values::place;
+use crate::values::{PlaceSpec, place};
 use bevy_pangaea::io::load;
 use bevy_pangaea::query::{Ground, Sample, direction_at, samples};
 use std::io::{self, BufRead};
@@ -12,52 +12,67 @@ use std::io::{self, BufRead};
 const HEADER: &str = "lat,lon,height_m,water_m,normal_x,normal_y,normal_z,surface";
 
 /// Longest line of the input in bytes.
-const MAX_LINE: usize = 1000;
+const MAX_LINE_BYTES: u64 = 1000;
 
 /// Points whose lines are printed at once.
-const BLOCK: usize = 4096;
+const POINTS_PER_BLOCK: usize = 4096;
 
 /// Runs the command.
+///
+/// # Errors
+/// If the planet, or a line of the input, is refused.
 pub fn query(args: &QueryArgs) -> Result<(), CliError> {
-    // A wrong line is told before a planet is loaded.
+    // A wrong line is refused before a planet is loaded.
     let places = match args.at {
         Some(place) => vec![place],
         None => read_places(io::stdin().lock())?,
     };
-    let climate = args.climate.load()?;
-    let ground = ground_of(load(&args.planet)?, climate)?;
+    let climate = args.ground.climate.load()?;
+    let ground = ground(&bake_planet(load(&args.ground.planet)?, climate)?)?;
     print(&format!("{HEADER}\n"))?;
     places
-        .chunks(BLOCK)
-        .try_for_each(|places| print(&table(&ground, places, args.level as u8)?))
+        .chunks(POINTS_PER_BLOCK)
+        .try_for_each(|places| print(&table(&ground, places, args.level)?))
 }
 
 /// Reads lines "lat,lon"; empty lines are passed over.
 pub fn read_places(mut input: impl BufRead) -> Result<Vec<PlaceSpec>, CliError> {
     let mut places = Vec::new();
-    let mut line = Vec::new();
     for number in 1.. {
-        line.clear();
-        let read = io::Read::take(&mut input, MAX_LINE as u64 + 1).read_until(b'\n', &mut line);
-        if read
-            .map_err(|error| CliError::input(format!("cannot read the standard input: {error}")))?
-            == 0
-        {
+        let Some(line) = read_line(&mut input)? else {
             break;
-        }
-        let refused =
-            |problem: &str| CliError::input(format!("line {number} of the input: {problem}"));
-        if line.len() > MAX_LINE {
-            return Err(refused("it is too long"));
-        }
-        let text = str::from_utf8(&line).map_err(|_| refused("it is no text"))?;
-        // Spreadsheets begin their files with a byte order mark.
-        let text = text.trim_start_matches('\u{feff}').trim();
-        if !text.is_empty() {
-            places.push(place(text).map_err(|problem| refused(&format!("`{text}`: {problem}")))?);
-        }
+        };
+        let place = place_in(&line)
+            .map_err(|problem| CliError::input(format!("line {number} of the input: {problem}")))?;
+        places.extend(place);
     }
     Ok(places)
+}
+
+/// The next line with what ends it, at most one byte longer than [`MAX_LINE_BYTES`]; `None` at the end of
+/// the input.
+fn read_line(input: &mut impl BufRead) -> Result<Option<Vec<u8>>, CliError> {
+    let mut line = Vec::new();
+    let read = io::Read::take(input, MAX_LINE_BYTES + 1)
+        .read_until(b'\n', &mut line)
+        .map_err(|error| CliError::input(format!("cannot read the standard input: {error}")))?;
+    Ok((read > 0).then_some(line))
+}
+
+/// The place in a line of the input, `None` in an empty one.
+fn place_in(line: &[u8]) -> Result<Option<PlaceSpec>, String> {
+    if line.len() as u64 > MAX_LINE_BYTES {
+        return Err("it is too long".into());
+    }
+    let text = str::from_utf8(line).map_err(|_| "it is no text")?;
+    // Spreadsheets begin their files with a byte order mark.
+    let text = text.trim_start_matches('\u{feff}').trim();
+    if text.is_empty() {
+        return Ok(None);
+    }
+    place(text)
+        .map(Some)
+        .map_err(|problem| format!("`{text}`: {problem}"))
 }
 
 /// A line for each place, in their order.
@@ -99,9 +114,9 @@ mod tests {
     use bevy_pangaea::query::GroundError;
 
     /// Height = 100 m per degree of latitude.
-    struct Slope;
+    struct SlopingGround;
 
-    impl Ground for Slope {
+    impl Ground for SlopingGround {
         fn radius_m(&self) -> f64 {
             1e6
         }
@@ -115,7 +130,7 @@ mod tests {
     fn lines_come_in_the_order_of_the_input() {
         let input = "\u{feff}10,20\n\n -33 , -70.5\r\n0,360";
         let places = read_places(input.as_bytes()).unwrap();
-        let text = table(&Slope, &places, 17).unwrap();
+        let text = table(&SlopingGround, &places, 17).unwrap();
         let lines: Vec<&str> = text.lines().collect();
         assert!(lines[0].starts_with("10,20,1000.000,1000.000,"), "{text}");
         assert!(
@@ -125,30 +140,24 @@ mod tests {
         assert!(lines[2].starts_with("0,360,") && lines.len() == 3);
         let columns = HEADER.split(',').count();
         assert!(lines.iter().all(|line| line.split(',').count() == columns));
-        assert_eq!(table(&Slope, &[], 17).unwrap(), "");
+        assert_eq!(table(&SlopingGround, &[], 17).unwrap(), "");
     }
 
     #[test]
     fn the_first_bad_line_is_named() {
+        let titles = ["line 1 of the input: `lat,lon`", "latitude"];
         for (bad, words) in [
             ("1,2\n3\n", ["line 2", "LAT,LON"]),
             ("91,2\n", ["line 1", "latitude"]),
             ("1,2\n1,2\n\n5,NaN\n", ["line 4", "longitude"]),
-            (
-                "lat,lon\n1,2\n",
-                ["line 1 of the input: `lat,lon`", "latitude"],
-            ),
+            ("lat,lon\n1,2\n", titles),
             ("1,2,3\n", ["line 1", "LAT,LON"]),
         ] {
             let problem = read_places(bad.as_bytes()).unwrap_err().to_string();
             assert!(words.iter().all(|word| problem.contains(word)), "{problem}");
         }
         assert!(read_places([0xff, 0xfe, b'\n'].as_slice()).is_err());
-        assert!(
-            read_places(vec![b'1'; 5000].as_slice())
-                .unwrap_err()
-                .to_string()
-                .contains("too long")
-        );
+        let problem = read_places([b'1'; 5000].as_slice()).unwrap_err();
+        assert!(problem.to_string().contains("too long"), "{problem}");
     }
 }

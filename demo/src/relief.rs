@@ -3,22 +3,23 @@
 
 use crate::cli::ReliefArgs;
 use crate::error::CliError;
-use crate::ground::{ground, open_planet};
+use crate::ground::{bake_planet, ground};
 use crate::headless::Headless;
-use crate::output::{check_file, print, write_file};
+use crate::output::{self, check_file, print, write_file};
 use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::{dem_files, load_dem};
+use bevy_pangaea::io::{dem_files, load, load_dem};
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::relief_stats::{
-    CLASSES, Relief, SiteInput, class_relief, medians, relief as relief_of, sites,
+    CLASSES, Relief, ReliefClass, SiteInput, class_relief, medians, relief as relief_of, sites,
 };
 use serde_json::{Map, Value, json};
+use std::ffi::OsStr;
 use std::fmt::Write;
 use std::path::Path;
 
-/// Figures of a class of sites, or of one tile.
-struct Row {
+/// Relief figures of a class of sites, or of one tile of real ground.
+struct ReliefFigures {
     name: String,
     sites: usize,
     relief10_median_m: Option<f64>,
@@ -26,7 +27,7 @@ struct Row {
     spectral_exponent: Option<f64>,
 }
 
-impl Row {
+impl ReliefFigures {
     fn new(name: String, reliefs: &[Relief]) -> Self {
         let [relief10_median_m, slope_p90_deg, spectral_exponent] = medians(reliefs);
         Self {
@@ -49,111 +50,105 @@ impl Row {
 }
 
 /// Runs the command.
+///
+/// # Errors
+/// If the planet, a tile or a file for the figures is refused.
 pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
     if let Some(path) = &args.json {
         check_file(path)?;
     }
-    let climate = args.climate.load()?;
-    // Bad tiles are told before the planet is measured.
-    let tiles = args
-        .dem
-        .as_deref()
-        .map(tiles)
-        .transpose()?
-        .unwrap_or_default();
-    let classes = classes(&open_planet(&args.planet, climate)?, args.sites as usize)?;
+    let climate = args.ground.climate.load()?;
+    // Bad tiles are refused before the planet is measured.
+    let tiles = match &args.dem {
+        Some(folder) => tile_figures(folder)?,
+        None => Vec::new(),
+    };
+    let headless = bake_planet(load(&args.ground.planet)?, climate)?;
+    let classes = class_figures(&headless, args.sites)?;
     if let Some(path) = &args.json {
-        let mut text = serde_json::to_string_pretty(&figures(&classes, &tiles))
-            .map_err(|error| CliError::Failed(error.to_string()))?;
-        text.push('\n');
-        write_file(path, text.as_bytes())?;
+        write_file(path, &output::json(&all_figures(&classes, &tiles))?)?;
     }
     print(&table(&classes, &tiles))
 }
 
 /// The figures of every class, of at most `most` sites each.
-fn classes(headless: &Headless, most: usize) -> Result<Vec<Row>, CliError> {
-    let (lattice, surface) = (headless.get::<Lattice>()?, headless.get::<PlanetSurface>()?);
+fn class_figures(headless: &Headless, most: usize) -> Result<Vec<ReliefFigures>, CliError> {
+    let mesh = &headless.get::<Lattice>()?.0;
+    let chosen = choose_sites(headless, most)?;
+    let ground = ground(headless)?;
+    let count = chosen.iter().map(|(_, sites)| sites.len() as u64).sum();
+    let bar = progress::bar(count, "sites", "measuring");
+    let mut figures = Vec::new();
+    for (class, sites) in &chosen {
+        let reliefs = class_relief(&ground, mesh, sites, || bar.inc(1))?;
+        figures.push(ReliefFigures::new(class.name().into(), &reliefs));
+    }
+    bar.finish_and_clear();
+    Ok(figures)
+}
+
+/// At most `most` sites of every class.
+fn choose_sites(
+    headless: &Headless,
+    most: usize,
+) -> Result<Vec<(ReliefClass, Vec<u32>)>, CliError> {
+    let surface = headless.get::<PlanetSurface>()?;
     let elevation: Vec<f32> = (0..surface.len()).map(|i| surface.elevation(i)).collect();
     let input = SiteInput {
-        mesh: &lattice.0,
+        mesh: &headless.get::<Lattice>()?.0,
         elevation: &elevation,
         orogeny: &surface.crust.orogeny,
         orogeny_age: &surface.crust.orogeny_age,
         seed: headless.get::<Planet>()?.seed,
     };
-    let drawn = CLASSES.map(|class| {
-        (
-            class,
-            sites(&input, class)
-                .into_iter()
-                .take(most)
-                .collect::<Vec<_>>(),
-        )
-    });
-    let ground = ground(headless)?;
-    let bar = progress::bar(
-        drawn.iter().map(|(_, sites)| sites.len() as u64).sum(),
-        "sites",
-        "measuring",
-    );
-    let mut rows = Vec::new();
-    for (class, sites) in &drawn {
-        let reliefs = class_relief(&ground, &lattice.0, sites, || bar.inc(1))?;
-        rows.push(Row::new(class.name().into(), &reliefs));
-    }
-    bar.finish_and_clear();
-    Ok(rows)
+    Ok(CLASSES
+        .into_iter()
+        .map(|class| (class, sites(&input, class).into_iter().take(most).collect()))
+        .collect())
 }
 
 /// The figures of every elevation model in a folder.
-fn tiles(folder: &Path) -> Result<Vec<Row>, CliError> {
+fn tile_figures(folder: &Path) -> Result<Vec<ReliefFigures>, CliError> {
     let files = dem_files(folder)?;
     if files.is_empty() {
-        let problem = "it has no .hgt, .tif or .png files";
         return Err(CliError::input(format!(
-            "cannot compare with {}: {problem}",
+            "cannot compare with {}: it has no .hgt, .tif or .png files",
             folder.display()
         )));
     }
-    let mut rows: Vec<Row> = Vec::new();
+    let mut figures: Vec<ReliefFigures> = Vec::new();
     for path in files {
-        let name = path
-            .file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
-        // Two files may differ in their extension only.
-        let taken = rows.iter().any(|row| row.name == name);
-        let name = if taken {
-            path.file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        } else {
-            name
-        };
-        let found = relief_of(&load_dem(&path)?.grid)
+        let relief = relief_of(&load_dem(&path)?.grid)
             .ok_or_else(|| CliError::input(format!("{}: the tile is too small", path.display())))?;
-        rows.push(Row::new(name, &[found]));
+        let stem = text(path.file_stem());
+        // Two files may differ in their extension only.
+        let taken = figures.iter().any(|tile| tile.name == stem);
+        let name = if taken { text(path.file_name()) } else { stem };
+        figures.push(ReliefFigures::new(name, &[relief]));
     }
-    Ok(rows)
+    Ok(figures)
 }
 
-fn figures(classes: &[Row], tiles: &[Row]) -> Value {
-    let map = |rows: &[Row]| {
-        rows.iter()
-            .map(|row| (row.name.clone(), row.json()))
-            .collect::<Map<_, _>>()
-    };
-    let mut all = map(classes);
-    all.insert("tiles".into(), Value::Object(map(tiles)));
+/// A part of a path as text.
+fn text(part: Option<&OsStr>) -> String {
+    part.unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The figures of classes by their names, and those of tiles by theirs under `tiles`.
+fn all_figures(classes: &[ReliefFigures], tiles: &[ReliefFigures]) -> Value {
+    let mut all = by_name(classes);
+    all.insert("tiles".into(), Value::Object(by_name(tiles)));
     Value::Object(all)
 }
 
-fn table(classes: &[Row], tiles: &[Row]) -> String {
-    let number =
-        |value: Option<f64>, digits: usize| value.map_or("-".into(), |x| format!("{x:.digits$}"));
+fn by_name(figures: &[ReliefFigures]) -> Map<String, Value> {
+    figures
+        .iter()
+        .map(|figures| (figures.name.clone(), figures.json()))
+        .collect()
+}
+
+fn table(classes: &[ReliefFigures], tiles: &[ReliefFigures]) -> String {
     let mut text = format!(
         "{:<24} {:>5} {:>18} {:>14} {:>18}\n",
         "", "sites", "relief in 10 km, m", "slope p90, deg", "spectral exponent"
@@ -164,12 +159,17 @@ fn table(classes: &[Row], tiles: &[Row]) -> String {
             "{:<24} {:>5} {:>18} {:>14} {:>18}",
             row.name,
             row.sites,
-            number(row.relief10_median_m, 0),
-            number(row.slope_p90_deg, 1),
-            number(row.spectral_exponent, 2)
+            cell(row.relief10_median_m, 0),
+            cell(row.slope_p90_deg, 1),
+            cell(row.spectral_exponent, 2)
         );
     }
     text
+}
+
+/// A figure with so many digits, or a dash where there is none.
+fn cell(value: Option<f64>, digits: usize) -> String {
+    value.map_or("-".into(), |value| format!("{value:.digits$}"))
 }
 
 #[cfg(test)]
@@ -178,26 +178,24 @@ mod tests {
 
     #[test]
     fn figures_have_the_documented_form() {
-        let none = Row::new("plains".into(), &[]);
-        let tile = Row {
+        let empty = ReliefFigures::new("plains".into(), &[]);
+        let tile = ReliefFigures {
             name: "N44W072".into(),
             sites: 1,
             relief10_median_m: Some(653.4),
             slope_p90_deg: Some(18.06),
             spectral_exponent: Some(3.159),
         };
-        let json = figures(&[none], &[tile]);
+        let json = all_figures(&[empty], &[tile]);
         assert_eq!(json["plains"]["sites"], 0);
         assert!(json["plains"]["slope_p90_deg"].is_null());
         assert_eq!(json["tiles"]["N44W072"]["relief10_median_m"], 653.4);
-        let keys: Vec<&str> = json["plains"]
-            .as_object()
-            .unwrap()
-            .keys()
-            .map(String::as_str)
-            .collect();
-        assert_eq!(keys.len(), 4);
-        let text = table(&[Row::new("plains".into(), &[])], &[]);
+        assert_eq!(json["plains"].as_object().unwrap().len(), 4);
+    }
+
+    #[test]
+    fn a_class_without_sites_has_a_line() {
+        let text = table(&[ReliefFigures::new("plains".into(), &[])], &[]);
         assert!(text.contains("plains") && text.lines().count() == 2);
     }
 }

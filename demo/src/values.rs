@@ -2,6 +2,9 @@
 //! limits.
 
 use bevy_pangaea::overlay::Overlay;
+use bevy_pangaea::query::LEVELS;
+use std::fmt::Display;
+use std::str::FromStr;
 
 /// Where a camera stands and looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,11 +41,14 @@ pub struct RegionSpec {
 
 /// A list of numbers of samples.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Counts(pub Vec<u32>);
+pub struct SampleCounts(pub Vec<u32>);
 
 /// A whole number from `low` to `high`.
-pub fn integer(text: &str, low: u64, high: u64) -> Result<u64, String> {
-    match text.trim().parse::<u64>() {
+pub fn integer<T>(text: &str, low: T, high: T) -> Result<T, String>
+where
+    T: FromStr + PartialOrd + Display + Copy,
+{
+    match text.trim().parse() {
         Ok(value) if (low..=high).contains(&value) => Ok(value),
         _ => Err(format!("it must be a whole number from {low} to {high}")),
     }
@@ -56,27 +62,79 @@ pub fn number(text: &str, low: f64, high: f64) -> Result<f64, String> {
     }
 }
 
+/// A seed of random numbers.
+pub fn seed(text: &str) -> Result<u64, String> {
+    integer(text, 0, u64::MAX)
+}
+
+/// A number of samples of the sphere.
+pub fn samples(text: &str) -> Result<u32, String> {
+    integer(text, 100, 2_000_000)
+}
+
+/// A number of initial plates.
+pub fn plates(text: &str) -> Result<u32, String> {
+    integer(text, 2, 1000)
+}
+
+/// A share of land.
+pub fn land(text: &str) -> Result<f64, String> {
+    number(text, 0.0, 0.9)
+}
+
+/// A span of geological time in My.
+pub fn time_span(text: &str) -> Result<f64, String> {
+    number(text, 0.1, 10_000.0)
+}
+
+/// A number of threads.
+pub fn threads(text: &str) -> Result<usize, String> {
+    integer(text, 1, 1024)
+}
+
+/// A number of frames of the explorer.
+pub fn frames(text: &str) -> Result<u32, String> {
+    integer(text, 1, 1_000_000)
+}
+
+/// A number of pixels to a side of a square of the ground.
+pub fn pixels(text: &str) -> Result<usize, String> {
+    integer(text, 2, 16_384)
+}
+
+/// A level of detail of the ground.
+pub fn level(text: &str) -> Result<u8, String> {
+    integer(text, 0, LEVELS)
+}
+
+/// A number of sites of a class of relief.
+pub fn sites(text: &str) -> Result<usize, String> {
+    integer(text, 1, 20)
+}
+
 /// `LAT,LON,ALTITUDE_M[,HEADING,PITCH]`.
 pub fn camera(text: &str) -> Result<CameraSpec, String> {
     let parts: Vec<&str> = text.split(',').collect();
-    if parts.len() != 3 && parts.len() != 5 {
-        return Err("it must be LAT,LON,ALTITUDE_M or LAT,LON,ALTITUDE_M,HEADING,PITCH".into());
-    }
-    let part = |k: usize, name: &str, low, high| {
-        number(parts[k], low, high).map_err(|problem| problem.replacen("it", name, 1))
+    let (place, gaze) = match parts[..] {
+        [lat, lon, altitude] => ([lat, lon, altitude], None),
+        [lat, lon, altitude, heading, pitch] => ([lat, lon, altitude], Some([heading, pitch])),
+        _ => {
+            return Err("it must be LAT,LON,ALTITUDE_M or LAT,LON,ALTITUDE_M,HEADING,PITCH".into());
+        }
     };
-    let (heading, pitch) = if parts.len() == 5 {
-        (
-            part(3, "the heading", -360.0, 360.0)?,
-            part(4, "the pitch", -90.0, 90.0)?,
-        )
-    } else {
-        (0.0, -90.0)
+    let [lat, lon, altitude] = place;
+    let (heading, pitch) = match gaze {
+        Some([heading, pitch]) => (
+            named_number(heading, "the heading", -360.0, 360.0)?,
+            named_number(pitch, "the pitch", -90.0, 90.0)?,
+        ),
+        None => (0.0, -90.0),
     };
+    let PlaceSpec { lat, lon } = coordinates(lat, lon)?;
     Ok(CameraSpec {
-        lat: part(0, "the latitude", -90.0, 90.0)?,
-        lon: part(1, "the longitude", -360.0, 360.0)?,
-        altitude_m: part(2, "the altitude in m", 1.0, 1e9)?,
+        lat,
+        lon,
+        altitude_m: named_number(altitude, "the altitude in m", 1.0, 1e9)?,
         heading,
         pitch,
     })
@@ -95,8 +153,7 @@ pub fn region(text: &str) -> Result<RegionSpec, String> {
     let [lat, lon, size] = text.split(',').collect::<Vec<_>>()[..] else {
         return Err("it must be LAT,LON,SIZE_KM".into());
     };
-    let size_km =
-        number(size, 1e-3, 1e5).map_err(|problem| problem.replacen("it", "the size in km", 1))?;
+    let size_km = named_number(size, "the size in km", 1e-3, 1e5)?;
     Ok(RegionSpec {
         middle: coordinates(lat, lon)?,
         size_km,
@@ -104,42 +161,39 @@ pub fn region(text: &str) -> Result<RegionSpec, String> {
 }
 
 fn coordinates(lat: &str, lon: &str) -> Result<PlaceSpec, String> {
-    let part = |text: &str, name: &str, limit: f64| {
-        number(text, -limit, limit).map_err(|problem| problem.replacen("it", name, 1))
-    };
     Ok(PlaceSpec {
-        lat: part(lat, "the latitude", 90.0)?,
-        lon: part(lon, "the longitude", 360.0)?,
+        lat: named_number(lat, "the latitude", -90.0, 90.0)?,
+        lon: named_number(lon, "the longitude", -360.0, 360.0)?,
     })
+}
+
+/// A number from `low` to `high` that is a part of a value: the message calls it by its name.
+fn named_number(text: &str, name: &str, low: f64, high: f64) -> Result<f64, String> {
+    number(text, low, high).map_err(|problem| problem.replacen("it", name, 1))
 }
 
 /// `WIDTHxHEIGHT`.
 pub fn size(text: &str) -> Result<(u32, u32), String> {
-    let problem = || "it must be WIDTHxHEIGHT, each from 16 to 8192 pixels".to_string();
-    let (width, height) = text.split_once(['x', 'X']).ok_or_else(problem)?;
-    let side = |text: &str| {
-        integer(text, 16, 8192)
-            .map(|side| side as u32)
-            .map_err(|_| problem())
-    };
-    Ok((side(width)?, side(height)?))
+    text.split_once(['x', 'X'])
+        .and_then(|(width, height)| Some((side(width)?, side(height)?)))
+        .ok_or_else(|| "it must be WIDTHxHEIGHT, each from 16 to 8192 pixels".into())
+}
+
+/// A side of a picture in pixels.
+fn side(text: &str) -> Option<u32> {
+    integer(text, 16, 8192).ok()
 }
 
 /// Numbers of samples, separated by commas.
-pub fn counts(text: &str) -> Result<Counts, String> {
-    let problem = || {
-        "it must be one to twenty whole numbers from 100 to 2000000, separated by commas"
-            .to_string()
-    };
-    let counts: Result<Vec<u32>, String> = text
-        .split(',')
-        .map(|part| integer(part, 100, 2_000_000).map(|count| count as u32))
-        .collect();
+pub fn sample_counts(text: &str) -> Result<SampleCounts, String> {
+    let counts: Result<Vec<u32>, String> = text.split(',').map(samples).collect();
     counts
         .ok()
         .filter(|counts| counts.len() <= 20)
-        .map(Counts)
-        .ok_or_else(problem)
+        .map(SampleCounts)
+        .ok_or_else(|| {
+            "it must be one to twenty whole numbers from 100 to 2000000, separated by commas".into()
+        })
 }
 
 /// The name of an overlay.
@@ -151,96 +205,5 @@ pub fn overlay(text: &str) -> Result<Overlay, String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_have_limits() {
-        assert_eq!(integer("60000", 100, 2_000_000), Ok(60_000));
-        for bad in [
-            "",
-            "0",
-            "-5",
-            "NaN",
-            "inf",
-            "1e3",
-            "99",
-            "2000001",
-            "1000000000000",
-            "99999999999999999999999",
-        ] {
-            assert!(integer(bad, 100, 2_000_000).is_err(), "{bad}");
-        }
-        assert_eq!(number("0.3", 0.0, 0.9), Ok(0.3));
-        for bad in [
-            "", "NaN", "nan", "inf", "-inf", "infinity", "-0.1", "0.91", "1e300", "x",
-        ] {
-            assert!(number(bad, 0.0, 0.9).is_err(), "{bad}");
-        }
-    }
-
-    #[test]
-    fn cameras_and_sizes_are_read() {
-        let expected = CameraSpec {
-            lat: -33.0,
-            lon: -70.5,
-            altitude_m: 2e6,
-            heading: 90.0,
-            pitch: -10.0,
-        };
-        assert_eq!(camera("-33,-70.5,2000000,90,-10"), Ok(expected));
-        assert_eq!(camera("0, 0, 1000").unwrap().pitch, -90.0);
-        for bad in [
-            "",
-            "1,2",
-            "1,2,3,4",
-            "91,0,10",
-            "0,NaN,10",
-            "0,0,0",
-            "0,0,-5",
-            "0,0,inf",
-            "0,0,1e10",
-            "0,0,9,0,91",
-        ] {
-            assert!(camera(bad).is_err(), "{bad}");
-        }
-        let south = PlaceSpec {
-            lat: -33.0,
-            lon: -70.5,
-        };
-        assert_eq!(place(" -33, -70.5"), Ok(south));
-        assert_eq!(
-            region("-33,-70.5,12"),
-            Ok(RegionSpec {
-                middle: south,
-                size_km: 12.0
-            })
-        );
-        for bad in [
-            "", "1", "1,2,3", "91,0", "0,361", "NaN,0", "0,inf", "a,b", "1;2",
-        ] {
-            assert!(place(bad).is_err(), "{bad}");
-        }
-        for bad in [
-            "", "1,2", "1,2,0", "1,2,-5", "1,2,NaN", "1,2,1e9", "1,2,3,4", "-91,2,3",
-        ] {
-            assert!(region(bad).is_err(), "{bad}");
-        }
-        assert_eq!(size("1280x720"), Ok((1280, 720)));
-        for bad in [
-            "",
-            "0x0",
-            "1280",
-            "1280x",
-            "-1x5",
-            "100000x100000",
-            "16x15",
-            "NaNx5",
-        ] {
-            assert!(size(bad).is_err(), "{bad}");
-        }
-        assert_eq!(counts("100,2000"), Ok(Counts(vec![100, 2000])));
-        assert!(counts("100,,200").is_err() && counts("").is_err() && counts("99").is_err());
-        assert!(overlay("nonsense").unwrap_err().contains("ocean_age"));
-    }
-}
+#[path = "values_tests.rs"]
+mod tests;

@@ -49,7 +49,7 @@ pub(crate) use named_enum;
 mod tests {
     named_enum! {
         /// Directions of the wind.
-        enum Wind {
+        pub(super) enum Wind {
             /// From the north.
             North = "north",
             /// From the south-east.

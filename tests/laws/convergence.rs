@@ -239,7 +239,7 @@ fn oblique_margin() -> (App, Entity) {
 fn slab_pull_turns_the_plate_towards_its_front() {
     let (mut app, planet) = oblique_margin();
     // Plates younger than this are left alone, as fragments of a rift.
-    let grace = (bevy_pangaea::process::slab_pull::GRACE / 2.0) as u64;
+    let grace = (bevy_pangaea::process::slab_pull::GRACE_PERIOD / 2.0) as u64;
     steps(&mut app, planet, grace);
     let start = plates(&app, planet).rows()[0].motion;
     let mut last = start;

@@ -1,33 +1,36 @@
-//! Long work on a thread of its own.
+//! Long work of the explorer: growing, loading and saving planets.
 //!
-//! Not on Bevy's task pools: with two cores the pool for computations has one thread, and the
-//! renderer waits there for its pipelines. A planet that grows in front of them would stop the
-//! window.
+//! Each piece of work has a thread of its own, and [`Background::take`] asks every frame whether it
+//! is done. It must not run on Bevy's task pools: on two cores the pool for computations has one
+//! thread, on which the renderer waits for its pipelines, and a planet growing in front of them
+//! would stop the window.
 
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 /// Work under way, or its result that nobody has taken yet.
+///
+/// The mutex is never locked; it makes the receiver `Sync`, as resources must be.
 pub struct Background<T>(Mutex<Receiver<Result<T, String>>>);
 
 impl<T: Send + 'static> Background<T> {
-    /// Starts the work.
+    /// Starts the work on a new thread. If the thread cannot be started, that is the result.
     pub fn start(work: impl FnOnce() -> Result<T, String> + Send + 'static) -> Self {
         let (sender, receiver) = channel();
-        let failed = sender.clone();
+        let refusal = sender.clone();
         let thread = std::thread::Builder::new()
             .name("background".into())
             .spawn(move || {
-                // Nobody may be left to hear of it: the program is ending.
+                // The receiver is gone when the program is ending.
                 let _ = sender.send(work());
             });
         if let Err(error) = thread {
-            let _ = failed.send(Err(format!("no thread can be started: {error}")));
+            let _ = refusal.send(Err(format!("no thread can be started: {error}")));
         }
         Self(Mutex::new(receiver))
     }
 
-    /// The result, once, as soon as it is there; an error if the work broke down.
+    /// The result, once, as soon as it is there; an error if the work panicked.
     pub fn take(&mut self) -> Option<Result<T, String>> {
         let receiver = self
             .0

@@ -1,9 +1,9 @@
 //! Pictures of the window, written in the background; and the run of a fixed number of frames that
 //! tests use.
 
-use super::messages::Messages;
+use super::messages::MessageLog;
 use super::session::Session;
-use super::state::Action;
+use super::state::{Action, ShownPlanet};
 use bevy::prelude::*;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy::tasks::futures::check_ready;
@@ -11,21 +11,40 @@ use bevy::tasks::{IoTaskPool, Task};
 use bevy_pangaea::io;
 use std::path::{Path, PathBuf};
 
-/// Pictures that are being written.
+/// Pictures that are being taken and written.
 #[derive(Resource, Default)]
 pub struct Pictures {
+    /// Pictures that the renderer has not delivered yet.
     pending: usize,
+    /// Pictures that are being written; each becomes its path.
     tasks: Vec<Task<Result<PathBuf, String>>>,
+    /// Whether one could not be written.
     failed: bool,
+}
+
+impl Pictures {
+    /// Writes a picture that was taken.
+    fn write(&mut self, image: Image, path: PathBuf) {
+        self.pending = self.pending.saturating_sub(1);
+        self.tasks.push(IoTaskPool::get().spawn(async move {
+            write_png(image, &path)?;
+            Ok(path)
+        }));
+    }
+
+    fn is_idle(&self) -> bool {
+        self.pending == 0 && self.tasks.is_empty()
+    }
 }
 
 /// Shows a number of frames of the planet, takes a picture, and ends the program.
 #[derive(Resource, Clone, Debug)]
 pub struct FixedRun {
     /// Frames left until the picture.
-    pub frames: u32,
-    /// Where the picture goes, if one is wanted.
-    pub capture: Option<PathBuf>,
+    frames: u32,
+    /// Where the picture goes, until it is asked for.
+    capture: Option<PathBuf>,
+    /// Whether a picture was asked for.
     asked: bool,
 }
 
@@ -54,22 +73,16 @@ pub fn take_pictures(
         pictures.pending += 1;
         commands.spawn(Screenshot::primary_window()).observe(
             move |event: On<ScreenshotCaptured>, mut pictures: ResMut<Pictures>| {
-                let (image, path) = (event.image.clone(), path.clone());
-                let task = IoTaskPool::get().spawn(async move {
-                    write_png(image, &path)?;
-                    Ok(path)
-                });
-                pictures.pending = pictures.pending.saturating_sub(1);
-                pictures.tasks.push(task);
+                pictures.write(event.image.clone(), path.clone());
             },
         );
     }
 }
 
 /// Says how the pictures went.
-pub fn finish_pictures(mut pictures: ResMut<Pictures>, mut messages: ResMut<Messages>) {
-    let mut failed = false;
-    pictures.tasks.retain_mut(|task| match check_ready(task) {
+pub fn finish_pictures(mut pictures: ResMut<Pictures>, mut messages: ResMut<MessageLog>) {
+    let Pictures { tasks, failed, .. } = &mut *pictures;
+    tasks.retain_mut(|task| match check_ready(task) {
         None => true,
         Some(Ok(path)) => {
             messages.note(format!("picture saved as {}", path.display()));
@@ -77,43 +90,39 @@ pub fn finish_pictures(mut pictures: ResMut<Pictures>, mut messages: ResMut<Mess
         }
         Some(Err(error)) => {
             messages.error(error);
-            failed = true;
+            *failed = true;
             false
         }
     });
-    pictures.failed |= failed;
 }
 
 /// Counts the frames of a fixed run.
 pub fn count_frames(
     run: Option<ResMut<FixedRun>>,
+    shown: Res<ShownPlanet>,
     session: Res<Session>,
     pictures: Res<Pictures>,
     mut actions: MessageWriter<Action>,
     mut exit: MessageWriter<AppExit>,
 ) {
     let Some(mut run) = run else { return };
-    if session.planet.is_none() && session.is_growing() {
-        return;
-    }
-    if session.planet.is_none() {
-        exit.write(AppExit::error());
+    // The frames of a run count from the first one with a planet.
+    if shown.0.is_none() {
+        if !session.is_growing() {
+            exit.write(AppExit::error());
+        }
     } else if run.frames > 0 {
         run.frames -= 1;
-    } else if !run.asked && run.capture.is_some() {
+    } else if let Some(path) = run.capture.take() {
+        actions.write(Action::Screenshot(Some(path)));
         run.asked = true;
-        actions.write(Action::Screenshot(run.capture.clone()));
-    } else if run.capture.is_none() || idle_after(&run, &pictures) {
+    } else if !run.asked || pictures.is_idle() {
         exit.write(if pictures.failed {
             AppExit::error()
         } else {
             AppExit::Success
         });
     }
-}
-
-fn idle_after(run: &FixedRun, pictures: &Pictures) -> bool {
-    run.asked && pictures.pending == 0 && pictures.tasks.is_empty() && run.frames == 0
 }
 
 /// `pangaea-001.png`, or the next number that is free in the working directory.

@@ -1,20 +1,33 @@
 //! The keyboard. Letters and signs go by what is printed on the key, whatever the layout.
 
-use super::HelpPage;
 use super::panels::planet::PlanetForm;
-use super::state::{Action, EXAGGERATION_LIMITS, Look, Selection, Tool};
+use super::state::{Action, EXAGGERATION_LIMITS, HelpPage, Look, PlateDrag, Selection, Tool};
+use bevy::ecs::system::SystemParam;
 use bevy::input::keyboard::{Key, KeyboardInput};
 use bevy::prelude::*;
 use bevy_egui::input::EguiWantsInput;
 use bevy_pangaea::overlay::Overlay;
 
-/// Reads the keys; none while text is being typed.
+/// Factor of the exaggeration of the relief per press.
+const EXAGGERATION_STEP: f32 = 1.15;
+
+/// The parts of the explorer that keys act on.
+#[derive(SystemParam)]
+pub struct KeyTargets<'w> {
+    look: ResMut<'w, Look>,
+    tool: ResMut<'w, Tool>,
+    drag: ResMut<'w, PlateDrag>,
+    help: ResMut<'w, HelpPage>,
+    selection: Res<'w, Selection>,
+    form: Res<'w, PlanetForm>,
+    actions: MessageWriter<'w, Action>,
+}
+
+/// Reads the keys, unless text is being typed.
 pub fn read(
     mut keys: MessageReader<KeyboardInput>,
     egui: Res<EguiWantsInput>,
-    (mut look, mut tool, mut help): (ResMut<Look>, ResMut<Tool>, ResMut<HelpPage>),
-    (selection, form): (Res<Selection>, Res<PlanetForm>),
-    mut actions: MessageWriter<Action>,
+    mut targets: KeyTargets,
 ) {
     if egui.wants_keyboard_input() {
         keys.clear();
@@ -22,76 +35,73 @@ pub fn read(
     }
     for key in keys.read().filter(|key| key.state.is_pressed()) {
         match &key.logical_key {
-            Key::Character(text) => letter(
-                text,
-                key.repeat,
-                &mut look,
-                &mut tool,
-                &mut help,
-                &form,
-                &mut actions,
-            ),
-            _ if key.repeat => {}
-            Key::Space => {
-                actions.write(Action::TogglePlay);
-            }
-            Key::F1 => help.0 = !help.0,
-            Key::F2 => {
-                actions.write(Action::Screenshot(None));
-            }
-            Key::F5 => {
-                actions.write(Action::Save(form.file()));
-            }
-            Key::F9 => {
-                actions.write(Action::Load(form.file()));
-            }
-            Key::Escape if help.0 => help.0 = false,
-            Key::Escape if *tool != Tool::Select => *tool = Tool::Select,
-            Key::Escape if selection.0.is_some() => {
-                actions.write(Action::Select(None));
-            }
+            Key::Character(text) => targets.letter(&text.to_lowercase(), key.repeat),
+            named if !key.repeat => targets.named(named),
             _ => {}
         }
     }
 }
 
-fn letter(
-    text: &str,
-    repeat: bool,
-    look: &mut Look,
-    tool: &mut Tool,
-    help: &mut HelpPage,
-    form: &PlanetForm,
-    actions: &mut MessageWriter<Action>,
-) {
-    match text.to_lowercase().as_str() {
-        "+" | "=" => exaggerate(look, 1.15),
-        "-" | "_" => exaggerate(look, 1.0 / 1.15),
-        "s" => {
-            actions.write(Action::SingleStep);
+impl KeyTargets<'_> {
+    /// A key that has a name instead of a sign.
+    fn named(&mut self, key: &Key) {
+        match key {
+            Key::Space => self.ask(Action::TogglePlay),
+            Key::F1 => self.help.0 = !self.help.0,
+            Key::F2 => self.ask(Action::Screenshot(None)),
+            Key::F5 => self.ask(Action::Save(self.form.file())),
+            Key::F9 => self.ask(Action::Load(self.form.file())),
+            Key::Escape => self.escape(),
+            _ => {}
         }
-        _ if repeat => {}
-        "n" => {
-            actions.write(Action::Grow(Box::new(form.recipe.clone())));
+    }
+
+    /// Ends the innermost of the things that are open.
+    fn escape(&mut self) {
+        if self.help.0 {
+            self.help.0 = false;
+        } else if self.drag.0.is_some() {
+            self.drag.0 = None;
+        } else if *self.tool != Tool::Select {
+            *self.tool = Tool::Select;
+        } else if self.selection.0.is_some() {
+            self.ask(Action::Select(None));
         }
-        "h" | "?" => help.0 = !help.0,
-        "w" => look.sea = !look.sea,
-        "m" => look.wireframe = !look.wireframe,
-        "p" => look.boundaries = !look.boundaries,
-        "b" => {
-            *tool = if *tool == Tool::Paint {
-                Tool::Select
-            } else {
-                Tool::Paint
+    }
+
+    /// A key with a sign; `repeat` while it is held down.
+    fn letter(&mut self, sign: &str, repeat: bool) {
+        match sign {
+            "+" | "=" => exaggerate(&mut self.look, EXAGGERATION_STEP),
+            "-" | "_" => exaggerate(&mut self.look, 1.0 / EXAGGERATION_STEP),
+            "s" => self.ask(Action::SingleStep),
+            // A key held down repeats the exaggeration and steps, and nothing below.
+            _ if repeat => {}
+            "n" => self.ask(Action::Grow(Box::new(self.form.recipe.clone()))),
+            "h" | "?" => self.help.0 = !self.help.0,
+            "w" => self.look.sea = !self.look.sea,
+            "m" => self.look.wireframe = !self.look.wireframe,
+            "p" => self.look.boundaries = !self.look.boundaries,
+            "b" => self.toggle_brush(),
+            "," => self.look.overlay = neighbour(self.look.overlay, Overlay::ALL.len() - 1),
+            "." => self.look.overlay = neighbour(self.look.overlay, 1),
+            digit => {
+                if let Some(overlay) = digit.parse().ok().and_then(numbered) {
+                    self.look.overlay = overlay;
+                }
             }
         }
-        "," => look.overlay = neighbour(look.overlay, Overlay::ALL.len() - 1),
-        "." => look.overlay = neighbour(look.overlay, 1),
-        digit => {
-            if let Some(overlay) = digit.parse().ok().and_then(numbered) {
-                look.overlay = overlay;
-            }
-        }
+    }
+
+    fn toggle_brush(&mut self) {
+        *self.tool = match *self.tool {
+            Tool::Paint => Tool::Select,
+            _ => Tool::Paint,
+        };
+    }
+
+    fn ask(&mut self, action: Action) {
+        self.actions.write(action);
     }
 }
 

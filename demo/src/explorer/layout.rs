@@ -1,8 +1,7 @@
 //! Where the panels stand: sections on the left, the selection on the right, a bar at the bottom.
 
-use super::HelpPage;
 use super::camera::FreeArea;
-use super::messages::Messages;
+use super::messages::MessageLog;
 use super::panels::legend::LegendCache;
 use super::panels::paint::PaintForm;
 use super::panels::planet::PlanetForm;
@@ -10,23 +9,26 @@ use super::panels::plate::PlateForm;
 use super::panels::timings::FrameTimes;
 use super::panels::{self, Outbox};
 use super::session::Session;
-use super::state::{Action, Look, PlanetReader, Pointer, Selection, Tool, View};
-use super::style::{self, section};
+use super::state::{Action, HelpPage, Look, PlateDrag, Pointer, Selection, Tool};
+use super::style;
+use super::view::{PlanetReader, ShownView};
+use super::widgets::section;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
+use bevy_egui::EguiContexts;
 use bevy_egui::egui::{
-    Context, Frame, LayerId, Margin, Order, Panel, Rect, RichText, ScrollArea, Spinner, Ui,
-    UiBuilder,
+    Align2, Area, Context, Frame, LayerId, Margin, Order, Panel, Rect, RichText, ScrollArea,
+    Spinner, Ui, UiBuilder,
 };
-use bevy_egui::{EguiContexts, egui};
 
-/// Widths of the panels, in points.
-const LEFT: f32 = 272.0;
-const RIGHT: f32 = 258.0;
-/// Height of the bar.
-const BAR: f32 = 27.0;
+/// Width of the left panel in points.
+const LEFT_WIDTH: f32 = 272.0;
+/// Width of the right panel in points.
+const RIGHT_WIDTH: f32 = 258.0;
+/// Height of the bar in points.
+const BAR_HEIGHT: f32 = 27.0;
 
-/// What the panels keep while it is being typed or chosen.
+/// The state that the panels change.
 #[derive(SystemParam)]
 pub struct Forms<'w> {
     look: ResMut<'w, Look>,
@@ -35,16 +37,26 @@ pub struct Forms<'w> {
     plate: ResMut<'w, PlateForm>,
     paint: ResMut<'w, PaintForm>,
     legend: ResMut<'w, LegendCache>,
-    messages: ResMut<'w, Messages>,
+    messages: ResMut<'w, MessageLog>,
     help: ResMut<'w, HelpPage>,
 }
 
-/// What the panels read.
+/// The state that the panels read.
 #[derive(SystemParam)]
 pub struct Readings<'w> {
     session: Res<'w, Session>,
     selection: Res<'w, Selection>,
+    drag: Res<'w, PlateDrag>,
     frames: Res<'w, FrameTimes>,
+}
+
+/// A frame of the panels.
+struct Panels<'a, 'w> {
+    view: Option<&'a ShownView<'a>>,
+    readings: &'a Readings<'a>,
+    forms: &'a mut Forms<'w>,
+    pointer: &'a Pointer,
+    out: Outbox,
 }
 
 /// Draws all panels and finds out what area they leave free.
@@ -61,136 +73,139 @@ pub fn draw(
     if !core::mem::replace(&mut *styled, true) {
         style::apply(&ctx);
     }
+    // Panels push their wishes into an outbox, and borrow nothing that carrying them out changes.
     let view = reader.view();
-    let mut out = Outbox::default();
-    let root = UiBuilder::new()
-        .layer_id(LayerId::background())
-        .max_rect(ctx.viewport_rect());
-    let mut root = Ui::new(ctx.clone(), "root".into(), root);
-    let frame_ms = readings.frames.mean();
-    let bar = Frame::new()
-        .fill(style::RAISED)
-        .inner_margin(Margin::symmetric(12, 3));
-    Panel::bottom("bar")
-        .exact_size(BAR)
-        .resizable(false)
-        .frame(bar)
-        .show(&mut root, |ui| {
-            panels::status::show(ui, view.as_ref(), &readings.session, &forms.tool, frame_ms);
-        });
-    side(Panel::left("left").exact_size(LEFT), &mut root, |ui| {
-        left(ui, view.as_ref(), &readings, &mut forms, &mut out);
-    });
-    side(Panel::right("right").exact_size(RIGHT), &mut root, |ui| {
-        right(
-            ui,
-            view.as_ref(),
-            &readings,
-            pointer.ground,
-            &mut forms,
-            &mut out,
-        );
-    });
-    let free = root.available_rect_before_wrap();
-    float(&ctx, free, view.as_ref(), &readings, &mut forms);
+    let mut panels = Panels {
+        view: view.as_ref(),
+        readings: &readings,
+        forms: &mut forms,
+        pointer: &pointer,
+        out: Outbox::default(),
+    };
+    let free = panels.draw(&ctx);
+    actions.write_batch(panels.out.0);
+    // Found after drawing: the camera and the pointer of the next frame use it.
     area.set_if_neq(FreeArea(Some(free)));
     pointer.on_globe = is_on_globe(&ctx, free);
-    actions.write_batch(out.0);
     Ok(())
 }
 
+impl Panels<'_, '_> {
+    /// Draws all panels. Returns the area that they leave free.
+    fn draw(&mut self, ctx: &Context) -> Rect {
+        let root = UiBuilder::new()
+            .layer_id(LayerId::background())
+            .max_rect(ctx.viewport_rect());
+        let mut root = Ui::new(ctx.clone(), "root".into(), root);
+        self.bar(&mut root);
+        let left = Panel::left("left").exact_size(LEFT_WIDTH);
+        side(left, &mut root, |ui| self.left(ui));
+        let right = Panel::right("right").exact_size(RIGHT_WIDTH);
+        side(right, &mut root, |ui| self.right(ui));
+        let free = root.available_rect_before_wrap();
+        self.float(ctx, free);
+        free
+    }
+
+    fn bar(&self, root: &mut Ui) {
+        let frame = Frame::new()
+            .fill(style::RAISED)
+            .inner_margin(Margin::symmetric(12, 3));
+        Panel::bottom("bar")
+            .exact_size(BAR_HEIGHT)
+            .resizable(false)
+            .frame(frame)
+            .show(root, |ui| {
+                let Readings {
+                    session,
+                    drag,
+                    frames,
+                    ..
+                } = self.readings;
+                let hint = panels::status::tool_hint(&self.forms.tool, drag);
+                panels::status::show(ui, self.view, session, hint.as_deref(), frames.mean());
+            });
+    }
+
+    fn left(&mut self, ui: &mut Ui) {
+        let (forms, out) = (&mut *self.forms, &mut self.out);
+        if let Some(view) = self.view {
+            section(ui, "Time", true, |ui| panels::time::show(ui, view, out));
+        }
+        section(ui, "View", true, |ui| {
+            panels::overlays::show(ui, &mut forms.look);
+        });
+        section(ui, "Planet", false, |ui| {
+            let session = &self.readings.session;
+            panels::planet::show(ui, self.view, session, &mut forms.planet, out);
+        });
+        let Some(view) = self.view else { return };
+        section(ui, "Parameters", false, |ui| {
+            panels::params::show(ui, view, out);
+        });
+        section(ui, "Timings", false, |ui| {
+            panels::timings::show(ui, view, &self.readings.frames, out);
+        });
+    }
+
+    fn right(&mut self, ui: &mut Ui) {
+        let Some(view) = self.view else { return };
+        let (forms, out) = (&mut *self.forms, &mut self.out);
+        section(ui, "Plate", true, |ui| {
+            let selected = self.readings.selection.0;
+            let plate = selected.and_then(|id| view.plates.get(id));
+            panels::plate::show(ui, view, plate, &mut forms.tool, &mut forms.plate, out);
+        });
+        section(ui, "Under the cursor", true, |ui| {
+            panels::cursor::show(ui, view, self.pointer.ground);
+        });
+        section(ui, "Brush", false, |ui| {
+            let radius = view.planet.radius;
+            panels::paint::show(ui, radius, &mut forms.tool, &mut forms.paint, out);
+        });
+        section(ui, "Log", true, |ui| {
+            panels::messages::show(ui, &mut forms.messages);
+        });
+    }
+
+    /// Draws the things that float over the globe.
+    fn float(&mut self, ctx: &Context, free: Rect) {
+        let forms = &mut *self.forms;
+        match self.view {
+            Some(view) => {
+                panels::legend::show(ctx, free, view, &forms.look, &mut forms.legend);
+                panels::drag::show(ctx, free, view, &self.readings.drag, self.pointer);
+            }
+            None => waiting(ctx, free, &self.readings.session),
+        }
+        panels::messages::strip(ctx, free, &forms.messages);
+        let mut open = forms.help.0;
+        panels::help::show(ctx, &mut open);
+        forms.help.set_if_neq(HelpPage(open));
+    }
+}
+
 fn side(panel: Panel, root: &mut Ui, body: impl FnOnce(&mut Ui)) {
+    // Keeps the scroll bar clear of the widgets.
+    let inner = Frame::new().inner_margin(Margin {
+        right: 8,
+        ..Margin::ZERO
+    });
     panel
         .resizable(false)
         .frame(style::panel_frame())
         .show(root, |ui| {
             ScrollArea::vertical()
                 .auto_shrink([false, false])
-                .show(ui, |ui| {
-                    // Keeps the scroll bar clear of the widgets.
-                    Frame::new()
-                        .inner_margin(Margin {
-                            right: 8,
-                            ..Margin::ZERO
-                        })
-                        .show(ui, body);
-                });
+                .show(ui, |ui| inner.show(ui, body));
         });
 }
 
-fn left(
-    ui: &mut Ui,
-    view: Option<&View>,
-    readings: &Readings,
-    forms: &mut Forms,
-    out: &mut Outbox,
-) {
-    if let Some(view) = view {
-        section(ui, "Time", true, |ui| panels::time::show(ui, view, out));
-    }
-    section(ui, "View", true, |ui| {
-        panels::overlays::show(ui, &mut forms.look)
-    });
-    section(ui, "Planet", false, |ui| {
-        panels::planet::show(ui, view, &readings.session, &mut forms.planet, out);
-    });
-    if let Some(view) = view {
-        section(ui, "Parameters", false, |ui| {
-            panels::params::show(ui, view, out)
-        });
-        section(ui, "Timings", false, |ui| {
-            panels::timings::show(ui, view, &readings.frames, out)
-        });
-    }
-}
-
-fn right(
-    ui: &mut Ui,
-    view: Option<&View>,
-    readings: &Readings,
-    ground: Option<bevy::math::DVec3>,
-    forms: &mut Forms,
-    out: &mut Outbox,
-) {
-    let Some(view) = view else { return };
-    section(ui, "Plate", true, |ui| {
-        let form = (&*readings.selection, &mut *forms.tool, &mut *forms.plate);
-        panels::plate::show(ui, view, form, out);
-    });
-    section(ui, "Under the cursor", true, |ui| {
-        panels::cursor::show(ui, view, ground)
-    });
-    section(ui, "Brush", false, |ui| {
-        panels::paint::show(
-            ui,
-            view.planet.radius,
-            &mut forms.tool,
-            &mut forms.paint,
-            out,
-        );
-    });
-    section(ui, "Log", true, |ui| {
-        panels::messages::show(ui, &mut forms.messages)
-    });
-}
-
-/// What floats over the globe.
-fn float(ctx: &Context, free: Rect, view: Option<&View>, readings: &Readings, forms: &mut Forms) {
-    match view {
-        Some(view) => panels::legend::show(ctx, free, view, &forms.look, &mut forms.legend),
-        None => waiting(ctx, free, &readings.session),
-    }
-    panels::messages::strip(ctx, free, &forms.messages);
-    let mut open = forms.help.0;
-    panels::help::show(ctx, &mut open);
-    forms.help.set_if_neq(HelpPage(open));
-}
-
-/// What is shown before there is a planet.
+/// Says, before there is a planet, what is under way.
 fn waiting(ctx: &Context, free: Rect, session: &Session) {
-    egui::Area::new("waiting".into())
+    Area::new("waiting".into())
         .interactable(false)
-        .pivot(egui::Align2::CENTER_CENTER)
+        .pivot(Align2::CENTER_CENTER)
         .fixed_pos(free.center())
         .show(ctx, |ui| {
             ui.vertical_centered(|ui| match session.busy() {
@@ -210,10 +225,9 @@ fn is_on_globe(ctx: &Context, free: Rect) -> bool {
     let Some(at) = ctx.input(|input| input.pointer.latest_pos()) else {
         return false;
     };
+    let layer = ctx.layer_id_at(at);
     free.contains(at)
-        && ctx
-            .layer_id_at(at)
-            .is_none_or(|layer| layer.order == Order::Background)
+        && layer.is_none_or(|layer| layer.order == Order::Background)
         && !ctx.egui_is_using_pointer()
         && !ctx.any_popup_open()
 }

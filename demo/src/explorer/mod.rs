@@ -1,49 +1,69 @@
-//! The explorer: a window with a planet to watch, to take by the hand and to save.
+//! The explorer: a window with a planet to watch, to act upon and to save.
 //!
 //! ```text
 //! background  long work on threads of its own
-//! camera      orbit camera, and the viewport between the panels
-//! session     growing, loading and saving planets in the background
+//! text        numbers for people
+//! style       colours, spacing and frames
+//! widgets     the small widgets of all panels
+//! state       shared types: actions, selection, tool, look, pointer
+//! view        the planet on show, as panels and marks read it
+//! actions     the clock of the planet, its plates and the selection
+//! messages    the log; event_log writes events of the planet into it
 //! discard     the question before a planet that is not saved goes
-//! state       actions, selection, look; what panels read
+//! session     growing, loading and saving planets in the background
+//! capture     pictures of the window
+//! orbit       the geometry of a camera that circles the globe
+//! camera      the cameras, and the viewport between the panels
+//! drag        plates dragged by the pointer
+//! panels/     the panels
+//! globe       the look of the globe, its share of a frame
 //! select      the ground under the pointer, and clicks on it
 //! keys        the keyboard
-//! marks       poles, rift line and brush on the globe
-//! messages    the log
-//! capture     pictures
+//! marks       poles, drags, rift line and brush on the globe
 //! layout      where the panels stand
-//! panels/     the panels
-//! style       colours and small widgets
-//! text        numbers for people
 //! ```
 
 mod background;
 
-mod camera;
-
-mod capture;
-
-mod discard;
-
-mod keys;
-
-mod layout;
-
-mod marks;
-
-mod messages;
-
-mod panels;
-
-mod select;
-
-mod session;
-
-mod state;
+mod text;
 
 mod style;
 
-mod text;
+mod widgets;
+
+mod state;
+
+mod view;
+
+mod actions;
+
+mod messages;
+
+mod event_log;
+
+mod discard;
+
+mod session;
+
+mod capture;
+
+mod orbit;
+
+mod camera;
+
+mod drag;
+
+mod panels;
+
+mod globe;
+
+mod select;
+
+mod keys;
+
+mod marks;
+
+mod layout;
 
 use bevy::app::PanicHandlerPlugin;
 use bevy::asset::AssetPlugin;
@@ -57,6 +77,7 @@ use bevy_pangaea::prelude::*;
 use bevy_pangaea::render::PangaeaRenderPlugin;
 use bevy_pangaea::render::adapter::open_adapter;
 use bevy_pangaea::spawn::PlanetState;
+use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 
@@ -64,17 +85,13 @@ use std::path::PathBuf;
 pub struct Options {
     /// The first planet.
     pub recipe: PlanetRecipe,
-    /// A planet to begin with instead, and the save that it comes from.
+    /// A planet to open instead, and the save that it comes from.
     pub open: Option<(Box<PlanetState>, PathBuf)>,
     /// Ends after this many frames of the planet.
     pub frames: Option<u32>,
     /// Where a picture of the last of those frames goes.
     pub capture: Option<PathBuf>,
 }
-
-/// Whether the page of keys is open.
-#[derive(Resource, Clone, Copy, Debug, Default, PartialEq)]
-struct HelpPage(bool);
 
 /// Opens the window and returns when it is closed.
 ///
@@ -97,6 +114,7 @@ pub fn run(options: Options) -> Result<(), String> {
 /// An app with a window. Winit panics where the display cannot be reached; that becomes an error
 /// here.
 fn open_window(adapter: RenderCreation) -> Result<App, String> {
+    // The panic is told by the error, not by a backtrace.
     let hook = take_hook();
     set_hook(Box::new(|_| {}));
     let opened = catch_unwind(AssertUnwindSafe(|| {
@@ -109,20 +127,22 @@ fn open_window(adapter: RenderCreation) -> Result<App, String> {
         app
     }));
     set_hook(hook);
-    opened.map_err(|panic| {
-        let text = panic.downcast_ref::<String>().map(String::as_str);
-        let text = text
-            .or_else(|| panic.downcast_ref::<&str>().copied())
-            .unwrap_or("no reason given");
-        if text.contains("event loop") {
-            let display = std::env::var("DISPLAY").unwrap_or_default();
-            return format!("no window can be opened: the display {display} does not answer");
-        }
-        format!(
-            "no window can be opened: {}",
-            text.lines().next().unwrap_or(text)
-        )
-    })
+    opened.map_err(|panic| refusal(&*panic))
+}
+
+/// Why no window can be opened, by the panic that said so.
+fn refusal(panic: &(dyn Any + Send)) -> String {
+    let text = panic
+        .downcast_ref::<String>()
+        .map(String::as_str)
+        .or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or("no reason given");
+    if text.contains("event loop") {
+        let display = std::env::var("DISPLAY").unwrap_or_default();
+        return format!("no window can be opened: the display {display} does not answer");
+    }
+    let first_line = text.lines().next().unwrap_or(text);
+    format!("no window can be opened: {first_line}")
 }
 
 fn default_plugins(adapter: RenderCreation) -> impl PluginGroup {
@@ -157,78 +177,98 @@ fn default_plugins(adapter: RenderCreation) -> impl PluginGroup {
 
 /// The explorer itself, on top of Bevy, egui and the planet.
 fn build(app: &mut App, options: Options) {
-    match options.open {
-        Some((planet, path)) => session::begin_with(app, planet, path),
-        None => {
-            let grow = state::Action::Grow(Box::new(options.recipe.clone()));
-            app.add_systems(Startup, move |mut actions: MessageWriter<state::Action>| {
-                actions.write(grow.clone());
-            });
-        }
-    }
+    begin(app, &options.recipe, options.open);
     if let Some(frames) = options.frames {
         app.insert_resource(capture::FixedRun::new(frames, options.capture));
     }
     app.insert_resource(ClearColor(Color::srgb(0.016, 0.02, 0.031)))
         .insert_resource(panels::planet::PlanetForm::new(options.recipe))
-        .init_resource::<session::Session>()
+        .init_gizmo_group::<marks::MarkGizmos>()
+        .add_message::<state::Action>()
+        .add_message::<state::PresetRead>()
+        .add_plugins(event_log::plugin);
+    add_state(app);
+    app.add_systems(Startup, (camera::spawn_cameras, marks::configure))
+        .add_systems(
+            PreUpdate,
+            (
+                select::find_ground,
+                drag::drag_plates,
+                select::click,
+                keys::read,
+            )
+                .chain()
+                .after(bevy_egui::EguiPreUpdateSet::BeginPass),
+        )
+        .add_systems(EguiPrimaryContextPass, layout::draw)
+        .add_systems(
+            PostUpdate,
+            camera::fit_viewport.before(bevy::camera::CameraUpdateSystems),
+        );
+    add_update_systems(app);
+}
+
+/// Opens the planet of a save, or grows one.
+fn begin(app: &mut App, recipe: &PlanetRecipe, open: Option<(Box<PlanetState>, PathBuf)>) {
+    if let Some((planet, path)) = open {
+        session::begin_with(app, planet, path);
+        return;
+    }
+    let grow = state::Action::Grow(Box::new(recipe.clone()));
+    app.add_systems(Startup, move |mut actions: MessageWriter<state::Action>| {
+        actions.write(grow.clone());
+    });
+}
+
+fn add_state(app: &mut App) {
+    app.init_resource::<session::Session>()
+        .init_resource::<state::ShownPlanet>()
         .init_resource::<state::Selection>()
         .init_resource::<state::Tool>()
+        .init_resource::<state::PlateDrag>()
         .init_resource::<state::Look>()
         .init_resource::<state::Pointer>()
+        .init_resource::<state::HelpPage>()
+        .init_resource::<view::ShownPlates>()
         .init_resource::<camera::FreeArea>()
         .init_resource::<capture::Pictures>()
         .init_resource::<panels::plate::PlateForm>()
         .init_resource::<panels::paint::PaintForm>()
         .init_resource::<panels::legend::LegendCache>()
-        .init_resource::<panels::timings::FrameTimes>()
-        .init_resource::<HelpPage>()
-        .init_gizmo_group::<marks::MarkGizmos>()
-        .add_message::<state::Action>()
-        .add_plugins(messages::plugin)
-        .add_systems(Startup, (camera::spawn_cameras, marks::configure))
-        .add_systems(EguiPrimaryContextPass, layout::draw);
-    add_update_systems(app);
+        .init_resource::<panels::timings::FrameTimes>();
 }
 
+/// Wishes are carried out first, then the plates of the planet are listed for all that read
+/// them.
 fn add_update_systems(app: &mut App) {
-    app.add_systems(
-        PreUpdate,
-        (select::find_ground, select::click, keys::read)
-            .chain()
-            .after(bevy_egui::EguiPreUpdateSet::BeginPass),
-    )
-    .add_systems(
-        Update,
-        (
-            panels::timings::watch,
-            state::apply_actions,
-            state::share_frames,
-            session::start_jobs,
-            session::finish_jobs,
-            session::save_at_boundary,
-            session::finish_save,
-            capture::count_frames,
-            capture::take_pictures,
-            capture::finish_pictures,
-            state::forget_lost_plates,
-            camera::steer,
-            state::dress_globe,
-            state::ask_for_bakes,
-            marks::draw,
-        )
-            .chain(),
-    )
-    .add_systems(
-        PostUpdate,
-        camera::fit_viewport.before(bevy::camera::CameraUpdateSystems),
+    let ask_and_do = (
+        panels::timings::watch,
+        actions::apply,
+        globe::set_frame_budget,
+        session::start_jobs,
+        session::finish_jobs,
+        session::save_at_boundary,
+        session::finish_save,
+        panels::planet::take_preset,
+        capture::count_frames,
+        capture::take_pictures,
+        capture::finish_pictures,
     );
+    let show = (
+        view::list_plates,
+        actions::forget_lost_plates,
+        camera::steer,
+        globe::set_look,
+        globe::request_bakes,
+        marks::draw,
+    );
+    app.add_systems(Update, (ask_and_do.chain(), show.chain()).chain());
 }
 
-/// A window needs a display server; winit panics where there is none.
+/// Refuses to go on without a display server: winit would panic.
 fn has_display() -> Result<(), String> {
-    let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    if cfg!(target_os = "linux") && !set("DISPLAY") {
+    let display = std::env::var_os("DISPLAY").unwrap_or_default();
+    if cfg!(target_os = "linux") && display.is_empty() {
         return Err(
             "no display: DISPLAY is not set; the commands of pangaea --help need none".into(),
         );

@@ -5,10 +5,9 @@
 //! takes the state at a step boundary and writes it on another thread.
 
 use super::background::Background;
-use super::discard::{Discard, Mark, QUESTION};
-use super::messages::Messages;
-use super::panels::planet::PlanetForm;
-use super::state::{Action, Selection};
+use super::discard::{DISCARD_QUESTION, Discard, PlanetRevision};
+use super::messages::MessageLog;
+use super::state::{Action, PresetRead, Selection, ShownPlanet};
 use bevy::prelude::*;
 use bevy_pangaea::io;
 use bevy_pangaea::prelude::*;
@@ -16,42 +15,41 @@ use bevy_pangaea::schedule::StepCursor;
 use bevy_pangaea::spawn::PlanetState;
 use std::path::{Path, PathBuf};
 
-/// The planet on show and what is under way.
+/// The work under way for the planet on show.
 #[derive(Resource, Default)]
 pub struct Session {
-    /// The planet on show.
-    pub planet: Option<Entity>,
-    job: Option<Job>,
+    job: Option<PlanetJob>,
     /// Where to save as soon as the planet stands between two steps.
     save_to: Option<PathBuf>,
     saving: Option<Saving>,
     discard: Discard,
 }
 
-/// A save under way: what it holds, and the note when it is written.
+/// A save under way: the revision that it holds, and the note when it is written.
 struct Saving {
-    mark: Option<Mark>,
+    revision: Option<PlanetRevision>,
     work: Background<String>,
 }
 
-struct Job {
-    what: String,
-    work: Background<Outcome>,
+/// A planet or a preset on its way; one at a time.
+struct PlanetJob {
+    title: &'static str,
+    work: Background<JobResult>,
 }
 
-enum Outcome {
+enum JobResult {
     Grown(Box<PlanetState>),
     Loaded(Box<PlanetState>, PathBuf),
-    Preset(Box<PlanetRecipe>, PathBuf),
+    Preset(Box<PresetRead>),
 }
 
 impl Session {
-    /// What is under way, in words.
+    /// The work under way, in words.
     pub fn busy(&self) -> Option<&str> {
         let saving = self.save_to.is_some() || self.saving.is_some();
         self.job
             .as_ref()
-            .map(|job| job.what.as_str())
+            .map(|job| job.title)
             .or(saving.then_some("Saving"))
     }
 
@@ -62,13 +60,11 @@ impl Session {
 
     fn start(
         &mut self,
-        what: String,
-        work: impl FnOnce() -> Result<Outcome, String> + Send + 'static,
+        title: &'static str,
+        work: impl FnOnce() -> Result<JobResult, String> + Send + 'static,
     ) {
-        self.job = Some(Job {
-            what,
-            work: Background::start(work),
-        });
+        let work = Background::start(work);
+        self.job = Some(PlanetJob { title, work });
     }
 }
 
@@ -76,85 +72,98 @@ impl Session {
 pub fn start_jobs(
     mut actions: MessageReader<Action>,
     mut session: ResMut<Session>,
-    mut messages: ResMut<Messages>,
+    mut messages: ResMut<MessageLog>,
+    shown: Res<ShownPlanet>,
     planets: Query<(Entity, &GeologicClock, &Recording)>,
 ) {
-    let now = session
-        .planet
-        .and_then(|planet| planets.get(planet).ok())
-        .map(Mark::of);
+    let shown = shown.0.and_then(|planet| planets.get(planet).ok());
+    let now = shown.map(PlanetRevision::of);
     for action in actions.read() {
-        let wants_job = matches!(
-            action,
-            Action::Grow(_) | Action::Load(_) | Action::ReadPreset(_)
-        );
-        if wants_job && session.job.is_some() {
-            messages.error("a planet is on its way already: wait for it");
-            continue;
-        }
-        let discards = matches!(action, Action::Grow(_) | Action::Load(_));
-        if let Some(now) = now.filter(|_| discards)
-            && !session.discard.allows(action, now)
-        {
-            messages.note(QUESTION);
-            continue;
-        }
-        match action.clone() {
-            Action::Grow(recipe) => session.start("Growing a planet".into(), move || {
-                PlanetState::new(&recipe)
-                    .map(Box::new)
-                    .map(Outcome::Grown)
-                    .map_err(text)
-            }),
-            Action::Load(path) => session.start("Loading".into(), move || {
-                let state = io::load(&path).map_err(text)?;
-                Ok(Outcome::Loaded(Box::new(state), path))
-            }),
-            Action::ReadPreset(path) => session.start("Reading a preset".into(), move || {
-                let recipe = io::load_preset(&path).map_err(text)?;
-                Ok(Outcome::Preset(Box::new(recipe), path))
-            }),
-            Action::Save(path) if session.planet.is_none() => {
-                messages.error(format!("there is no planet to save as {}", path.display()));
+        match action {
+            Action::Grow(_) | Action::Load(_) | Action::ReadPreset(_) => {
+                start_job(&mut session, &mut messages, action, now);
             }
-            Action::Save(path) if path.as_os_str().is_empty() => {
-                messages.error("name a file to save the planet to");
-            }
-            Action::Save(path) => session.save_to = Some(path),
+            Action::Save(path) => request_save(&mut session, &mut messages, path, now.is_some()),
             _ => {}
         }
     }
 }
 
-/// Puts a planet that is ready on show.
+/// Starts a job, unless one is under way, or a planet that is not saved would go unasked.
+fn start_job(
+    session: &mut Session,
+    messages: &mut MessageLog,
+    action: &Action,
+    now: Option<PlanetRevision>,
+) {
+    if session.job.is_some() {
+        messages.error("a planet is on its way already: wait for it");
+        return;
+    }
+    let replaces = matches!(action, Action::Grow(_) | Action::Load(_));
+    if let Some(now) = now.filter(|_| replaces)
+        && !session.discard.allows(action, now)
+    {
+        messages.note(DISCARD_QUESTION);
+        return;
+    }
+    match action.clone() {
+        Action::Grow(recipe) => session.start("Growing a planet", move || grow(&recipe)),
+        Action::Load(path) => session.start("Loading", move || load(path)),
+        Action::ReadPreset(path) => session.start("Reading a preset", move || read_preset(path)),
+        _ => {}
+    }
+}
+
+fn grow(recipe: &PlanetRecipe) -> Result<JobResult, String> {
+    let state = PlanetState::new(recipe).map_err(text)?;
+    Ok(JobResult::Grown(Box::new(state)))
+}
+
+fn load(path: PathBuf) -> Result<JobResult, String> {
+    let state = io::load(&path).map_err(text)?;
+    Ok(JobResult::Loaded(Box::new(state), path))
+}
+
+fn read_preset(path: PathBuf) -> Result<JobResult, String> {
+    let recipe = io::load_preset(&path).map_err(text)?;
+    Ok(JobResult::Preset(Box::new(PresetRead { recipe, path })))
+}
+
+fn request_save(session: &mut Session, messages: &mut MessageLog, path: &Path, has_planet: bool) {
+    if !has_planet {
+        messages.error(format!("there is no planet to save as {}", path.display()));
+    } else if path.as_os_str().is_empty() {
+        messages.error("name a file to save the planet to");
+    } else {
+        session.save_to = Some(path.to_path_buf());
+    }
+}
+
+/// Puts a planet that is ready on show, and hands on a preset that has been read.
 pub fn finish_jobs(world: &mut World) {
     let mut session = world.resource_mut::<Session>();
-    let Some(job) = session.job.as_mut() else {
-        return;
-    };
-    let Some(outcome) = job.work.take() else {
+    let Some(result) = session.job.as_mut().and_then(|job| job.work.take()) else {
         return;
     };
     session.job = None;
-    match outcome {
-        Ok(Outcome::Grown(state)) => {
+    match result {
+        Ok(JobResult::Grown(state)) => {
             let seed = state.planet.seed;
             replace(world, *state);
-            world
-                .resource_mut::<Messages>()
-                .note(format!("a new planet from seed {seed}"));
+            note(world, format!("a new planet from seed {seed}"));
         }
-        Ok(Outcome::Loaded(state, path)) => show_loaded(world, *state, &path),
-        Ok(Outcome::Preset(recipe, path)) => {
-            world
-                .resource_mut::<PlanetForm>()
-                .take_preset(*recipe, &path);
-            world
-                .resource_mut::<Messages>()
-                .note(format!("read {}", path.display()));
+        Ok(JobResult::Loaded(state, path)) => show_loaded(world, *state, &path),
+        Ok(JobResult::Preset(preset)) => {
+            note(world, format!("read {}", preset.path.display()));
+            world.write_message(*preset);
         }
-        Err(error) => world.resource_mut::<Messages>().error(error),
+        Err(error) => world.resource_mut::<MessageLog>().error(error),
     }
+}
+
+fn note(world: &mut World, text: String) {
+    world.resource_mut::<MessageLog>().note(text);
 }
 
 /// Shows a planet that was loaded before the app runs, as the first one.
@@ -169,14 +178,12 @@ pub fn begin_with(app: &mut App, planet: Box<PlanetState>, path: PathBuf) {
 
 fn show_loaded(world: &mut World, state: PlanetState, path: &Path) {
     replace(world, state);
-    world
-        .resource_mut::<Messages>()
-        .note(format!("loaded {}", path.display()));
+    note(world, format!("loaded {}", path.display()));
 }
 
 /// Spawns the planet in place of the present one; whether time runs, and how fast, stays.
 fn replace(world: &mut World, state: PlanetState) {
-    let old = world.resource::<Session>().planet;
+    let old = world.resource::<ShownPlanet>().0;
     let controls = old.and_then(|old| world.get::<ClockControls>(old));
     let controls = controls.map(|controls| ClockControls {
         paused: controls.paused,
@@ -187,28 +194,34 @@ fn replace(world: &mut World, state: PlanetState) {
     world
         .entity_mut(planet)
         .insert(controls.unwrap_or_default());
-    let mark = mark(world, planet);
-    let mut session = world.resource_mut::<Session>();
-    session.planet = Some(planet);
-    if let Some(mark) = mark {
-        session.discard.keep(mark);
-    }
+    world.resource_mut::<ShownPlanet>().0 = Some(planet);
+    // Numbers of plates mean nothing on another planet.
     world.resource_mut::<Selection>().0 = None;
+    if let Some(revision) = revision(world, planet) {
+        world.resource_mut::<Session>().discard.keep(revision);
+    }
+    // Last, so that the clock could be read; its plates go with it.
     if let Some(old) = old {
         world.despawn(old);
     }
 }
 
-fn mark(world: &World, planet: Entity) -> Option<Mark> {
-    Some(Mark::of((planet, world.get(planet)?, world.get(planet)?)))
+fn revision(world: &World, planet: Entity) -> Option<PlanetRevision> {
+    Some(PlanetRevision::of((
+        planet,
+        world.get(planet)?,
+        world.get(planet)?,
+    )))
 }
 
 /// Takes the state for a save when the planet stands between two steps, and hands it to a thread.
 pub fn save_at_boundary(world: &mut World) {
     let session = world.resource::<Session>();
-    let (Some(planet), Some(path)) = (session.planet, session.save_to.clone()) else {
+    let (Some(planet), Some(path)) = (world.resource::<ShownPlanet>().0, &session.save_to) else {
         return;
     };
+    let path = path.clone();
+    // In the middle of a step the state is torn: a save waits, and one at a time.
     let between = world
         .get::<StepCursor>(planet)
         .is_some_and(StepCursor::at_boundary);
@@ -216,37 +229,41 @@ pub fn save_at_boundary(world: &mut World) {
         return;
     }
     world.resource_mut::<Session>().save_to = None;
-    match io::capture(world, planet) {
-        Some(state) => {
-            let mark = mark(world, planet);
-            let work = Background::start(move || {
-                io::save(&state, &path).map_err(text)?;
-                Ok(format!("saved {}", path.display()))
-            });
-            world.resource_mut::<Session>().saving = Some(Saving { mark, work });
-        }
-        None => world
-            .resource_mut::<Messages>()
-            .error("the planet cannot be saved now"),
-    }
+    let Some(state) = io::capture(world, planet) else {
+        let mut messages = world.resource_mut::<MessageLog>();
+        messages.error("the planet cannot be saved now");
+        return;
+    };
+    let saving = Saving {
+        revision: revision(world, planet),
+        work: Background::start(move || {
+            io::save(&state, &path).map_err(text)?;
+            Ok(format!("saved {}", path.display()))
+        }),
+    };
+    world.resource_mut::<Session>().saving = Some(saving);
 }
 
 /// Says how a save went.
-pub fn finish_save(mut session: ResMut<Session>, mut messages: ResMut<Messages>) {
+pub fn finish_save(
+    mut session: ResMut<Session>,
+    mut messages: ResMut<MessageLog>,
+    shown: Res<ShownPlanet>,
+) {
     let Some(saving) = session.saving.as_mut() else {
         return;
     };
-    let Some(outcome) = saving.work.take() else {
+    let Some(result) = saving.work.take() else {
         return;
     };
-    let mark = saving.mark;
+    let revision = saving.revision;
     session.saving = None;
-    match outcome {
+    match result {
         Ok(note) => {
             messages.note(note);
             // Another planet may have come meanwhile.
-            if let Some(mark) = mark.filter(|mark| session.planet == Some(mark.planet)) {
-                session.discard.keep(mark);
+            if let Some(saved) = revision.filter(|saved| shown.0 == Some(saved.planet)) {
+                session.discard.keep(saved);
             }
         }
         Err(error) => messages.error(error),

@@ -3,14 +3,16 @@
 use super::*;
 use crate::explorer::messages::Tone;
 use std::time::{Duration, Instant};
+use tempfile::TempDir;
 
 fn app() -> App {
     let mut app = App::new();
     app.add_message::<Action>()
+        .add_message::<PresetRead>()
         .init_resource::<Session>()
-        .init_resource::<Messages>()
+        .init_resource::<ShownPlanet>()
+        .init_resource::<MessageLog>()
         .init_resource::<Selection>()
-        .init_resource::<PlanetForm>()
         .add_systems(
             Update,
             (start_jobs, finish_jobs, save_at_boundary, finish_save).chain(),
@@ -20,17 +22,30 @@ fn app() -> App {
 
 /// Does it and waits. Returns the newest message.
 fn ask(app: &mut App, action: Action) -> (Tone, String) {
-    app.world_mut().resource_mut::<Messages>().clear();
+    app.world_mut().resource_mut::<MessageLog>().clear();
     app.world_mut().write_message(action);
-    let patience = Instant::now() + Duration::from_secs(60);
+    let deadline = Instant::now() + Duration::from_secs(60);
     loop {
         app.update();
-        if let Some(entry) = app.world().resource::<Messages>().entries().next() {
+        if let Some(entry) = app.world().resource::<MessageLog>().entries().next() {
             return (entry.tone, entry.text.clone());
         }
-        assert!(Instant::now() < patience, "nothing was said");
+        assert!(Instant::now() < deadline, "nothing was said");
         std::thread::sleep(Duration::from_millis(1));
     }
+}
+
+/// Asks for something that is done, and asserts what the message begins with.
+fn assert_done(app: &mut App, action: Action, beginning: &str) {
+    let (tone, text) = ask(app, action);
+    assert_eq!(tone, Tone::Note, "{text}");
+    assert!(text.starts_with(beginning), "{text}");
+}
+
+/// Asks for something that fails with one line.
+fn assert_refused(app: &mut App, action: Action) {
+    let (tone, text) = ask(app, action);
+    assert_eq!((tone, text.lines().count()), (Tone::Error, 1), "{text}");
 }
 
 fn recipe() -> Box<PlanetRecipe> {
@@ -43,120 +58,113 @@ fn recipe() -> Box<PlanetRecipe> {
 
 fn grown() -> (App, Entity) {
     let mut app = app();
-    assert_eq!(ask(&mut app, Action::Grow(recipe())).0, Tone::Note);
-    let planet = app.world().resource::<Session>().planet.unwrap();
+    assert_done(&mut app, Action::Grow(recipe()), "a new planet");
+    let planet = shown(&app);
     (app, planet)
 }
 
+fn shown(app: &App) -> Entity {
+    app.world().resource::<ShownPlanet>().0.unwrap()
+}
+
+fn clock(app: &mut App) -> Mut<'_, GeologicClock> {
+    let planet = shown(app);
+    app.world_mut().get_mut(planet).unwrap()
+}
+
+fn controls(app: &mut App) -> Mut<'_, ClockControls> {
+    let planet = shown(app);
+    app.world_mut().get_mut(planet).unwrap()
+}
+
 #[test]
-fn a_new_planet_replaces_the_old_one_only_when_it_is_there() {
+fn a_planet_that_cannot_grow_leaves_the_old_one() {
     let (mut app, first) = grown();
-    let bad = Box::new(PlanetRecipe {
-        land: f64::NAN,
-        ..*recipe()
-    });
-    assert_eq!(ask(&mut app, Action::Grow(bad)).0, Tone::Error);
-    assert_eq!(app.world().resource::<Session>().planet, Some(first));
+    let land = f64::NAN;
+    let bad = PlanetRecipe { land, ..*recipe() };
+    assert_refused(&mut app, Action::Grow(Box::new(bad)));
+    assert_eq!(shown(&app), first);
     assert!(app.world().get::<Crust>(first).is_some());
-    app.world_mut()
-        .get_mut::<ClockControls>(first)
-        .unwrap()
-        .paused = true;
-    assert_eq!(ask(&mut app, Action::Grow(recipe())).0, Tone::Note);
-    let second = app.world().resource::<Session>().planet.unwrap();
-    assert_ne!(first, second);
-    assert!(
-        app.world().get_entity(first).is_err(),
-        "the old planet is gone"
-    );
-    assert!(
-        app.world().get::<ClockControls>(second).unwrap().paused,
-        "a pause stays"
-    );
-    let plates = app
-        .world_mut()
-        .query::<&PlateId>()
-        .iter(app.world())
-        .count();
+}
+
+#[test]
+fn a_new_planet_replaces_the_old_one() {
+    let (mut app, first) = grown();
+    controls(&mut app).paused = true;
+    assert_done(&mut app, Action::Grow(recipe()), "a new planet");
+    assert_ne!(first, shown(&app));
+    assert!(app.world().get_entity(first).is_err(), "it is gone");
+    assert!(controls(&mut app).paused, "a pause stays");
+    let mut plates = app.world_mut().query::<&PlateId>();
+    let plates = plates.iter(app.world()).count();
     assert_eq!(plates, 6, "the plates of the old planet are gone");
 }
 
 #[test]
-fn a_saved_planet_comes_back_and_bad_files_are_refused() {
-    let folder = tempfile::tempdir().unwrap();
+fn a_saved_planet_comes_back() {
+    let folder = TempDir::new().unwrap();
     let path = folder.path().join("planet.pangaea");
     let (mut app, first) = grown();
     let crust = app.world().get::<Crust>(first).unwrap().clone();
-    assert_eq!(ask(&mut app, Action::Save(path.clone())).0, Tone::Note);
-    assert_eq!(ask(&mut app, Action::Load(path.clone())).0, Tone::Note);
-    let second = app.world().resource::<Session>().planet.unwrap();
+    assert_done(&mut app, Action::Save(path.clone()), "saved");
+    assert_done(&mut app, Action::Load(path), "loaded");
+    let second = shown(&app);
     assert!(*app.world().get::<Crust>(second).unwrap() == crust);
+}
 
+#[test]
+fn bad_files_are_refused() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("planet.pangaea");
+    let (mut app, first) = grown();
+    assert_done(&mut app, Action::Save(path.clone()), "saved");
     let bytes = std::fs::read(&path).unwrap();
     std::fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
-    assert_eq!(ask(&mut app, Action::Load(path)).0, Tone::Error);
+    assert_refused(&mut app, Action::Load(path));
     let nowhere = folder.path().join("no/such/folder/planet.pangaea");
-    for action in [
-        Action::Load(nowhere.clone()),
-        Action::Save(nowhere.clone()),
-        Action::Save(PathBuf::new()),
-        Action::ReadPreset(nowhere),
-    ] {
-        let (tone, text) = ask(&mut app, action);
-        assert_eq!((tone, text.lines().count()), (Tone::Error, 1), "{text}");
-    }
-    assert_eq!(app.world().resource::<Session>().planet, Some(second));
+    assert_refused(&mut app, Action::Load(nowhere.clone()));
+    assert_refused(&mut app, Action::Save(nowhere.clone()));
+    assert_refused(&mut app, Action::Save(PathBuf::new()));
+    assert_refused(&mut app, Action::ReadPreset(nowhere));
+    assert_eq!(shown(&app), first);
+}
+
+#[test]
+fn a_planet_that_is_saved_goes_without_a_question() {
+    let folder = TempDir::new().unwrap();
+    let (mut app, first) = grown();
+    clock(&mut app).step += 1;
+    let path = folder.path().join("planet.pangaea");
+    assert_done(&mut app, Action::Save(path), "saved");
+    assert_done(&mut app, Action::Grow(recipe()), "a new planet");
+    assert_ne!(first, shown(&app));
 }
 
 #[test]
 fn a_planet_that_is_not_saved_goes_when_that_is_asked_for_twice() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = TempDir::new().unwrap();
     let path = folder.path().join("planet.pangaea");
     let (mut app, first) = grown();
-    let step = |app: &mut App| {
-        let planet = app.world().resource::<Session>().planet.unwrap();
-        app.world_mut()
-            .get_mut::<GeologicClock>(planet)
-            .unwrap()
-            .step += 1;
-    };
-    // What is saved may go.
-    step(&mut app);
-    assert!(
-        ask(&mut app, Action::Save(path.clone()))
-            .1
-            .starts_with("saved")
-    );
-    assert!(
-        ask(&mut app, Action::Grow(recipe()))
-            .1
-            .starts_with("a new planet")
-    );
-    let second = app.world().resource::<Session>().planet.unwrap();
-    assert_ne!(first, second);
-    // What is not is asked about, for each wish anew.
-    step(&mut app);
-    assert_eq!(ask(&mut app, Action::Grow(recipe())).1, QUESTION);
-    assert_eq!(ask(&mut app, Action::Load(path.clone())).1, QUESTION);
-    assert_eq!(app.world().resource::<Session>().planet, Some(second));
-    step(&mut app);
-    assert!(
-        ask(&mut app, Action::Load(path.clone()))
-            .1
-            .starts_with("loaded")
-    );
-    // A command is a change, too.
-    let third = app.world().resource::<Session>().planet.unwrap();
+    assert_done(&mut app, Action::Save(path.clone()), "saved");
+    clock(&mut app).step += 1;
+    // Each wish has a question of its own.
+    assert_done(&mut app, Action::Grow(recipe()), DISCARD_QUESTION);
+    assert_done(&mut app, Action::Load(path.clone()), DISCARD_QUESTION);
+    assert_eq!(shown(&app), first);
+    clock(&mut app).step += 1;
+    assert_done(&mut app, Action::Load(path), "loaded");
+}
+
+#[test]
+fn a_command_is_a_change_too() {
+    let (mut app, planet) = grown();
     let command = TimedCommand {
         step: 1,
         command: TectonicCommand::Resample,
     };
-    app.world_mut()
-        .get_mut::<Recording>(third)
-        .unwrap()
-        .0
-        .push(command);
-    assert_eq!(ask(&mut app, Action::Load(path)).1, QUESTION);
+    let mut recording = app.world_mut().get_mut::<Recording>(planet).unwrap();
+    recording.0.push(command);
+    assert_done(&mut app, Action::Grow(recipe()), DISCARD_QUESTION);
 }
 
 #[test]
@@ -165,25 +173,30 @@ fn a_planet_that_was_loaded_before_is_the_first_on_show() {
     let state = PlanetState::new(&recipe()).unwrap();
     begin_with(&mut app, Box::new(state), "a.pangaea".into());
     app.update();
-    let planet = app.world().resource::<Session>().planet.unwrap();
+    let planet = shown(&app);
     assert!(app.world().get::<Crust>(planet).is_some());
-    assert_eq!(
-        app.world()
-            .resource::<Messages>()
-            .entries()
-            .next()
-            .unwrap()
-            .text,
-        "loaded a.pangaea"
-    );
+    let newest = app.world().resource::<MessageLog>().entries().next();
+    assert_eq!(newest.unwrap().text, "loaded a.pangaea");
     app.update();
-    assert_eq!(app.world().resource::<Session>().planet, Some(planet));
+    assert_eq!(shown(&app), planet);
 }
 
 #[test]
 fn a_second_planet_is_not_begun_while_one_is_on_its_way() {
     let mut app = app();
     app.world_mut().write_message(Action::Grow(recipe()));
-    let (tone, text) = ask(&mut app, Action::Grow(recipe()));
-    assert_eq!(tone, Tone::Error, "{text}");
+    assert_refused(&mut app, Action::Grow(recipe()));
+}
+
+#[test]
+fn a_preset_arrives_as_a_message() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.planet.ron");
+    std::fs::write(&path, "(samples: 700, plate_count: 9)").unwrap();
+    let mut app = app();
+    assert_done(&mut app, Action::ReadPreset(path.clone()), "read");
+    let mut presets = app.world_mut().resource_mut::<Messages<PresetRead>>();
+    let presets: Vec<PresetRead> = presets.drain().collect();
+    assert_eq!(presets.len(), 1);
+    assert_eq!((presets[0].recipe.samples, &presets[0].path), (700, &path));
 }

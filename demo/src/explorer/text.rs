@@ -24,6 +24,7 @@ pub fn number(value: f64) -> String {
             None => text,
         };
     }
+    // One digit before the point has three behind it; each further digit takes one away.
     let (mut decimals, mut rest) = (3_usize, size);
     while rest >= 10.0 {
         decimals = decimals.saturating_sub(1);
@@ -60,6 +61,7 @@ pub fn count(n: usize) -> String {
     let mut out = String::new();
     for (i, digit) in digits.chars().enumerate() {
         if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            // A thin space.
             out.push('\u{2009}');
         }
         out.push(digit);

@@ -3,6 +3,7 @@
 use crate::explorer::style::{ACCENT, BRIGHT, FAINT, FIELD, TEXT, floating_frame};
 use bevy_egui::egui::{Button, Context, Frame, Grid, Id, Margin, Modal, RichText, Ui, vec2};
 
+/// Groups of keys, each with its meaning.
 const KEYS: [(&str, &[(&str, &str)]); 4] = [
     (
         "Time",
@@ -29,6 +30,7 @@ const KEYS: [(&str, &[(&str, &str)]); 4] = [
         "Plates",
         &[
             ("Click", "select a plate"),
+            ("Shift+drag", "set the motion of a plate"),
             ("B", "take the brush or put it down"),
             ("Esc", "end a tool, deselect"),
         ],
@@ -50,29 +52,30 @@ pub fn show(ctx: &Context, open: &mut bool) {
         return;
     }
     let frame = floating_frame().inner_margin(Margin::same(20));
-    let page = Modal::new(Id::new("help")).frame(frame).show(ctx, |ui| {
-        ui.label(RichText::new("Pangaea").size(20.0).strong().color(BRIGHT));
-        ui.label(RichText::new("A planet of drifting plates. Take one by the hand.").color(FAINT));
-        ui.add_space(8.0);
-        ui.horizontal_top(|ui| {
-            for column in KEYS.chunks(2) {
-                ui.vertical(|ui| {
-                    column
-                        .iter()
-                        .for_each(|(title, keys)| group(ui, title, keys))
-                });
-                ui.add_space(18.0);
-            }
-        });
-        ui.add_space(6.0);
-        if ui
-            .add_sized(vec2(70.0, 24.0), Button::new("Close"))
-            .clicked()
-        {
-            ui.close();
+    let page = Modal::new(Id::new("help")).frame(frame).show(ctx, page);
+    *open = !page.should_close();
+}
+
+fn page(ui: &mut Ui) {
+    let subtitle = "A planet of drifting plates. Drag one with Shift to set its motion.";
+    ui.label(RichText::new("Pangaea").size(20.0).strong().color(BRIGHT));
+    ui.label(RichText::new(subtitle).color(FAINT));
+    ui.add_space(8.0);
+    ui.horizontal_top(|ui| {
+        for column in KEYS.chunks(2) {
+            ui.vertical(|ui| {
+                for (title, keys) in column {
+                    group(ui, title, keys);
+                }
+            });
+            ui.add_space(18.0);
         }
     });
-    *open = !page.should_close();
+    ui.add_space(6.0);
+    let close = ui.add_sized(vec2(70.0, 24.0), Button::new("Close"));
+    if close.clicked() {
+        ui.close();
+    }
 }
 
 fn group(ui: &mut Ui, title: &str, keys: &[(&str, &str)]) {

@@ -1,8 +1,9 @@
 //! The key of the overlay, floating over the lower edge of the globe.
 
-use crate::explorer::state::{Look, View};
+use crate::explorer::state::Look;
 use crate::explorer::style::{BRIGHT, FAINT, LINE, TEXT, floating_frame};
 use crate::explorer::text;
+use crate::explorer::view::ShownView;
 use bevy::prelude::{Entity, Resource};
 use bevy_egui::egui::{
     Align2, Area, Color32, Context, CornerRadius, FontId, Id, Mesh, Order, Painter, Rect, RichText,
@@ -18,7 +19,7 @@ pub struct LegendCache {
 }
 
 impl LegendCache {
-    fn get(&mut self, view: &View, overlay: Overlay) -> Option<&Legend> {
+    fn get(&mut self, view: &ShownView, overlay: Overlay) -> Option<&Legend> {
         let of = Some((view.entity, overlay, view.surface.version));
         if self.of != of {
             self.of = of;
@@ -29,7 +30,7 @@ impl LegendCache {
 }
 
 /// Draws the legend at the lower edge of the free area.
-pub fn show(ctx: &Context, free: Rect, view: &View, look: &Look, cache: &mut LegendCache) {
+pub fn show(ctx: &Context, free: Rect, view: &ShownView, look: &Look, cache: &mut LegendCache) {
     let Some(legend) = cache.get(view, look.overlay) else {
         return;
     };
@@ -41,22 +42,26 @@ pub fn show(ctx: &Context, free: Rect, view: &View, look: &Look, cache: &mut Leg
         .show(ctx, |ui| {
             floating_frame().show(ui, |ui| {
                 title(ui, legend);
-                match &legend.entries {
-                    LegendEntries::Gradient { stops } => gradient(ui, stops),
-                    LegendEntries::Classes(classes) => {
-                        chips(ui, classes.iter().map(|(n, c)| (n.as_str(), *c)))
-                    }
-                }
+                entries(ui, &legend.entries);
                 if look.boundaries && look.overlay != Overlay::Plates {
-                    chips(
-                        ui,
-                        BoundaryKind::ALL
-                            .iter()
-                            .map(|kind| (kind.label(), kind.color())),
-                    );
+                    boundaries(ui);
                 }
             });
         });
+}
+
+fn entries(ui: &mut Ui, entries: &LegendEntries) {
+    match entries {
+        LegendEntries::Gradient { stops } => gradient(ui, stops),
+        LegendEntries::Classes(classes) => {
+            chips(ui, classes.iter().map(|(n, c)| (n.as_str(), *c)));
+        }
+    }
+}
+
+fn boundaries(ui: &mut Ui) {
+    let kinds = BoundaryKind::ALL.iter();
+    chips(ui, kinds.map(|kind| (kind.label(), kind.color())));
 }
 
 fn title(ui: &mut Ui, legend: &Legend) {
@@ -68,47 +73,72 @@ fn title(ui: &mut Ui, legend: &Legend) {
     });
 }
 
+/// A bar whose left and right edge stand for two values.
+#[derive(Clone, Copy)]
+struct ScaleBar {
+    rect: Rect,
+    low: f32,
+    high: f32,
+}
+
+impl ScaleBar {
+    /// Where a value stands.
+    fn x(&self, value: f32) -> f32 {
+        let share = self.rect.width() * (value - self.low);
+        self.rect.left() + share / (self.high - self.low).max(1e-6)
+    }
+}
+
 /// A bar of colours over a scale of round numbers.
 fn gradient(ui: &mut Ui, stops: &[(f32, [u8; 4])]) {
     let (Some(first), Some(last)) = (stops.first(), stops.last()) else {
         return;
     };
-    let (low, high) = (first.0, last.0);
     let (area, _) = ui.allocate_exact_size(vec2(340.0, 30.0), Sense::hover());
-    let bar = Rect::from_min_size(area.min, vec2(area.width(), 12.0));
-    let x = |value: f32| bar.left() + bar.width() * (value - low) / (high - low).max(1e-6);
+    let bar = ScaleBar {
+        rect: Rect::from_min_size(area.min, vec2(area.width(), 12.0)),
+        low: first.0,
+        high: last.0,
+    };
+    let painter = ui.painter();
+    painter.add(Shape::mesh(colors(bar, stops)));
+    painter.rect_stroke(
+        bar.rect,
+        CornerRadius::ZERO,
+        Stroke::new(1.0, LINE),
+        StrokeKind::Outside,
+    );
+    scale(painter, bar);
+}
+
+/// The colours of a bar: two vertices for each stop, two triangles between two stops.
+fn colors(bar: ScaleBar, stops: &[(f32, [u8; 4])]) -> Mesh {
     let mut mesh = Mesh::default();
-    for (value, color) in stops {
+    for &(value, color) in stops {
         let k = mesh.vertices.len() as u32;
-        mesh.colored_vertex(pos2(x(*value), bar.top()), opaque(*color));
-        mesh.colored_vertex(pos2(x(*value), bar.bottom()), opaque(*color));
+        let (x, color) = (bar.x(value), opaque(color));
+        mesh.colored_vertex(pos2(x, bar.rect.top()), color);
+        mesh.colored_vertex(pos2(x, bar.rect.bottom()), color);
         if k > 0 {
             mesh.add_triangle(k - 2, k - 1, k);
             mesh.add_triangle(k - 1, k, k + 1);
         }
     }
-    let painter = ui.painter();
-    painter.add(Shape::mesh(mesh));
-    painter.rect_stroke(
-        bar,
-        CornerRadius::ZERO,
-        Stroke::new(1.0, LINE),
-        StrokeKind::Outside,
-    );
-    scale(painter, bar, low, high, x);
+    mesh
 }
 
-fn scale(painter: &Painter, bar: Rect, low: f32, high: f32, x: impl Fn(f32) -> f32) {
-    let step = round_step((high - low) / 6.0);
-    let mut tick = (low / step).ceil() * step;
-    while tick <= high + step * 1e-3 {
-        let at = pos2(x(tick), bar.bottom());
+/// Round numbers below a bar.
+fn scale(painter: &Painter, bar: ScaleBar) {
+    // At most seven numbers fit side by side.
+    let step = round_step((bar.high - bar.low) / 6.0);
+    let mut tick = (bar.low / step).ceil() * step;
+    while tick <= bar.high + step * 1e-3 {
+        let at = pos2(bar.x(tick), bar.rect.bottom());
         painter.line_segment([at, at + vec2(0.0, 4.0)], Stroke::new(1.0, FAINT));
-        let label = text::number(f64::from(tick));
         painter.text(
             at + vec2(0.0, 5.0),
             Align2::CENTER_TOP,
-            label,
+            text::number(f64::from(tick)),
             FontId::proportional(10.5),
             TEXT,
         );
@@ -129,6 +159,7 @@ fn round_step(least: f32) -> f32 {
         .unwrap_or(1.0)
 }
 
+/// Names with their colours, three in a line.
 fn chips<'a>(ui: &mut Ui, classes: impl Iterator<Item = (&'a str, [u8; 4])>) {
     let classes: Vec<_> = classes.collect();
     for line in classes.chunks(3) {

@@ -1,13 +1,14 @@
-//! The log of what happened, and the strip over the globe.
+//! The log, and the strip of its latest entries over the globe.
 
-use crate::explorer::messages::{Entry, Messages, Tone};
-use crate::explorer::style::{BRIGHT, ERROR, FAINT, TEXT, floating_frame, hint};
+use crate::explorer::messages::{Entry, MessageLog, Tone};
+use crate::explorer::style::{BRIGHT, ERROR, FAINT, TEXT, floating_frame};
+use crate::explorer::widgets::hint;
 use bevy_egui::egui::{
     Align2, Area, Color32, Context, Id, Label, Order, Rect, RichText, ScrollArea, Stroke, Ui, vec2,
 };
 
 /// Draws the log.
-pub fn show(ui: &mut Ui, messages: &mut Messages) {
+pub fn show(ui: &mut Ui, messages: &mut MessageLog) {
     if messages.entries().next().is_none() {
         hint(ui, "Collisions, rifts and errors will be listed here.");
         return;
@@ -47,8 +48,8 @@ fn color(tone: Tone) -> Color32 {
     }
 }
 
-/// Draws what was said lately at the upper edge of the free area.
-pub fn strip(ctx: &Context, free: Rect, messages: &Messages) {
+/// Draws the latest notes and errors at the upper edge of the free area.
+pub fn strip(ctx: &Context, free: Rect, messages: &MessageLog) {
     if messages.strip().next().is_none() {
         return;
     }
@@ -59,7 +60,11 @@ pub fn strip(ctx: &Context, free: Rect, messages: &Messages) {
         .fixed_pos(free.center_top() + vec2(0.0, 12.0))
         .show(ctx, |ui| {
             ui.set_max_width(free.width() - 60.0);
-            ui.vertical_centered(|ui| messages.strip().for_each(|entry| notice(ui, entry)));
+            ui.vertical_centered(|ui| {
+                for entry in messages.strip() {
+                    notice(ui, entry);
+                }
+            });
         });
 }
 

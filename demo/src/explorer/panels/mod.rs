@@ -1,8 +1,9 @@
-//! The panels, one file each. A panel reads the [`View`](super::state::View), keeps what is being
-//! typed in a form of its own, and pushes what is wanted as an [`Action`].
+//! The panels, one file each. A panel reads the [`ShownView`](super::view::ShownView), keeps the
+//! values that are being typed in a form of its own, and pushes wishes as an [`Action`].
 
 pub mod cursor;
 pub mod draft;
+pub mod drag;
 pub mod help;
 pub mod legend;
 pub mod messages;
@@ -18,7 +19,7 @@ pub mod timings;
 use super::state::Action;
 use bevy_pangaea::prelude::TectonicCommand;
 
-/// What panels ask for during a frame.
+/// The wishes of a frame.
 #[derive(Default)]
 pub struct Outbox(pub Vec<Action>);
 

@@ -1,44 +1,19 @@
-//! What the globe shows.
+//! The overlay, and how the globe is drawn.
 
 use crate::explorer::state::{EXAGGERATION_LIMITS, Look};
-use crate::explorer::style::{field, toggle_button};
-use bevy_egui::egui::{Slider, Ui};
+use crate::explorer::widgets::{field, toggle_button};
+use bevy_egui::egui::{Align, Layout, Slider, Ui, vec2};
 use bevy_pangaea::overlay::Overlay;
 
 /// Draws the panel.
 pub fn show(ui: &mut Ui, look: &mut Look) {
     ui.spacing_mut().item_spacing.y = 4.0;
-    let width = (ui.available_width() - ui.spacing().item_spacing.x) / 2.0;
     for (line, pair) in Overlay::ALL.chunks(2).enumerate() {
-        ui.horizontal(|ui| {
-            for (column, &overlay) in pair.iter().enumerate() {
-                let number = 2 * line + column + 1;
-                ui.allocate_ui_with_layout(
-                    bevy_egui::egui::vec2(width, 21.0),
-                    bevy_egui::egui::Layout::top_down_justified(bevy_egui::egui::Align::LEFT),
-                    |ui| {
-                        let button = toggle_button(ui, look.overlay == overlay, overlay.label());
-                        let button = match key_of(number) {
-                            Some(key) => button.on_hover_text(format!("Key {key}")),
-                            None => button.on_hover_text("Comma and full stop step through all"),
-                        };
-                        if button.clicked() {
-                            look.overlay = overlay;
-                        }
-                    },
-                );
-            }
-        });
+        overlay_line(ui, 2 * line + 1, pair, &mut look.overlay);
     }
     ui.add_space(4.0);
     field(ui, "Relief", |ui| {
-        ui.spacing_mut().slider_width = 100.0;
-        let slider = Slider::new(
-            &mut look.exaggeration,
-            EXAGGERATION_LIMITS.0..=EXAGGERATION_LIMITS.1,
-        );
-        ui.add(slider.max_decimals(0).suffix(" ×"))
-            .on_hover_text("Exaggeration of the relief (+ and -); 1 is true to scale")
+        exaggeration(ui, &mut look.exaggeration);
     });
     ui.columns_const(|[left, right]| {
         left.checkbox(&mut look.sea, "Sea");
@@ -51,11 +26,36 @@ pub fn show(ui: &mut Ui, look: &mut Look) {
     });
 }
 
-/// The key that chooses overlay `number`, counted from 1.
-fn key_of(number: usize) -> Option<usize> {
+/// Two overlays beside each other, of which the left one has the number `first`.
+fn overlay_line(ui: &mut Ui, first: usize, pair: &[Overlay], chosen: &mut Overlay) {
+    let width = (ui.available_width() - ui.spacing().item_spacing.x) / 2.0;
+    let layout = Layout::top_down_justified(Align::LEFT);
+    ui.horizontal(|ui| {
+        for (number, &overlay) in (first..).zip(pair) {
+            ui.allocate_ui_with_layout(vec2(width, 21.0), layout, |ui| {
+                let button = toggle_button(ui, *chosen == overlay, overlay.label());
+                if button.on_hover_text(key_hint(number)).clicked() {
+                    *chosen = overlay;
+                }
+            });
+        }
+    });
+}
+
+/// The keys that choose overlay `number`, counted from 1.
+fn key_hint(number: usize) -> String {
     match number {
-        1..=9 => Some(number),
-        10 => Some(0),
-        _ => None,
+        1..=10 => format!("Key {}", number % 10),
+        _ => "Comma and full stop step through all".into(),
     }
+}
+
+fn exaggeration(ui: &mut Ui, exaggeration: &mut f32) {
+    ui.spacing_mut().slider_width = 100.0;
+    let (least, most) = EXAGGERATION_LIMITS;
+    let slider = Slider::new(exaggeration, least..=most)
+        .max_decimals(0)
+        .suffix(" ×");
+    ui.add(slider)
+        .on_hover_text("Exaggeration of the relief (+ and -); 1 is true to scale");
 }

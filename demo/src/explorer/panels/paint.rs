@@ -2,14 +2,14 @@
 
 use super::Outbox;
 use crate::explorer::state::Tool;
-use crate::explorer::style::{field, hint, toggle_button};
+use crate::explorer::widgets::{button, field, hint, toggle_button};
 use bevy::math::DVec3;
 use bevy::prelude::Resource;
 use bevy_egui::egui::{DragValue, Slider, Ui};
 use bevy_pangaea::math::lat_lon;
 use bevy_pangaea::prelude::*;
 
-/// What the brush does.
+/// The effect of the brush.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Mode {
     #[default]
@@ -54,7 +54,7 @@ impl PaintForm {
         }
     }
 
-    /// What a click at this place does.
+    /// The command of a click at this place.
     pub fn stroke(&self, at: DVec3) -> TectonicCommand {
         let target = PaintTarget::Disc {
             center: lat_lon(at),
@@ -67,26 +67,51 @@ impl PaintForm {
     }
 }
 
-/// Draws the panel.
+/// Draws the panel, for a planet of `radius` km.
 pub fn show(ui: &mut Ui, radius: f64, tool: &mut Tool, form: &mut PaintForm, out: &mut Outbox) {
-    ui.horizontal_wrapped(|ui| {
-        for (mode, name) in [
-            (Mode::Raise, "Raise"),
-            (Mode::Lower, "Lower"),
-            (Mode::Level, "Set height"),
-            (Mode::Continent, "Continent"),
-            (Mode::Ocean, "Ocean floor"),
-        ] {
-            if toggle_button(ui, form.mode == mode, name).clicked() {
-                form.mode = mode;
-            }
+    ui.horizontal_wrapped(|ui| modes(ui, form));
+    strength(ui, form);
+    let largest = (radius * 0.8).max(100.0);
+    form.radius = form.radius.min(largest);
+    field(ui, "Radius", |ui| {
+        let slider = Slider::new(&mut form.radius, 20.0..=largest)
+            .max_decimals(0)
+            .logarithmic(true)
+            .suffix(" km");
+        ui.add(slider)
+    });
+    ui.horizontal(|ui| {
+        pick_up(ui, tool);
+        if button(ui, "Everywhere", "Applies the brush to the whole planet") {
+            let (target, brush) = (PaintTarget::Everywhere, form.brush());
+            out.command(TectonicCommand::PaintCrust { target, brush });
         }
     });
+    if *tool == Tool::Paint {
+        hint(ui, "Each click on the globe applies the brush once.");
+    }
+}
+
+fn modes(ui: &mut Ui, form: &mut PaintForm) {
+    for (mode, name) in [
+        (Mode::Raise, "Raise"),
+        (Mode::Lower, "Lower"),
+        (Mode::Level, "Set height"),
+        (Mode::Continent, "Continent"),
+        (Mode::Ocean, "Ocean floor"),
+    ] {
+        if toggle_button(ui, form.mode == mode, name).clicked() {
+            form.mode = mode;
+        }
+    }
+}
+
+/// The number that the mode needs.
+fn strength(ui: &mut Ui, form: &mut PaintForm) {
     match form.mode {
         Mode::Raise | Mode::Lower => {
-            field(ui, "By", |ui| {
-                ui.add(Slider::new(&mut form.amount, 0.1..=8.0).suffix(" km"))
-            });
+            let slider = Slider::new(&mut form.amount, 0.1..=8.0).suffix(" km");
+            field(ui, "By", |ui| ui.add(slider));
         }
         Mode::Level => {
             let drag = DragValue::new(&mut form.level)
@@ -97,40 +122,20 @@ pub fn show(ui: &mut Ui, radius: f64, tool: &mut Tool, form: &mut PaintForm, out
         }
         Mode::Continent | Mode::Ocean => {}
     }
-    let largest = (radius * 0.8).max(100.0);
-    form.radius = form.radius.min(largest);
-    field(ui, "Radius", |ui| {
-        ui.add(
-            Slider::new(&mut form.radius, 20.0..=largest)
-                .max_decimals(0)
-                .logarithmic(true)
-                .suffix(" km"),
-        )
-    });
+}
+
+fn pick_up(ui: &mut Ui, tool: &mut Tool) {
     let painting = *tool == Tool::Paint;
-    ui.horizontal(|ui| {
-        let take = toggle_button(
-            ui,
-            painting,
-            if painting {
-                "Put the brush down"
-            } else {
-                "Take the brush"
-            },
-        );
-        if take.on_hover_text("Then click on the globe (B)").clicked() {
-            *tool = if painting { Tool::Select } else { Tool::Paint };
-        }
-        if ui
-            .button("Everywhere")
-            .on_hover_text("Applies the brush to the whole planet")
-            .clicked()
-        {
-            let (target, brush) = (PaintTarget::Everywhere, form.brush());
-            out.command(TectonicCommand::PaintCrust { target, brush });
-        }
-    });
-    if painting {
-        hint(ui, "Each click on the globe applies the brush once.");
+    let name = if painting {
+        "Put the brush down"
+    } else {
+        "Take the brush"
+    };
+    let toggle = toggle_button(ui, painting, name);
+    if toggle
+        .on_hover_text("Then click on the globe (B)")
+        .clicked()
+    {
+        *tool = if painting { Tool::Select } else { Tool::Paint };
     }
 }

@@ -2,27 +2,17 @@
 
 use super::Outbox;
 use super::draft::edit;
-use crate::explorer::state::View;
-use crate::explorer::style::{ACCENT, FAINT, TEXT, hint, subsection};
+use crate::explorer::style::{ACCENT, FAINT, TEXT};
 use crate::explorer::text;
+use crate::explorer::view::ShownView;
+use crate::explorer::widgets::{hint, subsection};
 use bevy_egui::egui::{Align, Button, Layout, RichText, Slider, Ui, vec2};
 use bevy_pangaea::params::ParamInfo;
 use bevy_pangaea::prelude::*;
 
 /// Draws the panel.
-pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
-    let changed = resets(view.params);
-    ui.horizontal(|ui| {
-        hint(ui, format!("{} changed from their defaults", changed.len()));
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui
-                .add_enabled(!changed.is_empty(), Button::new("Reset all").small())
-                .clicked()
-            {
-                changed.into_iter().for_each(|command| out.command(command));
-            }
-        });
-    });
+pub fn show(ui: &mut Ui, view: &ShownView, out: &mut Outbox) {
+    reset_all(ui, resets(view.params), out);
     subsection(ui, "Processes", false, |ui| processes(ui, view, out));
     for group in TectonicParams::TABLE.chunk_by(|a, b| a.group == b.group) {
         subsection(ui, group[0].group, false, |ui| {
@@ -33,8 +23,21 @@ pub fn show(ui: &mut Ui, view: &View, out: &mut Outbox) {
     }
 }
 
+/// How many values are changed, and a button that takes all changes back.
+fn reset_all(ui: &mut Ui, resets: Vec<TectonicCommand>, out: &mut Outbox) {
+    ui.horizontal(|ui| {
+        hint(ui, format!("{} changed from their defaults", resets.len()));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let button = Button::new("Reset all").small();
+            if ui.add_enabled(!resets.is_empty(), button).clicked() {
+                resets.into_iter().for_each(|command| out.command(command));
+            }
+        });
+    });
+}
+
 /// Switches of the processes, in two columns.
-fn processes(ui: &mut Ui, view: &View, out: &mut Outbox) {
+fn processes(ui: &mut Ui, view: &ShownView, out: &mut Outbox) {
     let mut switches = view.params.processes;
     ui.columns_const(|columns: &mut [Ui; 2]| {
         for (i, name) in ProcessSwitches::NAMES.into_iter().enumerate() {
@@ -49,12 +52,15 @@ fn processes(ui: &mut Ui, view: &View, out: &mut Outbox) {
             }
         }
     });
+    ocean_floor(ui, view, out);
+}
+
+fn ocean_floor(ui: &mut Ui, view: &ShownView, out: &mut Outbox) {
     let mut printed = view.params.ocean_floor == OceanFloor::Paper;
-    let printed_law = ui.checkbox(&mut printed, "Ocean floor sinks as printed");
-    if printed_law
-        .on_hover_text("The form of the paper, in which old floor ends in a trench")
-        .changed()
-    {
+    let switch = ui
+        .checkbox(&mut printed, "Ocean floor sinks as printed")
+        .on_hover_text("The form of the paper, in which old floor ends in a trench");
+    if switch.changed() {
         let law = if printed {
             OceanFloor::Paper
         } else {
@@ -64,64 +70,68 @@ fn processes(ui: &mut Ui, view: &View, out: &mut Outbox) {
     }
 }
 
-fn parameter(ui: &mut Ui, view: &View, info: &'static ParamInfo, out: &mut Outbox) {
-    let current = (info.get)(view.params);
+fn parameter(ui: &mut Ui, view: &ShownView, info: &'static ParamInfo, out: &mut Outbox) {
     let changed = is_changed(info, view.params);
-    let set = |value: f64| TectonicCommand::SetParam {
-        name: info.name.into(),
-        value,
-    };
     ui.horizontal(|ui| {
         let color = if changed { ACCENT } else { TEXT };
         ui.label(RichText::new(text::words(info.name)).color(color))
             .on_hover_text(tooltip(info));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if changed {
-                let reset =
-                    ui.add(Button::new(RichText::new("reset").small().color(FAINT)).frame(false));
-                let default = text::with_unit(info.default, info.unit);
-                if reset.on_hover_text(format!("Back to {default}")).clicked() {
-                    out.command(set(info.default));
-                }
+            if changed && reset(ui, info) {
+                out.command(set(info, info.default));
             }
         });
     });
-    let chosen = ui
-        .scope(|ui| {
-            ui.spacing_mut().slider_width = ui.available_width() - 98.0;
-            ui.spacing_mut().interact_size = vec2(90.0, 20.0);
-            edit(
-                ui,
-                (view.entity.to_bits(), info.name),
-                current,
-                |ui, value| ui.add(slider(value, info)).on_hover_text(tooltip(info)),
-            )
-        })
-        .inner;
-    if let Some(value) = chosen {
-        out.command(set(value.clamp(info.min, info.max)));
+    if let Some(value) = ui.scope(|ui| chosen(ui, view, info)).inner {
+        out.command(set(info, value.clamp(info.min, info.max)));
     }
     ui.add_space(2.0);
+}
+
+/// A button that brings a parameter back to its default. Returns whether it was clicked.
+fn reset(ui: &mut Ui, info: &ParamInfo) -> bool {
+    let text = RichText::new("reset").small().color(FAINT);
+    let default = text::with_unit(info.default, info.unit);
+    ui.add(Button::new(text).frame(false))
+        .on_hover_text(format!("Back to {default}"))
+        .clicked()
+}
+
+/// The slider of a parameter. Returns a new value once it is settled.
+fn chosen(ui: &mut Ui, view: &ShownView, info: &'static ParamInfo) -> Option<f64> {
+    ui.spacing_mut().slider_width = ui.available_width() - 98.0;
+    ui.spacing_mut().interact_size = vec2(90.0, 20.0);
+    let key = (view.entity.to_bits(), info.name);
+    edit(ui, key, (info.get)(view.params), |ui, value| {
+        ui.add(slider(value, info)).on_hover_text(tooltip(info))
+    })
+}
+
+fn set(info: &ParamInfo, value: f64) -> TectonicCommand {
+    let name = info.name.into();
+    TectonicCommand::SetParam { name, value }
 }
 
 fn slider<'a>(value: &'a mut f64, info: &ParamInfo) -> Slider<'a> {
     let span = info.max - info.min;
     // Where the default is a small part of the range, even steps would leave no room below it.
     let logarithmic = info.min >= 0.0 && info.default > 0.0 && info.default < 0.1 * span;
+    let smallest = if info.default > 0.0 {
+        info.default * 0.01
+    } else {
+        span * 1e-3
+    };
+    let suffix = if info.unit.is_empty() {
+        String::new()
+    } else {
+        format!(" {}", info.unit)
+    };
     Slider::new(value, info.min..=info.max)
         .logarithmic(logarithmic)
-        .smallest_positive(if info.default > 0.0 {
-            info.default * 0.01
-        } else {
-            span * 1e-3
-        })
+        .smallest_positive(smallest)
         .custom_formatter(|value, _| text::number(value))
         .custom_parser(|text| text.trim().parse().ok())
-        .suffix(if info.unit.is_empty() {
-            String::new()
-        } else {
-            format!(" {}", info.unit)
-        })
+        .suffix(suffix)
 }
 
 fn tooltip(info: &ParamInfo) -> String {
@@ -141,23 +151,26 @@ fn is_changed(info: &ParamInfo, params: &TectonicParams) -> bool {
 
 /// The commands that bring every changed switch and parameter back to its default.
 fn resets(params: &TectonicParams) -> Vec<TectonicCommand> {
-    let (mut now, mut default) = (params.processes, ProcessSwitches::default());
-    let switches = ProcessSwitches::NAMES.into_iter().filter_map(|name| {
-        let on = *default.get_mut(name).ok()?;
-        let command = TectonicCommand::SetProcess {
-            name: name.into(),
-            on,
-        };
-        (*now.get_mut(name).ok()? != on).then_some(command)
-    });
+    let law = OceanFloor::default();
+    let floor = (params.ocean_floor != law).then_some(TectonicCommand::SetOceanFloor { law });
     let values = TectonicParams::TABLE
         .iter()
         .filter(|info| is_changed(info, params))
-        .map(|info| TectonicCommand::SetParam {
-            name: info.name.into(),
-            value: info.default,
-        });
-    let law = OceanFloor::default();
-    let floor = (params.ocean_floor != law).then_some(TectonicCommand::SetOceanFloor { law });
-    switches.chain(values).chain(floor).collect()
+        .map(|info| set(info, info.default));
+    ProcessSwitches::NAMES
+        .into_iter()
+        .filter_map(|name| reset_switch(params.processes, name))
+        .chain(values)
+        .chain(floor)
+        .collect()
+}
+
+/// The command that brings a switch back to its default, `None` if it is there.
+fn reset_switch(mut switches: ProcessSwitches, name: &str) -> Option<TectonicCommand> {
+    let on = *ProcessSwitches::default().get_mut(name).ok()?;
+    let changed = *switches.get_mut(name).ok()? != on;
+    changed.then(|| TectonicCommand::SetProcess {
+        name: name.into(),
+        on,
+    })
 }

@@ -2,16 +2,22 @@
 
 use super::Outbox;
 use super::draft::edit;
-use crate::explorer::state::{Action, Selection, Tool, View};
-use crate::explorer::style::{BRIGHT, field, hint, primary_button, row, toggle_button};
+use crate::explorer::state::{Action, Tool};
+use crate::explorer::style::BRIGHT;
 use crate::explorer::text;
+use crate::explorer::view::ShownView;
+use crate::explorer::widgets::{button, field, hint, primary_button, row, toggle_button};
 use bevy::prelude::Resource;
-use bevy_egui::egui::{Button, DragValue, RichText, Ui};
+use bevy_egui::egui::{Align, Button, DragValue, Layout, RichText, Ui};
 use bevy_pangaea::math::lat_lon;
 use bevy_pangaea::plate::PlateRow;
 use bevy_pangaea::prelude::*;
 
-/// What is being chosen.
+/// Smallest change of a number that is a wish: leaving a field unchanged rounds the number to the
+/// one decimal that it shows.
+const ROUNDING: f64 = 0.0501;
+
+/// The choices that are being made.
 #[derive(Resource, Clone, Debug)]
 pub struct PlateForm {
     fragments: u32,
@@ -26,127 +32,143 @@ impl Default for PlateForm {
 /// Draws the panel.
 pub fn show(
     ui: &mut Ui,
-    view: &View,
-    (selection, tool, form): (&Selection, &mut Tool, &mut PlateForm),
+    view: &ShownView,
+    selected: Option<&PlateRow>,
+    tool: &mut Tool,
+    form: &mut PlateForm,
     out: &mut Outbox,
 ) {
-    let Some(plate) = selection.0.and_then(|id| view.plates.get(id)) else {
-        hint(ui, "Click a plate on the globe to take it by the hand.");
+    let Some(plate) = selected else {
+        hint(ui, "Click a plate on the globe to select it.");
+        hint(ui, "Drag it with Shift to set its motion.");
         return;
     };
-    ui.horizontal(|ui| {
-        ui.label(
-            RichText::new(format!("Plate {}", plate.id.0))
-                .heading()
-                .color(BRIGHT),
-        );
-        ui.with_layout(
-            bevy_egui::egui::Layout::right_to_left(bevy_egui::egui::Align::Center),
-            |ui| {
-                if ui.small_button("Deselect").on_hover_text("Esc").clicked() {
-                    out.ask(Action::Select(None));
-                }
-            },
-        );
-    });
-    row(ui, "Area", text::area(plate.stats.area));
-    row(
-        ui,
-        "Continental",
-        format!("{:.0} %", plate.stats.continental * 100.0),
-    );
-    row(
-        ui,
-        "Mean floor age",
-        format!("{:.0} My", plate.stats.ocean_age),
-    );
-    row(
-        ui,
-        "Age of the plate",
-        format!("{:.0} My", view.clock.time - plate.born),
-    );
+    title(ui, plate, out);
+    facts(ui, view, plate);
     ui.separator();
     motion(ui, view, plate, out);
     ui.separator();
     rift(ui, plate, tool, form, out);
     ui.separator();
-    field(ui, "Make all of it", |ui| {
-        for (kind, name) in [
-            (CrustKind::Continental, "continental"),
-            (CrustKind::Oceanic, "oceanic"),
-        ] {
-            if ui
-                .button(name)
-                .on_hover_text("Switches the crust type of the whole plate")
-                .clicked()
-            {
-                out.command(TectonicCommand::SetPlateCrust {
-                    plate: plate.id,
-                    kind,
-                });
+    field(ui, "Make all of it", |ui| crust(ui, plate, out));
+}
+
+fn title(ui: &mut Ui, plate: &PlateRow, out: &mut Outbox) {
+    let title = RichText::new(format!("Plate {}", plate.id.0)).heading();
+    ui.horizontal(|ui| {
+        ui.label(title.color(BRIGHT));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.small_button("Deselect").on_hover_text("Esc").clicked() {
+                out.ask(Action::Select(None));
             }
-        }
+        });
     });
 }
 
-fn motion(ui: &mut Ui, view: &View, plate: &PlateRow, out: &mut Outbox) {
-    let speed = plate.motion.speed * view.planet.radius;
-    let (lat, lon) = lat_lon(plate.motion.axis);
-    let limit = view.params.max_speed;
-    let key = |what| (view.entity.to_bits(), plate.id.0, what);
-    let send = |pole, speed, out: &mut Outbox| {
-        out.command(TectonicCommand::SetPlateMotion {
-            plate: plate.id,
-            pole,
-            speed,
-        });
-    };
-    let number = |ui: &mut Ui,
-                  label: &str,
-                  what: &'static str,
-                  now: f64,
-                  limit: f64,
-                  unit: &str,
-                  doc: &str| {
-        field(ui, label, |ui| {
-            edit(ui, key(what), now, |ui, value| {
-                let drag = DragValue::new(value)
-                    .range(-limit..=limit)
-                    .speed(limit * 0.005);
-                ui.add(drag.max_decimals(1).suffix(unit)).on_hover_text(doc)
+fn facts(ui: &mut Ui, view: &ShownView, plate: &PlateRow) {
+    let stats = &plate.stats;
+    let age = view.clock.time - plate.born;
+    let continental = format!("{:.0} %", stats.continental * 100.0);
+    row(ui, "Area", text::area(stats.area));
+    row(ui, "Continental", continental);
+    row(ui, "Mean floor age", format!("{:.0} My", stats.ocean_age));
+    row(ui, "Age of the plate", format!("{age:.0} My"));
+}
+
+fn crust(ui: &mut Ui, plate: &PlateRow, out: &mut Outbox) {
+    for (kind, name) in [
+        (CrustKind::Continental, "continental"),
+        (CrustKind::Oceanic, "oceanic"),
+    ] {
+        if button(ui, name, "Switches the crust type of the whole plate") {
+            let plate = plate.id;
+            out.command(TectonicCommand::SetPlateCrust { plate, kind });
+        }
+    }
+}
+
+/// A number of a motion, as a field.
+struct MotionField {
+    label: &'static str,
+    /// It ranges from minus to plus this.
+    limit: f64,
+    unit: &'static str,
+    doc: &'static str,
+}
+
+impl MotionField {
+    fn speed(limit: f64) -> Self {
+        Self {
+            label: "Speed",
+            limit,
+            unit: " km/My",
+            doc: "Speed at 90 degrees from the pole; negative turns the other way. \
+                  Drag, or click and type",
+        }
+    }
+
+    fn angle(label: &'static str, limit: f64) -> Self {
+        Self {
+            label,
+            limit,
+            unit: "°",
+            doc: "The plate turns anticlockwise about this pole, seen from above",
+        }
+    }
+
+    /// Draws the field of a number that is `now` in the model. Returns a new one.
+    fn show(&self, ui: &mut Ui, key: (u64, u32), now: f64) -> Option<f64> {
+        let edited = field(ui, self.label, |ui| {
+            edit(ui, (key, self.label), now, |ui, value| {
+                let number = DragValue::new(value)
+                    .range(-self.limit..=self.limit)
+                    .speed(self.limit * 0.005)
+                    .max_decimals(1)
+                    .suffix(self.unit);
+                ui.add(number).on_hover_text(self.doc)
             })
-            // Leaving the field unchanged rounds to what it shows; that is no wish.
-            .filter(|value| (value - now).abs() > 0.0501)
-        })
-    };
-    let doc =
-        "Speed at 90 degrees from the pole; negative turns the other way. Drag, or click and type";
-    if let Some(value) = number(ui, "Speed", "speed", speed, limit, " km/My", doc) {
-        send((lat, lon), value, out);
+        });
+        edited.filter(|value| (value - now).abs() > ROUNDING)
     }
-    let doc = "The plate turns anticlockwise about this pole, seen from above";
-    if let Some(value) = number(ui, "Pole latitude", "lat", lat, 90.0, "°", doc) {
-        send((value, lon), speed, out);
+}
+
+fn motion(ui: &mut Ui, view: &ShownView, plate: &PlateRow, out: &mut Outbox) {
+    let speed = plate.motion.speed * view.planet.radius;
+    let pole @ (lat, lon) = lat_lon(plate.motion.axis);
+    let key = (view.entity.to_bits(), plate.id.0);
+    let speed_field = MotionField::speed(view.params.max_speed);
+    if let Some(speed) = speed_field.show(ui, key, speed) {
+        out.command(set_motion(plate, pole, speed));
     }
-    if let Some(value) = number(ui, "Pole longitude", "lon", lon, 180.0, "°", doc) {
-        send((lat, value), speed, out);
+    if let Some(lat) = MotionField::angle("Pole latitude", 90.0).show(ui, key, lat) {
+        out.command(set_motion(plate, (lat, lon), speed));
+    }
+    if let Some(lon) = MotionField::angle("Pole longitude", 180.0).show(ui, key, lon) {
+        out.command(set_motion(plate, (lat, lon), speed));
     }
     ui.horizontal(|ui| {
-        if ui.button("Stop").on_hover_text("Speed 0").clicked() {
-            send((lat, lon), 0.0, out);
+        if button(ui, "Stop", "Speed 0") {
+            out.command(set_motion(plate, pole, 0.0));
         }
-        if ui
-            .button("Turn round")
-            .on_hover_text("The opposite motion")
-            .clicked()
-        {
-            send(
-                (-lat, if lon > 0.0 { lon - 180.0 } else { lon + 180.0 }),
-                speed,
-                out,
-            );
+        if button(ui, "Turn round", "The opposite motion") {
+            out.command(set_motion(plate, antipode(pole), speed));
         }
     });
+    hint(ui, "Or drag the plate over the globe with Shift.");
+}
+
+fn set_motion(plate: &PlateRow, pole: (f64, f64), speed: f64) -> TectonicCommand {
+    TectonicCommand::SetPlateMotion {
+        plate: plate.id,
+        pole,
+        speed,
+    }
+}
+
+/// The opposite point of the globe, in degrees.
+fn antipode((lat, lon): (f64, f64)) -> (f64, f64) {
+    let opposite = if lon > 0.0 { lon - 180.0 } else { lon + 180.0 };
+    (-lat, opposite)
 }
 
 fn rift(ui: &mut Ui, plate: &PlateRow, tool: &mut Tool, form: &mut PlateForm, out: &mut Outbox) {
@@ -159,63 +181,56 @@ fn rift(ui: &mut Ui, plate: &PlateRow, tool: &mut Tool, form: &mut PlateForm, ou
     });
     let drawing = matches!(tool, Tool::RiftLine { .. });
     ui.horizontal(|ui| {
-        if primary_button(ui, !drawing, "Tear apart")
-            .on_hover_text("Along a random fracture")
-            .clicked()
-        {
-            let fragments = form.fragments;
-            out.command(TectonicCommand::RiftPlate {
-                plate: plate.id,
-                line: Vec::new(),
-                fragments,
-            });
+        let tear = primary_button(ui, !drawing, "Tear apart");
+        if tear.on_hover_text("Along a random fracture").clicked() {
+            out.command(rift_along(plate, Vec::new(), form.fragments));
         }
         let draw = toggle_button(ui, drawing, "Draw a rift line");
-        if draw
-            .on_hover_text("Click points across the plate on the globe")
-            .clicked()
-        {
+        let draw = draw.on_hover_text("Click points across the plate on the globe");
+        if draw.clicked() {
             *tool = if drawing {
                 Tool::Select
             } else {
-                Tool::RiftLine {
-                    plate: plate.id,
-                    points: Vec::new(),
-                }
+                let (plate, points) = (plate.id, Vec::new());
+                Tool::RiftLine { plate, points }
             };
         }
     });
+    rift_line(ui, plate, tool, out);
+}
+
+/// The rift line that is being drawn.
+fn rift_line(ui: &mut Ui, plate: &PlateRow, tool: &mut Tool, out: &mut Outbox) {
+    let Tool::RiftLine { points, .. } = tool else {
+        return;
+    };
+    let count = points.len();
+    hint(
+        ui,
+        format!("{count} points. Click on the globe, from one border to the other."),
+    );
     let mut done = false;
-    if let Tool::RiftLine { points, .. } = tool {
-        hint(
-            ui,
-            format!(
-                "{} points. Click on the globe, from one border to the other.",
-                points.len()
-            ),
-        );
-        ui.horizontal(|ui| {
-            if ui
-                .add_enabled(points.len() >= 2, Button::new("Tear along the line"))
-                .clicked()
-            {
-                let line = points.iter().map(|&p| lat_lon(p)).collect();
-                out.command(TectonicCommand::RiftPlate {
-                    plate: plate.id,
-                    line,
-                    fragments: 2,
-                });
-                done = true;
-            }
-            if ui
-                .add_enabled(!points.is_empty(), Button::new("Undo point"))
-                .clicked()
-            {
-                points.pop();
-            }
-        });
-    }
+    ui.horizontal(|ui| {
+        let tear = ui.add_enabled(count >= 2, Button::new("Tear along the line"));
+        if tear.clicked() {
+            let line = points.iter().map(|&point| lat_lon(point)).collect();
+            out.command(rift_along(plate, line, 2));
+            done = true;
+        }
+        let undo = ui.add_enabled(count > 0, Button::new("Undo point"));
+        if undo.clicked() {
+            points.pop();
+        }
+    });
     if done {
         *tool = Tool::Select;
+    }
+}
+
+fn rift_along(plate: &PlateRow, line: Vec<(f64, f64)>, fragments: u32) -> TectonicCommand {
+    TectonicCommand::RiftPlate {
+        plate: plate.id,
+        line,
+        fragments,
     }
 }

@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn radius_and_surge_follow_the_paper() {
         let params = TectonicParams::default();
-        let average = params.plate_share * 4.0 * crate::math::PI * 6370.0 * 6370.0;
+        let average = params.plate_share * 4.0 * PI * 6370.0 * 6370.0;
         let full = Surge::new(&params, 6370.0, average, params.max_speed);
         assert!(
             (full.radius * 6370.0 - params.collision_distance * params.collision_reach).abs()

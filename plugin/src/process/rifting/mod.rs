@@ -78,18 +78,9 @@ pub enum RiftError {
 /// Breaks the plates of the current planet whose turn has come.
 pub fn rifting(world: &mut World) {
     let planet = world.resource::<CurrentPlanet>().0;
-    let start = Instant::now();
-    let rifts = plates_to_rift(world, planet)
-        .into_iter()
+    for id in plates_to_rift(world, planet) {
         // A plate without a good shape stays whole; it will be asked again.
-        .filter(|&id| rift_at_random(world, planet, id, None).is_ok())
-        .count();
-    if rifts == 0 {
-        return;
-    }
-    if let Some(mut timings) = world.get_mut::<StageTimings>(planet) {
-        timings.rift.0 += rifts as u32;
-        timings.rift.1 += start.elapsed().as_secs_f64() * 1e3;
+        let _ = rift_at_random(world, planet, id, None);
     }
 }
 
@@ -134,6 +125,7 @@ pub fn rift_at_random(
     id: PlateId,
     fragments: Option<u32>,
 ) -> Result<Vec<PlateId>, RiftError> {
+    let start = Instant::now();
     let row = plate_row(world, planet, id)?;
     let choice = RiftChoice::new(world, planet, row, fragments).ok_or(RiftError::NoPlate(id))?;
     for attempt in 0..choice.attempts() {
@@ -142,7 +134,11 @@ pub fn rift_at_random(
         };
         match rift(world, planet, row, &trial) {
             Err(RiftError::NoShape | RiftError::Misses) => {}
-            done => return done,
+            Err(error) => return Err(error),
+            Ok(plates) => {
+                note_time(world, planet, start);
+                return Ok(plates);
+            }
         }
     }
     Err(RiftError::NoShape)
@@ -158,6 +154,7 @@ pub fn rift_along(
     id: PlateId,
     points: Vec<DVec3>,
 ) -> Result<Vec<PlateId>, RiftError> {
+    let start = Instant::now();
     let row = plate_row(world, planet, id)?;
     let choice = RiftChoice::new(world, planet, row, None).ok_or(RiftError::NoPlate(id))?;
     let shortest = points
@@ -176,7 +173,17 @@ pub fn rift_along(
         smallest_share: 0.0,
         far_end: true,
     };
-    rift(world, planet, row, &trial)
+    let plates = rift(world, planet, row, &trial)?;
+    note_time(world, planet, start);
+    Ok(plates)
+}
+
+/// Counts a rift and its time, refused shapes included.
+fn note_time(world: &mut World, planet: Entity, start: Instant) {
+    if let Some(mut timings) = world.get_mut::<StageTimings>(planet) {
+        timings.rift.0 += 1;
+        timings.rift.1 += start.elapsed().as_secs_f64() * 1e3;
+    }
 }
 
 /// A shape that is tried on a plate.

@@ -1,4 +1,4 @@
-//! How far a planet grows, and what is done to it on the way.
+//! How far a planet grows, and what a scenario does to it on the way.
 
 use crate::cli::GrowthArgs;
 use crate::error::CliError;
@@ -7,44 +7,31 @@ use crate::progress;
 use bevy_pangaea::authoring::{Scenario, TectonicCommand, TimedCommand};
 use bevy_pangaea::io::load_scenario;
 use bevy_pangaea::planet::{GeologicClock, Lattice};
+use std::path::Path;
 
-/// What sums of steps may be short of, in My: ten thousand My in steps of 0.1 add up to a fiftieth
-/// of it.
-const HAIR: f64 = 1e-6;
+/// By how much a sum of steps may fall short of the end and still count as having reached it, in
+/// My: ten thousand My in steps of 0.1 are summed with a fiftieth of this error.
+const ROUNDING_MY: f64 = 1e-6;
 
-/// How far a planet grows, and what is done to it on the way.
-pub struct Course {
+/// How far a planet grows, and what a scenario does to it on the way.
+pub struct GrowthPlan {
     until: f64,
     scenario: Option<Scenario>,
 }
 
-impl Course {
-    /// What `--until` and `--scenario` say for a planet that begins with steps of `time_step` My.
+impl GrowthPlan {
+    /// The plan that `--until` and `--scenario` give for a planet that begins with steps of
+    /// `time_step` My.
     ///
     /// # Errors
     /// If the scenario is refused, or has commands that would come after the end.
     pub fn new(args: &GrowthArgs, time_step: f64) -> Result<Self, CliError> {
         let until = args.until();
-        let Some(path) = &args.scenario else {
-            return Ok(Self {
-                until,
-                scenario: None,
-            });
+        let scenario = match &args.scenario {
+            Some(path) => Some(scenario_until(path, until, time_step)?),
+            None => None,
         };
-        let scenario = load_scenario(path)?;
-        let steps = steps(until, time_step, &scenario);
-        if let Some(late) = scenario.0.iter().position(|timed| timed.step >= steps) {
-            return Err(CliError::input(format!(
-                "{}: command {} (step {}) comes after the end: {until} My are {steps} steps, counted from 0",
-                path.display(),
-                late + 1,
-                scenario.0[late].step,
-            )));
-        }
-        Ok(Self {
-            until,
-            scenario: Some(scenario),
-        })
+        Ok(Self { until, scenario })
     }
 
     /// Grows a planet, with a progress bar. The steps go by its clock: a scenario may change their
@@ -54,8 +41,8 @@ impl Course {
     /// If a command of the scenario is refused, or the user interrupts it.
     pub fn run(mut self, headless: &mut Headless) -> Result<(), CliError> {
         headless.play(self.scenario.take());
-        let what = format!("growing {} samples", headless.get::<Lattice>()?.0.len());
-        let bar = progress::bar(self.until.ceil() as u64, "My", &what);
+        let title = format!("growing {} samples", headless.get::<Lattice>()?.0.len());
+        let bar = progress::bar(self.until.ceil() as u64, "My", &title);
         while !is_over(headless.get::<GeologicClock>()?.time, self.until) {
             headless.step()?;
             bar.set_position(headless.get::<GeologicClock>()?.time.min(self.until) as u64);
@@ -65,16 +52,34 @@ impl Course {
     }
 }
 
+/// The scenario in a file, all of whose commands come before the end.
+fn scenario_until(path: &Path, until: f64, time_step: f64) -> Result<Scenario, CliError> {
+    let scenario = load_scenario(path)?;
+    let steps = steps(until, time_step, &scenario);
+    match scenario.0.iter().position(|timed| timed.step >= steps) {
+        None => Ok(scenario),
+        Some(late) => Err(CliError::input(format!(
+            "{}: command {} (step {}) comes after the end: {until} My are {steps} steps, counted \
+             from 0",
+            path.display(),
+            late + 1,
+            scenario.0[late].step,
+        ))),
+    }
+}
+
 fn is_over(time: f64, until: f64) -> bool {
-    time >= until - HAIR
+    time >= until - ROUNDING_MY
 }
 
 /// The steps that a planet takes until the end, as its clock will count them.
 fn steps(until: f64, mut time_step: f64, scenario: &Scenario) -> u64 {
     let mut changes: Vec<(u64, f64)> = scenario.0.iter().filter_map(new_time_step).collect();
+    // A stable sort: of two changes at one step the later one of the list holds, as in the planet.
     changes.sort_by_key(|&(step, _)| step);
     let mut changes = changes.into_iter().peekable();
     let (mut time, mut step) = (0.0, 0);
+    // Summed as the clock sums them, rounding included.
     while !is_over(time, until) {
         while let Some((_, changed)) = changes.next_if(|&(due, _)| due <= step) {
             time_step = changed;
@@ -85,7 +90,7 @@ fn steps(until: f64, mut time_step: f64, scenario: &Scenario) -> u64 {
     step
 }
 
-/// When a command changes the time step, and to what.
+/// When a command changes the time step, and to how many My.
 fn new_time_step(timed: &TimedCommand) -> Option<(u64, f64)> {
     match &timed.command {
         TectonicCommand::SetParam { name, value } if name == "time_step" => {
@@ -99,20 +104,15 @@ fn new_time_step(timed: &TimedCommand) -> Option<(u64, f64)> {
 mod tests {
     use super::*;
 
+    /// A scenario that sets the time step, each time at a step to a number of My.
     fn scenario(changes: &[(u64, f64)]) -> Scenario {
-        let command = |value| TectonicCommand::SetParam {
-            name: "time_step".into(),
-            value,
-        };
-        Scenario(
-            changes
-                .iter()
-                .map(|&(step, value)| TimedCommand {
-                    step,
-                    command: command(value),
-                })
-                .collect(),
-        )
+        Scenario(changes.iter().map(|&(step, my)| change(step, my)).collect())
+    }
+
+    fn change(step: u64, value: f64) -> TimedCommand {
+        let name = "time_step".into();
+        let command = TectonicCommand::SetParam { name, value };
+        TimedCommand { step, command }
     }
 
     #[test]
@@ -129,9 +129,7 @@ mod tests {
     fn changes_of_the_step_count_from_when_they_are_due() {
         assert_eq!(steps(30.0, 2.0, &scenario(&[(1, 4.0)])), 8);
         // In order of time, then of the list.
-        assert_eq!(
-            steps(30.0, 2.0, &scenario(&[(5, 5.0), (0, 1.0), (0, 4.0)])),
-            7
-        );
+        let changes = scenario(&[(5, 5.0), (0, 1.0), (0, 4.0)]);
+        assert_eq!(steps(30.0, 2.0, &changes), 7);
     }
 }

@@ -29,11 +29,11 @@ impl ClimateArgs {
     /// Reads the maps.
     ///
     /// # Errors
-    /// The first file that cannot be read, is no map of a planet, or has values that no climate
-    /// has; it is named.
+    /// Names the first file that cannot be read, is no map of a planet, or has values that no
+    /// climate has.
     pub fn load(&self) -> Result<ClimateMaps, CliError> {
-        type Field = fn(&mut ClimateMaps) -> &mut Option<EquirectMap>;
-        let fields: [(_, _, Field); 3] = [
+        type MapField = fn(&mut ClimateMaps) -> &mut Option<EquirectMap>;
+        let fields: [(_, _, MapField); 3] = [
             (&self.temperature, None, |maps| &mut maps.temperature),
             (&self.rain, None, |maps| &mut maps.rain),
             (&self.wetness, Some([0.0, 1.0]), |maps| &mut maps.wetness),

@@ -1,0 +1,95 @@
+//! Options of the commands about the ground of a planet file: `export`, `relief`, `query`.
+
+use super::climate::ClimateArgs;
+use crate::values::{PlaceSpec, RegionSpec, level, pixels, place, region, sites};
+use clap::Args;
+use std::path::PathBuf;
+
+/// The planet whose ground is asked for.
+#[derive(Args, Debug)]
+pub struct GroundArgs {
+    /// A planet file, *.pangaea
+    #[arg(value_name = "PLANET.pangaea")]
+    pub planet: PathBuf,
+    /// Maps that replace fields of the climate.
+    #[command(flatten)]
+    pub climate: ClimateArgs,
+}
+
+/// Options of `export`.
+#[derive(Args, Debug)]
+pub struct ExportArgs {
+    /// The planet.
+    #[command(flatten)]
+    pub ground: GroundArgs,
+    /// Middle of the square in degrees, and its side in km
+    ///
+    /// The square is azimuthal equidistant about its middle, north up; values are those of the
+    /// centres of pixels.
+    #[arg(long, value_name = "LAT,LON,SIZE_KM", allow_hyphen_values = true, value_parser = region)]
+    pub region: RegionSpec,
+    /// Pixels to a side, 2 to 16384; 8192 for .glb
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "1024",
+        allow_hyphen_values = true,
+        value_parser = pixels
+    )]
+    pub pixels: usize,
+    /// Level of detail, 0 (edges of about 52 km) to 17 (0.4 m) [default: the one whose edges fit
+    /// the pixels]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = level)]
+    pub level: Option<u8>,
+    /// The file; its extension says in which format
+    ///
+    /// .tif: one band of f32 in metres, georeferenced. .png: 16-bit grey, with a .json of the same
+    /// name to decode it: min_m, max_m, metres_per_pixel, lat, lon. .glb: a mesh in metres, +x
+    /// east, +y up, -z north.
+    #[arg(long, value_name = "TILE.png|TILE.tif|TILE.glb")]
+    pub out: PathBuf,
+}
+
+/// Options of `relief`.
+#[derive(Args, Debug)]
+pub struct ReliefArgs {
+    /// The planet.
+    #[command(flatten)]
+    pub ground: GroundArgs,
+    /// Folder of tiles of real ground to compare with
+    ///
+    /// Files are .hgt, GeoTIFF, or 16-bit PNG with a sidecar NAME.json {metres_per_pixel,
+    /// metres_per_unit}.
+    #[arg(long, value_name = "DIR")]
+    pub dem: Option<PathBuf>,
+    /// Most sites of a class, 1 to 20
+    #[arg(long, value_name = "N", default_value = "20", value_parser = sites)]
+    pub sites: usize,
+    /// Write the figures to a JSON file, too
+    #[arg(long, value_name = "F")]
+    pub json: Option<PathBuf>,
+}
+
+/// Options of `query`.
+#[derive(Args, Debug)]
+pub struct QueryArgs {
+    /// The planet.
+    #[command(flatten)]
+    pub ground: GroundArgs,
+    /// The point in degrees; without it, lines "lat,lon" are read from the standard input
+    ///
+    /// Printed are comma separated values with a header, in the order of the input. The normal is
+    /// given in the planet's axes: +z is the north pole, +x is 0° N 0° E. Where it is dry, water_m
+    /// is height_m.
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true, value_parser = place)]
+    pub at: Option<PlaceSpec>,
+    /// Level of detail, 0 (edges of about 52 km) to 17 (0.4 m)
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "17",
+        allow_hyphen_values = true,
+        value_parser = level
+    )]
+    pub level: u8,
+}

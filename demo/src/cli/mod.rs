@@ -1,0 +1,93 @@
+//! The command line.
+//!
+//! ```text
+//! recipe     a planet at time 0, how it grows, on how many threads
+//! climate    maps that replace fields of the climate
+//! planets    generate, bench, info
+//! pictures   render, views
+//! ground     export, relief, query
+//! ```
+
+mod recipe;
+
+mod climate;
+
+mod planets;
+
+mod pictures;
+
+mod ground;
+
+pub use ground::{ExportArgs, QueryArgs, ReliefArgs};
+pub use pictures::{RenderArgs, ViewsArgs};
+pub use planets::{BenchArgs, GenerateArgs, InfoArgs};
+pub use recipe::GrowthArgs;
+
+use self::recipe::RecipeArgs;
+use crate::values::frames;
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+/// Grows planets: plates drift, collide, subduct, rift and make new ocean floor.
+///
+/// Without a command the explorer opens in a window.
+#[derive(Parser, Debug)]
+#[command(
+    name = "pangaea",
+    version,
+    max_term_width = 100,
+    args_conflicts_with_subcommands = true
+)]
+pub struct Cli {
+    /// How the explorer starts.
+    #[command(flatten)]
+    pub start: StartArgs,
+    /// Open the explorer for this many frames only
+    #[arg(long, hide = true, value_name = "N", value_parser = frames)]
+    pub frames: Option<u32>,
+    /// Write a picture of the last of those frames
+    #[arg(long, hide = true, value_name = "F.png", requires = "frames")]
+    pub capture: Option<PathBuf>,
+    /// The command; without one the explorer opens.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// The planet that the explorer opens with.
+#[derive(Args, Debug, Default, Clone)]
+pub struct StartArgs {
+    /// A planet file to open instead of growing a planet
+    #[arg(
+        long,
+        value_name = "PLANET.pangaea",
+        conflicts_with_all = ["seed", "samples", "plates", "land", "preset"]
+    )]
+    pub open: Option<PathBuf>,
+    /// The planet to grow.
+    #[command(flatten)]
+    pub recipe: RecipeArgs,
+}
+
+/// The commands.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Grow a planet and write it, its maps and its figures into a folder
+    Generate(GenerateArgs),
+    /// Render a picture of the globe
+    Render(RenderArgs),
+    /// Render the globe from eight sides, as `demo/run` does where there is no display
+    Views(ViewsArgs),
+    /// Measure how fast this machine grows planets
+    Bench(BenchArgs),
+    /// Print the facts of a planet file
+    Info(InfoArgs),
+    /// Write the height of a square of the ground: GeoTIFF, 16-bit PNG or a mesh
+    Export(ExportArgs),
+    /// Print relief statistics by what built the relief, beside those of real ground
+    Relief(ReliefArgs),
+    /// Print height, water, normal and surface of points of the ground
+    Query(QueryArgs),
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,62 @@
+//! Options of the commands that draw globes: `render` and `views`.
+
+use super::recipe::GrowthArgs;
+use crate::values::{CameraSpec, camera, overlay, size};
+use bevy_pangaea::overlay::Overlay;
+use clap::Args;
+use std::path::PathBuf;
+
+/// Options of `render`.
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    /// A planet file; without one a planet is grown by the options below
+    #[arg(
+        value_name = "PLANET.pangaea",
+        conflicts_with_all = ["seed", "samples", "plates", "land", "until", "preset", "scenario"]
+    )]
+    pub planet: Option<PathBuf>,
+    /// How to grow the planet.
+    #[command(flatten)]
+    pub growth: GrowthArgs,
+    /// Where the camera stands and looks: degrees, degrees, metres above the sea; heading and pitch
+    /// in degrees
+    ///
+    /// Without heading and pitch it looks straight down, north up. Heading 90 is east, pitch 0 the
+    /// horizon, pitch -90 straight down.
+    #[arg(
+        long,
+        value_name = "LAT,LON,ALTITUDE_M[,HEADING,PITCH]",
+        default_value = "20,0,20000000",
+        allow_hyphen_values = true,
+        value_parser = camera
+    )]
+    pub camera: CameraSpec,
+    /// Overlay: elevation, plates, crust_type, ocean_age, thickness, orogeny_type, orogeny_age,
+    /// fold_direction, ridge_direction, velocity, slope, laplacian, vector_noise, mesh,
+    /// temperature, rain, wetness, drainage (discharge in m³/s), rivers (by order), basins or lakes
+    #[arg(long, value_name = "NAME", default_value = "elevation", value_parser = overlay)]
+    pub overlay: Overlay,
+    /// Size of the picture in pixels, each side 16 to 8192
+    #[arg(
+        long,
+        value_name = "WxH",
+        default_value = "1280x720",
+        allow_hyphen_values = true,
+        value_parser = size
+    )]
+    pub size: (u32, u32),
+    /// The picture, a PNG file
+    #[arg(long, value_name = "F.png")]
+    pub out: PathBuf,
+}
+
+/// Options of `views`.
+#[derive(Args, Debug)]
+pub struct ViewsArgs {
+    /// How to grow the planet.
+    #[command(flatten)]
+    pub growth: GrowthArgs,
+    /// Folder for the pictures; it is made if it does not exist
+    #[arg(long, value_name = "DIR", default_value = "pangaea-views")]
+    pub out: PathBuf,
+}

@@ -1,0 +1,70 @@
+//! Actions that concern the clock of the planet, its plates and the selection.
+
+use super::state::{Action, PlateDrag, SPEED_LIMITS, Selection, ShownPlanet, Tool};
+use super::view::ShownPlates;
+use bevy::prelude::*;
+use bevy_pangaea::prelude::*;
+
+/// Single steps that may wait at most, so that a key held down does not run on for seconds.
+const MAX_WAITING_STEPS: u32 = 20;
+
+/// Does what is asked of the clock and the plates, and selects.
+pub fn apply(
+    mut actions: MessageReader<Action>,
+    mut commands: Commands,
+    shown: Res<ShownPlanet>,
+    mut controls: Query<&mut ClockControls>,
+    mut selection: ResMut<Selection>,
+) {
+    for action in actions.read() {
+        if let Action::Select(plate) = action {
+            selection.0 = *plate;
+        }
+        let Some(planet) = shown.0 else { continue };
+        if let Action::Tectonic(command) = action {
+            commands.entity(planet).tectonic(command.clone());
+        }
+        if let Ok(mut controls) = controls.get_mut(planet) {
+            set_controls(&mut controls, action);
+        }
+    }
+}
+
+fn set_controls(controls: &mut ClockControls, action: &Action) {
+    match action {
+        Action::TogglePlay => {
+            controls.paused = !controls.paused;
+            controls.single_steps = 0;
+        }
+        Action::SingleStep => {
+            controls.paused = true;
+            controls.single_steps = (controls.single_steps + 1).min(MAX_WAITING_STEPS);
+        }
+        Action::SetSpeed(speed) => controls.speed = speed.clamp(SPEED_LIMITS.0, SPEED_LIMITS.1),
+        _ => {}
+    }
+}
+
+/// Drops the selection of a plate that is gone, and the rift line and the drag of a plate that is
+/// not selected any more.
+pub fn forget_lost_plates(
+    plates: Res<ShownPlates>,
+    mut selection: ResMut<Selection>,
+    mut tool: ResMut<Tool>,
+    mut drag: ResMut<PlateDrag>,
+) {
+    if selection.0.is_some_and(|id| plates.0.get(id).is_none()) {
+        selection.0 = None;
+    }
+    if let Tool::RiftLine { plate, .. } = *tool
+        && selection.0 != Some(plate)
+    {
+        *tool = Tool::Select;
+    }
+    if drag
+        .0
+        .is_some_and(|dragged| selection.0 != Some(dragged.plate))
+    {
+        drag.0 = None;
+    }
+}

@@ -1,0 +1,57 @@
+//! Where the planet of a picture comes from: a file, or a recipe and a plan.
+
+use crate::cli::GrowthArgs;
+use crate::error::CliError;
+use crate::growth::GrowthPlan;
+use crate::headless::{Headless, initial_planet};
+use bevy_pangaea::io::load;
+use bevy_pangaea::planet::PlanetRecipe;
+use bevy_pangaea::spawn::PlanetState;
+use std::path::Path;
+
+/// A planet, or all that is needed to grow it.
+pub enum PlanetSource {
+    /// A planet of a file, which stays as it is.
+    Saved(Box<PlanetState>),
+    /// A planet that is still to grow.
+    Recipe(Box<PlanetRecipe>, GrowthPlan),
+}
+
+impl PlanetSource {
+    /// The planet in a file, or the one that the options describe.
+    ///
+    /// # Errors
+    /// If the file, or an option, is refused.
+    pub fn new(file: Option<&Path>, args: &GrowthArgs) -> Result<Self, CliError> {
+        args.threads.start()?;
+        if let Some(path) = file {
+            return Ok(Self::Saved(Box::new(load(path)?)));
+        }
+        let recipe = args.recipe.checked()?;
+        let plan = GrowthPlan::new(args, recipe.params.time_step)?;
+        Ok(Self::Recipe(Box::new(recipe), plan))
+    }
+
+    /// Radius in km.
+    pub fn radius(&self) -> f64 {
+        match self {
+            Self::Saved(state) => state.planet.radius,
+            Self::Recipe(recipe, _) => recipe.radius,
+        }
+    }
+
+    /// The planet, grown with a progress bar if it comes from a recipe; that may take minutes.
+    ///
+    /// # Errors
+    /// If a command of the scenario is refused, or the user interrupts it.
+    pub fn planet(self) -> Result<PlanetState, CliError> {
+        match self {
+            Self::Saved(state) => Ok(*state),
+            Self::Recipe(recipe, plan) => {
+                let mut headless = Headless::new(initial_planet(&recipe)?.0);
+                plan.run(&mut headless)?;
+                headless.state()
+            }
+        }
+    }
+}

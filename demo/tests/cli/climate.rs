@@ -1,0 +1,71 @@
+//! Maps of a user that replace fields of the climate.
+
+use crate::program::{assert_refused_in, planet, succeed_with_input};
+use std::fs;
+use std::path::Path;
+
+/// A map of 8-bit grey, twice as wide as high.
+fn grey_map(path: &Path, grey: u8) {
+    let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), 16, 8);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(&[grey; 128])
+        .unwrap();
+}
+
+/// How many of 400 points are frozen, and how many are land.
+fn frozen_and_land(folder: &Path, maps: &[&str]) -> (usize, usize) {
+    let points: Vec<String> = (0..400)
+        .map(|i| format!("{},{}", 60 - i % 120, 3 * (i % 117) - 170))
+        .collect();
+    let args = [&["query", "planet.pangaea", "--level", "6"], maps].concat();
+    let text = succeed_with_input(folder, &args, &points.join("\n"));
+    let frozen = |line: &&str| line.ends_with("snow") || line.ends_with("ice");
+    let land = |line: &&str| !line.ends_with("sea_floor");
+    (
+        text.lines().filter(frozen).count(),
+        text.lines().filter(land).count(),
+    )
+}
+
+#[test]
+fn maps_replace_fields_of_the_climate() {
+    let folder = planet();
+    grey_map(&folder.path().join("t.png"), 0);
+    fs::write(folder.path().join("t.json"), r#"{"min": -60, "max": 60}"#).unwrap();
+    let (mild, _) = frozen_and_land(folder.path(), &[]);
+    let (frozen, land) = frozen_and_land(folder.path(), &["--temperature", "t.png"]);
+    assert!(mild < frozen, "{mild} {frozen}");
+    assert!(frozen * 2 > land, "{frozen} of {land} points are frozen");
+}
+
+/// Asserts that a command refuses each map that is no climate.
+fn assert_checks_maps(command: &[&str]) {
+    let folder = planet();
+    grey_map(&folder.path().join("dry.png"), 10);
+    grey_map(&folder.path().join("hot.png"), 255);
+    fs::write(folder.path().join("hot.json"), r#"{"min": 0, "max": 3000}"#).unwrap();
+    fs::write(folder.path().join("bad.tif"), "nonsense").unwrap();
+    let hot = ["hot.png", "3000", "-150 to 150 °C"];
+    for (map, words) in [
+        (["--rain", "missing.tif"], &["missing.tif"][..]),
+        (["--rain", "bad.tif"], &["bad.tif", "no TIFF"]),
+        (["--rain", "dry.png"], &["dry.png", "dry.json"]),
+        (["--temperature", "hot.png"], &hot),
+        (["--wetness", "dry.jpg"], &["dry.jpg", ".tif"]),
+    ] {
+        let args = [command, &map].concat();
+        assert_refused_in(folder.path(), &args, words);
+    }
+}
+
+#[test]
+fn maps_that_are_no_climate_are_refused_before_anything_grows() {
+    assert_checks_maps(&["generate", "--samples", "2000000", "--out", "out"]);
+    let square = ["export", "planet.pangaea", "--region", "0,0,10"];
+    assert_checks_maps(&[&square[..], &["--out", "a.tif"]].concat());
+    assert_checks_maps(&["relief", "planet.pangaea", "--json", "r.json"]);
+    assert_checks_maps(&["query", "planet.pangaea", "--at", "0,0"]);
+}

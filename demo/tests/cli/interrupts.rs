@@ -1,0 +1,79 @@
+//! Ctrl-C ends a command and leaves nothing; a full disk is an error.
+
+use crate::program::{begun, names_in, pangaea, planet, stderr};
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// Interrupts a program, which says so after what it has to say anyway.
+fn assert_interrupted(mut child: Child, before: &str) {
+    let kill = format!("kill -INT {}", child.id());
+    let sent = Command::new("sh").args(["-c", &kill]).status().unwrap();
+    if !sent.success() {
+        let _ = child.kill();
+    }
+    let output = child.wait_with_output().unwrap();
+    let text = stderr(&output);
+    let expected = format!("{before}error: interrupted; nothing is written\n");
+    assert_eq!(output.status.code(), Some(130), "{text}");
+    assert_eq!(text, expected);
+}
+
+#[test]
+fn an_interrupt_ends_a_command_and_leaves_nothing() {
+    let folder = TempDir::new().unwrap();
+    let size = ["generate", "--samples", "5000", "--until", "10000"];
+    let args = [&size[..], &["--out", "out"]].concat();
+    let child = begun(folder.path(), &args, Stdio::null());
+    // It listens before it makes the folder.
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while !folder.path().join("out").exists() && Instant::now() < deadline {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert_interrupted(child, "");
+    assert!(names_in(folder.path()).is_empty());
+}
+
+#[test]
+fn an_interrupt_ends_an_export_between_its_rows() {
+    let folder = planet();
+    let square = ["export", "planet.pangaea", "--region", "0,0,100"];
+    let file = ["--pixels", "8192", "--out", "a.png"];
+    let args = [&square[..], &file].concat();
+    let mut child = begun(folder.path(), &args, Stdio::null());
+    // It names the level when it begins with the heights; they take minutes.
+    let mut said = [0; 5];
+    let errors = child.stderr.as_mut().unwrap();
+    errors.read_exact(&mut said).unwrap();
+    assert_eq!(&said, b"level");
+    assert_interrupted(child, " 13, 12.207 m to a pixel\n");
+    assert_eq!(names_in(folder.path()), ["planet.pangaea"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_an_error_and_not_a_panic() {
+    let folder = TempDir::new().unwrap();
+    let args = ["bench", "--samples", "300", "--json", "/dev/full"];
+    let output = pangaea(folder.path(), &args);
+    let text = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(text.contains("error: cannot write /dev/full"), "{text}");
+    assert!(!text.contains("panick"), "{text}");
+    assert!(Path::new("/dev/full").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_behind_stdout_is_an_error() {
+    let full = fs::OpenOptions::new().write(true).open("/dev/full");
+    let output = Command::new(env!("CARGO_BIN_EXE_pangaea"))
+        .arg("--help")
+        .stdout(full.unwrap())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+}

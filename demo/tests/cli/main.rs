@@ -1,0 +1,41 @@
+//! The commands as a user types them: exit codes, messages, and what is in the files.
+//!
+//! ```text
+//! program      runs the program, and what it must do where it refuses
+//! options      numbers, names and help
+//! recipes      presets and scenarios
+//! generate     the files of a planet
+//! measures     info and bench
+//! files        written all or none: what is in the way, what stays
+//! interrupts   Ctrl-C, and a full disk
+//! explorer     what is refused before a window opens
+//! export       squares of the ground
+//! climate      maps of a user
+//! query        points of the ground
+//! relief       relief statistics, beside those of real tiles
+//! ```
+
+mod program;
+
+mod options;
+
+mod recipes;
+
+mod generate;
+
+mod measures;
+
+mod files;
+
+#[cfg(unix)]
+mod interrupts;
+
+mod explorer;
+
+mod export;
+
+mod climate;
+
+mod query;
+
+mod relief;

@@ -1,0 +1,104 @@
+//! Relief statistics of a planet, beside those of real tiles.
+
+use crate::program::{
+    assert_contains, assert_refused, assert_refused_in, planet, read_json, succeed,
+};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const CLASSES: [&str; 4] = ["young_himalayan", "young_andean", "old_belts", "plains"];
+
+#[test]
+fn bad_options_and_planets_are_refused() {
+    assert_refused(&["relief"], &["PLANET.pangaea"]);
+    assert_refused(&["relief", "missing.pangaea"], &["missing.pangaea"]);
+    let args = ["relief", "a.pangaea", "--sites", "0"];
+    assert_refused(&args, &["1 to 20"]);
+    let folder = planet();
+    let args = ["relief", "planet.pangaea", "--json", "no/such/a.json"];
+    assert_refused_in(folder.path(), &args, &["no/such/a.json"]);
+    fs::write(folder.path().join("bad.pangaea"), "no planet").unwrap();
+    let words = ["bad.pangaea", "no Pangaea planet"];
+    assert_refused_in(folder.path(), &["relief", "bad.pangaea"], &words);
+}
+
+/// The folder of real tiles: `$PANGAEA_DATA/dem`, else `shared/data/dem` beside the repository.
+fn real_tiles() -> Option<PathBuf> {
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
+    let data = std::env::var_os("PANGAEA_DATA").unwrap_or_else(|| beside.into());
+    let folder = PathBuf::from(data).join("dem");
+    if !folder.is_dir() {
+        eprintln!("skipped: {} is missing", folder.display());
+        return None;
+    }
+    Some(folder)
+}
+
+/// The figures that `relief` writes for planet.pangaea.
+fn relief(folder: &Path, more: &[&str]) -> Value {
+    let sites = ["relief", "planet.pangaea", "--sites", "1"];
+    let args = [&sites[..], &["--json", "r.json"], more].concat();
+    let text = succeed(folder, &args);
+    assert_contains(&text, &CLASSES);
+    assert_contains(&text, &["relief in 10 km"]);
+    read_json(&folder.join("r.json"))
+}
+
+/// Asserts that every class has its figures, or no sites.
+fn assert_has_classes(figures: &Value) {
+    for class in CLASSES {
+        let figures = &figures[class];
+        let sites = figures["sites"].as_u64().unwrap();
+        assert!(sites <= 1);
+        for key in ["relief10_median_m", "slope_p90_deg"] {
+            assert!(figures[key].is_number() || sites == 0, "{class} {key}");
+        }
+        // A site may be too rough or too flat to have one.
+        assert!(figures.get("spectral_exponent").is_some(), "{class}");
+    }
+}
+
+#[test]
+fn relief_has_figures_of_classes() {
+    let folder = planet();
+    let figures = relief(folder.path(), &[]);
+    assert_has_classes(&figures);
+    assert!(figures["tiles"].as_object().unwrap().is_empty());
+}
+
+#[test]
+fn relief_has_figures_of_real_tiles() {
+    let Some(real) = real_tiles() else { return };
+    let folder = planet();
+    let figures = relief(folder.path(), &["--dem", real.to_str().unwrap()]);
+    assert_has_classes(&figures);
+    let tiles = &figures["tiles"];
+    let annapurna = &tiles["himalaya-annapurna"]["relief10_median_m"];
+    let ratio = annapurna.as_f64().unwrap() / 3221.0;
+    assert!((ratio - 1.0).abs() < 0.05, "{annapurna}");
+    assert_eq!(tiles["N44W072"]["sites"], 1);
+    assert_eq!(tiles.as_object().unwrap().len(), 5);
+}
+
+#[test]
+fn bad_tiles_are_named() {
+    let folder = planet();
+    let tiles = folder.path().join("tiles");
+    fs::create_dir(&tiles).unwrap();
+    let measure = ["relief", "planet.pangaea", "--json", "r.json", "--dem"];
+    let args = [&measure[..], &["tiles"]].concat();
+    assert_refused_in(folder.path(), &args, &["tiles", ".hgt"]);
+    for (name, words) in [
+        ("N44W072.hgt", &["N44W072.hgt", "1201"][..]),
+        ("b.tif", &["b.tif"]),
+        ("c.png", &["c.json"]),
+    ] {
+        let path = tiles.join(name);
+        fs::write(&path, "nonsense").unwrap();
+        assert_refused_in(folder.path(), &args, words);
+        fs::remove_file(path).unwrap();
+    }
+    let args = [&measure[..], &["nowhere"]].concat();
+    assert_refused_in(folder.path(), &args, &["nowhere"]);
+}
