@@ -10,7 +10,7 @@ mod error;
 pub use error::MapFileError;
 
 use super::IoError;
-use super::dem::geotiff::Band;
+use super::dem::geotiff::RasterBand;
 use super::dem::grey::Greys;
 use super::dem::read_limited;
 use crate::climate::EquirectMap;
@@ -89,7 +89,7 @@ fn check_size(width: u32, height: u32) -> Result<(), MapFileError> {
 
 /// Reads a raster of values.
 fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
-    let mut band = Band::read(bytes, check_size)?;
+    let mut band = RasterBand::read(bytes, check_size)?;
     // Climate data often begins at Greenwich: half a planet off is worse than no map.
     if let Some(extent) = band.extent_deg() {
         // Files may count from the centres of their pixels.
