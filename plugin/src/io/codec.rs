@@ -79,6 +79,7 @@ impl<'a> Decoder<'a> {
 
     /// A finite number.
     pub(super) fn f64(&mut self) -> Result<f64, SaveError> {
+        // NaN would spread through the planet, infinities through its sums.
         let value = f64::from_le_bytes(self.array()?);
         if value.is_finite() {
             Ok(value)

@@ -14,6 +14,7 @@ pub fn write_atomically(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), IoError> {
+    // Folders are refused here, for a rename over an empty one may succeed.
     let target = target_of(path);
     let result = match fs::metadata(&target) {
         Ok(meta) if meta.is_dir() => Err(io::ErrorKind::IsADirectory.into()),

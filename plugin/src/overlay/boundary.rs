@@ -72,6 +72,7 @@ fn boundary(input: &OverlayInput, i: u32) -> BoundaryKind {
             continue;
         }
         let q = input.mesh.point(j);
+        // Across the boundary: positive where the neighbour moves away.
         let turn = input.plates.angular_velocity(other) - input.plates.angular_velocity(own);
         let relative = turn.cross((p + q).normalize());
         opening += relative.dot((q - p).normalize());

@@ -47,7 +47,9 @@ pub(super) fn shade(p: Vec3, gradient: Vec3) -> f32 {
     let (east, north) = east_north(p.as_dvec3());
     let eastward = gradient.dot(east.as_vec3());
     let northward = gradient.dot(north.as_vec3());
+    // The normal of a slope leans downhill.
     let normal = Vec3::new(-eastward, -northward, 1.0);
+    // Relative to level ground, so that plains keep their colour.
     (normal.dot(MAP_SUN) / (normal.length() * MAP_SUN.z)).max(0.0)
 }
 

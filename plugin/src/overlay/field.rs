@@ -120,6 +120,7 @@ pub(super) fn majority<T: Copy + PartialEq>(classes: [T; 3], weights: [f32; 3]) 
     let mut best = (classes[0], weight_of(classes[0], classes, weights));
     let mut second = 0.0;
     for class in [classes[1], classes[2]] {
+        // Its weight is counted already.
         if class == best.0 {
             continue;
         }

@@ -145,6 +145,7 @@ fn named(table: &ClassTable) -> impl Iterator<Item = (String, Rgba)> {
 
 /// Kinds of boundaries, and the two shades of one plate for all.
 fn plates() -> LegendEntries {
+    // Plates are too many to list: one of them stands for all.
     let kinds = BoundaryKind::ALL.map(|kind| (format!("{} boundary", kind.label()), kind.color()));
     let shades = [
         ("ocean floor of a plate", CrustKind::Oceanic),

@@ -91,6 +91,7 @@ impl MapProjection {
     /// with its edges, rivers as lines. Black if the surface does not belong to the mesh of this
     /// projection.
     pub fn draw(&self, overlay: Overlay, input: &OverlayInput) -> Raster {
+        // A bake has a mesh of its own, finer than this projection's.
         if let (Some(bake), true) = (input.bake, overlay.needs_bake()) {
             return baked::draw(overlay, bake, self.width, self.height);
         }

@@ -169,6 +169,7 @@ fn doubled_azimuth(p: DVec3, v: DVec3) -> [f32; 2] {
     if v.length_squared() < 1e-12 {
         return [0.0; 2];
     }
+    // Doubled, an axis and its opposite are the same, and their mean is theirs.
     let (sin, cos) = math::sin_cos(2.0 * math::azimuth(p, v).to_radians());
     [cos as f32, sin as f32]
 }
@@ -192,6 +193,7 @@ fn border_noise(input: &OverlayInput) -> OverlayField {
 
 fn noise_color(noise: &Noise, p: DVec3) -> Rgba {
     let v = noise.vector(p, BORDER_NOISE_FREQUENCY, BORDER_NOISE_OCTAVES);
+    // Grey is no warp; 190 spreads the range in which the noise mostly lies over all of a channel.
     let channel = |x: f64| (127.5 + 190.0 * x).clamp(0.0, 255.0) as u8;
     [channel(v.x), channel(v.y), channel(v.z), 255]
 }

@@ -105,6 +105,7 @@ fn pixel(direction: DVec3, [width, height]: [f64; 2]) -> (f64, f64) {
 /// A line between two points in pixels, the short way around the date line.
 fn line(raster: &mut Raster, from: (f64, f64), to: (f64, f64), half: f64, color: Rgba) {
     let width = f64::from(raster.width);
+    // A line that spans more than half of the map goes the other way.
     let turn = ((to.0 - from.0) / width).round() * width;
     let (dx, dy) = (to.0 - turn - from.0, to.1 - from.1);
     // Two squares a pixel leave no gaps.

@@ -38,6 +38,7 @@ impl SphericalCap {
     /// radii `lowest` and `highest` on this patch.
     pub(super) fn seen_from(&self, camera: DVec3, lowest: f64, highest: f64) -> bool {
         let distance = camera.length();
+        // From below the ground there is no horizon.
         if distance.is_nan() || distance <= lowest {
             return true;
         }

@@ -15,6 +15,7 @@ pub(super) fn hide_far_side(
     mut patches: Query<(&SphericalCap, &mut Visibility)>,
 ) {
     for (parts, task, place) in &globes {
+        // Cameras in planet coordinates, where one unit is one radius.
         let local = place.affine().inverse();
         let eyes: Vec<DVec3> = cameras
             .iter()

@@ -42,6 +42,7 @@ pub(super) fn ground_patches(mesh: &SphereMesh) -> Vec<GlobePatch> {
 
 /// A mesh of these triangles and of the samples that they need.
 fn patch(mesh: &SphereMesh, triangles: &[[u32; 3]]) -> GlobePatch {
+    // Neighbouring triangles share their samples: each is stored once.
     let corners = triangles.as_flattened();
     let mut samples = corners.to_vec();
     samples.sort_unstable();

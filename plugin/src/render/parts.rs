@@ -116,6 +116,7 @@ pub(super) fn spawn_parts(
         for part in old.into_iter().flat_map(GlobeParts::entities) {
             commands.entity(part).try_despawn();
         }
+        // Filled by the upload of this build, and anew by each that follows.
         let usages = RenderAssetUsages::RENDER_WORLD;
         let samples = ShaderBuffer::with_size(built.samples.len(), usages);
         let samples = assets.buffers.add(samples);

@@ -111,6 +111,7 @@ impl GlobePicker {
     ///
     /// Missing distances count as 1.
     pub fn new(mesh: Arc<SphereMesh>, mut radii: Vec<f32>) -> Self {
+        // Without a relief, the sphere.
         radii.resize(mesh.len(), 1.0);
         let highest = f64::from(radii.iter().copied().fold(0.0, f32::max)) + 1e-5;
         let boxes: Vec<_> = mesh
@@ -226,6 +227,7 @@ fn hit_triangle(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Optio
     if det.abs() < 1e-300 {
         return None;
     }
+    // Barycentric coordinates, and the distance along the ray.
     let from = origin - a;
     let u = from.dot(p) / det;
     let q = from.cross(ab);

@@ -88,6 +88,7 @@ fn one_side(
             sum += raw[j as usize];
             count += 1.0;
         }
+        // Own side: half smoothed, which hides the lattice and keeps the relief. Other side: continued.
         match (inside(i), count > 0.0) {
             (true, true) => 0.5 * (raw[i as usize] + sum / count),
             (true, false) => raw[i as usize],
@@ -105,6 +106,7 @@ fn coasts(mesh: &SphereMesh, raw: &[f32]) -> (Vec<f32>, Vec<f32>) {
         let mean = ring.iter().map(|&j| side(j)).sum::<f32>() / ring.len().max(1) as f32;
         0.5 * (side(i) + mean)
     });
+    // Where all neighbours agree the coast is far, and nothing may move.
     let rough = parallel::map(mesh.len(), |i| {
         let steps = mesh.ring(i).iter().map(|&j| (side(j) - side(i)).abs());
         steps.fold(0.0, f32::max).min(1.0)

@@ -56,6 +56,7 @@ fn gradient_words(point: DVec3, gradient: DVec3) -> [i16; 2] {
 /// Two unit vectors perpendicular to the unit vector `n` (Duff et al. 2017). The twin of the one in
 /// `sample.wgsl`.
 fn tangent_basis(n: Vec3) -> (Vec3, Vec3) {
+    // The sign keeps the denominator away from 0.
     let s = if n.z >= 0.0 { 1.0 } else { -1.0 };
     let a = -1.0 / (s + n.z);
     let b = n.x * n.y * a;

@@ -30,6 +30,7 @@ pub(super) fn spawn_edges(
 ) {
     for (planet, lattice, globe, mut parts) in &mut globes {
         if globe.shows_edges() && parts.edges.is_none() {
+            // Three edges a sample: too many to make them for globes that never show them.
             let mesh = Mesh3d(assets.meshes.add(mesh::edges(lattice)));
             let material = MeshMaterial3d(parts.materials.edges.clone());
             let edges = commands.spawn((part("edges", planet), mesh, material));

@@ -136,6 +136,7 @@ pub(super) fn receive_builds(mut tasks: Query<&mut GlobeTask>) {
         let Some(built) = task.running.as_mut().and_then(check_ready) else {
             continue;
         };
+        // A finished task must not be asked again.
         task.running = None;
         task.radii = built.radii;
         task.built = Some(built);

@@ -24,7 +24,7 @@ const GEOGRAPHIC: u16 = 2;
 const MAX_COMPRESSION: u64 = 4096;
 
 /// The one band of a file.
-pub(in crate::io) struct Band<'a> {
+pub(in crate::io) struct RasterBand<'a> {
     decoder: Decoder<Cursor<&'a [u8]>>,
     /// Pixels to a row, and rows.
     pub(in crate::io) size: [u32; 2],
@@ -32,7 +32,7 @@ pub(in crate::io) struct Band<'a> {
     pub(in crate::io) values: Vec<f32>,
 }
 
-impl<'a> Band<'a> {
+impl<'a> RasterBand<'a> {
     /// Reads a file, unless `check` refuses its size.
     pub(in crate::io) fn read<E: From<DemError>>(
         bytes: &'a [u8],
@@ -86,7 +86,7 @@ impl<'a> Band<'a> {
 
 /// Reads a file of heights.
 pub(super) fn read(bytes: &[u8]) -> Result<Dem, DemError> {
-    let mut band = Band::read(bytes, check_size)?;
+    let mut band = RasterBand::read(bytes, check_size)?;
     let (pixel_m, centre) = georeference(&mut band.decoder, band.size)?;
     Dem::new(band.size, band.values, pixel_m, centre)
 }

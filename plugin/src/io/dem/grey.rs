@@ -96,6 +96,7 @@ fn read_rows(reader: &mut Reader<Cursor<&[u8]>>, depth: BitDepth) -> Result<Vec<
     let mut values = Vec::new();
     while let Some(row) = reader.next_row().map_err(refused)? {
         if depth == BitDepth::Eight {
+            // 255 times 257 is 65,535: white stays white.
             values.extend(row.data().iter().map(|&grey| u16::from_be_bytes([grey; 2])));
         } else {
             let (pairs, _) = row.data().as_chunks();

@@ -12,6 +12,7 @@ pub(super) fn encode(
     grid: &HeightGrid,
 ) -> Result<(Vec<u8>, Vec<u8>), ExportError> {
     let [low, high] = grid.range().unwrap_or_default().map(f64::from);
+    // Level ground is black, and its range is empty.
     let scale = if high > low {
         65_535.0 / (high - low)
     } else {

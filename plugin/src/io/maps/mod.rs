@@ -10,7 +10,7 @@ mod error;
 pub use error::MapFileError;
 
 use super::IoError;
-use super::dem::geotiff::Band;
+use super::dem::geotiff::RasterBand;
 use super::dem::grey::Greys;
 use super::dem::read_limited;
 use crate::climate::EquirectMap;
@@ -20,6 +20,8 @@ use std::path::Path;
 /// picture that has no sidecar.
 ///
 /// ```
+/// # #[cfg(feature = "export")]
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// use bevy_pangaea::io::{load_map, png::grey_png};
 ///
 /// # let folder = tempfile::tempdir()?;
@@ -29,7 +31,10 @@ use std::path::Path;
 ///
 /// let rain = load_map(&path, Some([0.0, 2000.0]))?;
 /// assert_eq!(rain.size(), [4, 2]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok(())
+/// # }
+/// # #[cfg(not(feature = "export"))]
+/// # fn main() {}
 /// ```
 ///
 /// # Errors
@@ -84,9 +89,10 @@ fn check_size(width: u32, height: u32) -> Result<(), MapFileError> {
 
 /// Reads a raster of values.
 fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
-    let mut band = Band::read(bytes, check_size)?;
+    let mut band = RasterBand::read(bytes, check_size)?;
     // Climate data often begins at Greenwich: half a planet off is worse than no map.
     if let Some(extent) = band.extent_deg() {
+        // Files may count from the centres of their pixels.
         let pixel = 360.0 / f64::from(band.size[0]);
         let whole = [-180.0, 180.0, -90.0, 90.0];
         let mut ends = extent.iter().zip(whole);

@@ -99,6 +99,7 @@ fn checked(bytes: &[u8]) -> Result<&[u8], SaveError> {
         .checked_sub(HASH_BYTES)
         .filter(|&end| end >= HEADER_BYTES)
         .ok_or(SaveError::Truncated)?;
+    // Before anything is read: what follows may trust that no bit has changed by accident.
     if blake3::hash(&bytes[..end]).as_bytes()[..] != bytes[end..] {
         return Err(SaveError::Checksum);
     }

@@ -23,6 +23,7 @@ pub(super) fn write_ledger(state: &PlanetState) -> Vec<u8> {
 
 pub(super) fn read_ledger(bytes: &[u8]) -> Result<Ledger, SaveError> {
     let mut read = Decoder(bytes);
+    // Causes are known by their place.
     if read.count(16)? != Cause::ALL.len() {
         return Err(invalid(
             "its ledger has other causes than this program".into(),

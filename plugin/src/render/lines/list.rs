@@ -65,6 +65,7 @@ pub(in crate::render) struct Lines {
 impl Lines {
     /// Adds a line from `a` to `b`.
     pub(super) fn add(&mut self, a: LineEnd, b: LineEnd, style: LineStyle) {
+        // Each end sees the other, so that the shader can turn the line's width towards the camera.
         for (here, there) in [(a, b), (b, a)] {
             for side in [-1.0, 1.0] {
                 self.here.push(to_bevy(here.direction).to_array());

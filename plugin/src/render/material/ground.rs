@@ -47,6 +47,7 @@ impl GroundUniform {
     /// The uniform of a globe of `radius` km whose samples are `spacing` radians apart.
     pub(in crate::render) fn new(globe: &Globe, radius: f64, spacing: f64) -> Self {
         let tinted = globe.overlay == Overlay::Elevation;
+        // Stops of the ramp that the shader mixes itself: colour, and elevation in the fourth place.
         let mut tint = [Vec4::ZERO; MAX_STOPS];
         for (slot, &(elevation, color)) in tint.iter_mut().zip(HYPSOMETRIC.0) {
             *slot = linear(color).extend(elevation);
