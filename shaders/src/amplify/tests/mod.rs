@@ -18,6 +18,9 @@ use super::seed::{pcg, share};
 use super::synthetic::control_mesh;
 use super::vertex::Vertex;
 
+/// A vector of reals.
+type Vector = [f64; 3];
+
 /// A small planet: 1280 faces on a radius of 300 km.
 fn planet() -> Base {
     Base::new(&control_mesh(300_000, 3, 7)).unwrap()
@@ -29,7 +32,7 @@ fn refined(base: &Base, view: &View) -> RefinedGround {
 }
 
 /// The nearest integer direction of a vector.
-fn unit(p: [f64; 3]) -> [i32; 3] {
+fn unit(p: Vector) -> [i32; 3] {
     let n = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
     p.map(|x| (x / n * f64::from(ONE)).round() as i32)
 }

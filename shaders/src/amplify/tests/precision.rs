@@ -3,8 +3,6 @@
 use super::*;
 use crate::amplify::topology::{Level, SplitMark};
 
-type Vector = [f64; 3];
-
 fn norm(p: Vector) -> f64 {
     (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt()
 }

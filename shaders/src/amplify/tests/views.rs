@@ -82,8 +82,6 @@ fn a_cap_drops_whole_levels() {
     assert_eq!(whole.vertices, ground.vertices);
 }
 
-type Vector = [f64; 3];
-
 fn dot(u: Vector, v: Vector) -> f64 {
     u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 }
