@@ -4,6 +4,7 @@
 //! other test runs beside it (`--test-threads=1`).
 
 use bevy::prelude::*;
+use bevy_pangaea::math::TAU;
 use bevy_pangaea::prelude::*;
 use pangaea_tests::shape::small;
 use pangaea_tests::soak;
@@ -53,7 +54,11 @@ fn assert_sound(app: &App, planet: Entity) {
     }
     let ledger = &state.ledger;
     assert!(ledger.unexplained_volume_max < 1e-5, "{ledger:?}");
-    assert!(ledger.unexplained_max < 1e-4, "{ledger:?}");
+    // Coasts are moved by whole samples: up to half a sample of area waits for the next resample.
+    let half_sample = 0.5 * TAU * 2.0 / state.crust.len() as f64;
+    let continents = ledger.expected().area / state.planet.radius.powi(2);
+    let rounding = 1.2 * half_sample / continents;
+    assert!(ledger.unexplained_max < rounding, "{ledger:?}");
 }
 
 fn assert_finite(crust: &Crust) {

@@ -1,8 +1,6 @@
 //! `pangaea bench`: how fast this machine grows planets, also in floors: how often all columns
 //! could have been read and written in the same time.
 
-pub mod floor;
-
 mod ground;
 
 mod steps;

@@ -1,7 +1,7 @@
 //! Planets without a window: an app that has the simulation and nothing else.
 
-use crate::bench::floor::memory_floor_ms;
 use crate::error::CliError;
+use crate::floor::memory_floor_ms;
 use crate::interrupt;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;

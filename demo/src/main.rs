@@ -14,6 +14,8 @@ mod interrupt;
 mod output;
 mod progress;
 
+mod floor;
+
 mod headless;
 
 mod growth;

@@ -10,7 +10,7 @@ use thiserror::Error;
 
 pub use switches::{OceanFloor, ProcessSwitches};
 
-/// What is known about a parameter.
+/// Name, limits, unit and meaning of a parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct ParamInfo {
     /// Name in files and commands.
@@ -36,7 +36,7 @@ pub struct ParamInfo {
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ParamError {
     /// There is no parameter of that name.
-    #[error("unknown parameter `{0}`")]
+    #[error("unknown parameter `{}`", .0.escape_debug())]
     Unknown(String),
     /// The value is outside of the limits, or no number.
     #[error("{name} = {} is outside of {min}..={max} {unit}", crate::params::shown(*value))]
@@ -78,7 +78,7 @@ macro_rules! params {
         #[derive(Component, Clone, Debug, PartialEq, Reflect)]
         #[derive(serde::Serialize, serde::Deserialize)]
         #[serde(default, deny_unknown_fields)]
-        #[reflect(Component, Default)]
+        #[reflect(Component, Default, Serialize, Deserialize)]
         pub struct TectonicParams {
             $($(
                 $(#[doc = $doc])+
@@ -257,7 +257,7 @@ params! {
 }
 
 impl TectonicParams {
-    /// What is known about the parameter `name`.
+    /// The entry of the parameter `name`.
     pub fn info(name: &str) -> Option<&'static ParamInfo> {
         Self::TABLE.iter().find(|info| info.name == name)
     }

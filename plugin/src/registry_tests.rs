@@ -1,4 +1,4 @@
-//! What editors, scenes and scripts find in the type registry.
+//! Types that editors, scenes and scripts find in the type registry.
 
 use crate::PangaeaPlugins;
 use bevy::prelude::*;

@@ -1,4 +1,4 @@
-//! What nearly every rule asks of a planet: its samples, its parameters, its size.
+//! Samples, parameters and size of a planet: nearly every rule asks for them.
 
 use crate::params::TectonicParams;
 use crate::planet::{Lattice, Planet};

@@ -41,7 +41,7 @@ fn rain_is_symmetric_without_relief() {
     }
 }
 
-/// Belts of 2.5 degrees are numbered from the equator.
+/// WindBelts of 2.5 degrees are numbered from the equator.
 const BELT_DEG: f64 = 2.5;
 
 /// Mean rain of belt `k` north (`sign` 1) or south (-1) of the equator.

@@ -38,4 +38,4 @@ pub use fields::{Climate, ClimateMaps};
 pub use map::{EquirectMap, MapError};
 pub use scale::EARTH_RADIUS;
 pub use temperature::{LAPSE_RATE_K_PER_KM, mean_temperature};
-pub use wind::{Belts, Upwind, Winds};
+pub use wind::{Upwind, WindBelts, Winds};

@@ -19,7 +19,7 @@
 //! deserts.
 
 use super::scale::EARTH_RADIUS;
-use super::wind::{Belts, Upwind, Winds};
+use super::wind::{Upwind, WindBelts, Winds};
 use crate::math;
 use crate::parallel;
 use crate::sphere::SphereMesh;
@@ -109,7 +109,7 @@ fn ring_mean(mesh: &SphereMesh, field: &[f32], i: u32) -> f32 {
 }
 
 /// Rain of one season in mm per year.
-fn season(mesh: &SphereMesh, belts: &Belts, temperature: &[f32], height: &[f32]) -> Vec<f32> {
+fn season(mesh: &SphereMesh, belts: &WindBelts, temperature: &[f32], height: &[f32]) -> Vec<f32> {
     let columns = columns(mesh, belts, temperature, height);
     let mut water: Vec<f32> = columns
         .iter()
@@ -130,7 +130,12 @@ fn season(mesh: &SphereMesh, belts: &Belts, temperature: &[f32], height: &[f32])
 }
 
 /// The columns of air over all vertices.
-fn columns(mesh: &SphereMesh, belts: &Belts, temperature: &[f32], height: &[f32]) -> Vec<Column> {
+fn columns(
+    mesh: &SphereMesh,
+    belts: &WindBelts,
+    temperature: &[f32],
+    height: &[f32],
+) -> Vec<Column> {
     let zones = zones();
     parallel::map(mesh.len(), |i| {
         let k = i as usize;

@@ -52,7 +52,7 @@ pub struct Upwind {
 
 /// Winds of one season on a mesh.
 #[derive(Clone, Debug, PartialEq, Reflect)]
-pub struct Belts {
+pub struct WindBelts {
     /// Degrees by which all belts lie farther north than in the mean.
     pub shift: f64,
     /// Distance of every vertex from the belts' middle in degrees.
@@ -67,7 +67,7 @@ pub struct Belts {
 #[derive(Clone, Debug, PartialEq, Reflect)]
 pub struct Winds {
     /// The belts in both seasons.
-    pub seasons: [Belts; 2],
+    pub seasons: [WindBelts; 2],
 }
 
 /// Eastward and northward part of the wind at a latitude in degrees from the belts' middle; its
@@ -116,12 +116,12 @@ impl Winds {
     pub fn new(mesh: &SphereMesh) -> Self {
         let shifts = [SEASONAL_SHIFT_DEG, -SEASONAL_SHIFT_DEG];
         Self {
-            seasons: shifts.map(|shift| Belts::new(mesh, shift)),
+            seasons: shifts.map(|shift| WindBelts::new(mesh, shift)),
         }
     }
 }
 
-impl Belts {
+impl WindBelts {
     fn new(mesh: &SphereMesh, shift: f64) -> Self {
         Self {
             shift,

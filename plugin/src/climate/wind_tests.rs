@@ -28,7 +28,7 @@ fn assert_upwind(mesh: &SphereMesh, i: u32, upwind: Upwind) {
 #[test]
 fn upwind_points_lie_against_the_wind() {
     let mesh = SphereMesh::fibonacci(4000).unwrap();
-    let winds = Belts::new(&mesh, 0.0);
+    let winds = WindBelts::new(&mesh, 0.0);
     for i in 0..mesh.len() as u32 {
         if math::lat_lon(mesh.point(i)).0.abs() <= 85.0 {
             assert_upwind(&mesh, i, winds.upwind[i as usize]);
@@ -42,7 +42,7 @@ fn upwind_points_lie_against_the_wind() {
 #[test]
 fn upwind_comes_first_nearly_everywhere() {
     let mesh = SphereMesh::fibonacci(4000).unwrap();
-    let winds = Belts::new(&mesh, 0.0);
+    let winds = WindBelts::new(&mesh, 0.0);
     let mut rank = vec![0; mesh.len()];
     for (k, &i) in winds.order.iter().enumerate() {
         rank[i as usize] = k;

@@ -51,7 +51,7 @@ pub struct Amount {
     pub volume: f64,
 }
 
-/// What was booked since the planet was made, and how well it explains what was measured.
+/// The bookings since the planet was made, and how well they explain the measured changes.
 #[derive(Component, Clone, Debug, Default, PartialEq, Reflect)]
 #[reflect(Component)]
 pub struct Ledger {
@@ -76,7 +76,7 @@ impl Ledger {
         entry.volume += volume;
     }
 
-    /// What was booked for `cause`.
+    /// The sum of all bookings for `cause`.
     pub fn of(&self, cause: Cause) -> Amount {
         self.booked[cause as usize]
     }

@@ -1,5 +1,4 @@
-//! What is switched and chosen, rather than measured: which processes run, and by which law ocean
-//! floor sinks.
+//! Choices rather than numbers: which processes run, and by which law ocean floor sinks.
 
 use super::ParamError;
 use bevy::prelude::*;
@@ -7,7 +6,7 @@ use bevy::prelude::*;
 /// Which processes run; each can be switched at any time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(default, deny_unknown_fields)]
-#[reflect(Default)]
+#[reflect(Default, Serialize, Deserialize)]
 pub struct ProcessSwitches {
     /// Plates move.
     pub drift: bool,

@@ -57,7 +57,7 @@ pub struct Plate {
     pub born: f64,
 }
 
-/// What a plate is made of, refreshed when its set of samples or their kinds change.
+/// Size and composition of a plate, recomputed when its samples or their kinds change.
 #[derive(Component, Clone, Copy, Debug, Default, PartialEq, Reflect)]
 #[reflect(Component)]
 pub struct PlateStats {

@@ -15,7 +15,7 @@ pub struct PlateRow {
     pub entity: Entity,
     /// The motion.
     pub motion: PlateMotion,
-    /// What it is made of.
+    /// Size and composition.
     pub stats: PlateStats,
     /// When it was made, in My.
     pub born: f64,

@@ -44,9 +44,9 @@ pub struct TerraneCensus {
     pub stale: bool,
 }
 
-/// Sums over the samples of a terrane, in lattice coordinates.
+/// TerraneSums over the samples of a terrane, in lattice coordinates.
 #[derive(Clone, Copy, Default)]
-struct Sums {
+struct TerraneSums {
     frame: FrameId,
     samples: u32,
     area: f64,
@@ -66,7 +66,7 @@ pub fn find_terranes(
         |i| crust.is_continental(i as usize),
         |i, j| crust.frame[i as usize] == crust.frame[j as usize],
     );
-    let mut sums = vec![Sums::default(); components.count];
+    let mut sums = vec![TerraneSums::default(); components.count];
     for (i, &number) in components.of.iter().enumerate() {
         // Samples of no component have a number beyond the last.
         if let Some(sum) = sums.get_mut(number as usize) {
@@ -81,7 +81,7 @@ pub fn find_terranes(
         .collect()
 }
 
-fn terrane(sum: &Sums, frames: &Frames, radius: f64) -> (PlateId, Terrane) {
+fn terrane(sum: &TerraneSums, frames: &Frames, radius: f64) -> (PlateId, Terrane) {
     let frame = &frames[usize::from(sum.frame)];
     let terrane = Terrane {
         frame: sum.frame,

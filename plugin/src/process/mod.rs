@@ -1,4 +1,4 @@
-//! What happens in a step. One file is one process, one plugin and one section of paper 000.
+//! The processes of a step. One file is one process, one plugin and one section of paper 000.
 //!
 //! | file | paper 000 | reads | writes |
 //! |---|---|---|---|
@@ -39,9 +39,9 @@ pub mod surface_processes;
 
 pub mod margin;
 
-pub mod terranes;
-
 pub mod commit;
+
+pub mod terranes;
 
 /// Raises `z` by `dz` km so that it approaches `ceiling` smoothly and never passes it: slope 1 far
 /// below, all of the distance that is left for an endless `dz`. What is lowered (`dz` < 0) is

@@ -61,7 +61,7 @@ pub fn surface_processes(
     changes.book(&mut ledger, view.square());
 }
 
-/// What a sweep changed on continents, per square of the radius.
+/// Changes of a sweep on continents, per square of the radius.
 #[derive(Clone, Copy, Debug, Default)]
 struct Changes {
     /// Steradians of ocean crust that became land.

@@ -6,6 +6,7 @@
 //!
 //! Reads: frames, kinds, motions. Writes: terranes.
 
+use super::commit::commit;
 use crate::math::rotation;
 use crate::params::TectonicParams;
 use crate::plate::caches::recompute_terranes;
@@ -24,8 +25,10 @@ impl Plugin for TerranePlugin {
         app.add_systems(
             TectonicStep,
             (
-                carry_terranes.in_set(TectonicSystems::After(Stage::Drift)),
-                census.in_set(TectonicSystems::After(Stage::Commit)),
+                carry_terranes.in_set(TectonicSystems::Process(Stage::Drift)),
+                census
+                    .in_set(TectonicSystems::Process(Stage::Commit))
+                    .after(commit),
             ),
         )
         .add_systems(BetweenSteps, census.in_set(BetweenStepsSystems::Caches));

@@ -59,7 +59,7 @@ impl<'a> Uplift<'a> {
             * weigh(p.weight_relief, self.elevation_profile(z_i))
     }
 
-    /// What a contact of the front pushes; `None` for one that does not override.
+    /// The push of a contact of the front; `None` for one that does not override.
     pub(super) fn push(&self, contact: &Contact) -> Option<Push> {
         let elevation = self.elevation_profile(f64::from(contact.other_elevation));
         let rate = self.params.uplift * weigh(self.params.weight_relief, elevation);
@@ -76,7 +76,7 @@ fn weigh(weight: f64, factor: f64) -> f64 {
     1.0 + weight * (factor - 1.0)
 }
 
-/// What a sample of the front does to all samples that it is nearest to.
+/// The effect of a sample of the front on all samples that it is nearest to.
 #[derive(Clone, Copy)]
 pub(super) struct Push {
     /// Angular velocity relative to the plate going under, times the planet's radius, in km/My.

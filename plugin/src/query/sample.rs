@@ -17,7 +17,7 @@ pub struct Sample {
     pub water_m: f32,
     /// Unit normal of the ground, in the planet's axes.
     pub normal: DVec3,
-    /// What the ground is made of.
+    /// Material of the ground.
     pub surface: GroundSurface,
 }
 

@@ -30,7 +30,7 @@ impl ClimateSample {
     }
 }
 
-/// What the ground is made of.
+/// Material of the ground.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Reflect)]
 #[repr(u8)]
 pub enum GroundSurface {

@@ -5,7 +5,7 @@
 //! dropped and the weights renormalised, so that a coast stays as sharp as it was. *A frame at
 //! rest* copies bits.
 
-use super::project::ProjectInput;
+use super::input::ProjectInput;
 use crate::crust::{Crust, CrustKind, CrustRow, FrameId};
 use crate::plate::overlap::FrameHit;
 use crate::sphere::Location;
@@ -46,9 +46,9 @@ fn continental_share(crust: &Crust, at: &Location, frame: FrameId) -> f64 {
     if sum > 0.0 { weight[1] / sum } else { 0.0 }
 }
 
-/// Sums over the corners of a triangle, each times its weight.
+/// BlendSums over the corners of a triangle, each times its weight.
 #[derive(Default)]
-struct Sums {
+struct BlendSums {
     weight: f64,
     thickness: f64,
     elevation: f64,
@@ -58,7 +58,7 @@ struct Sums {
     fold: DVec3,
 }
 
-impl Sums {
+impl BlendSums {
     fn add(&mut self, crust: &Crust, i: usize, w: f64) {
         self.weight += w;
         self.thickness += w * f64::from(crust.thickness[i]);
@@ -83,7 +83,7 @@ impl Sums {
 
 /// The barycentric mean over the corners of one frame and kind.
 fn blend(crust: &Crust, at: &Location, frame: FrameId, kind: CrustKind) -> Option<CrustRow> {
-    let mut sums = Sums::default();
+    let mut sums = BlendSums::default();
     let mut largest_weight = 0.0;
     let mut nearest = None;
     for (&i, &w) in at.vertices.iter().zip(&at.weights) {

@@ -1,6 +1,6 @@
 //! Continental crust is conserved: its area by changing coasts, its volume by scaling.
 //!
-//! What lies below another frame loses its area: *stacking* where both belong to one plate, *forced
+//! Crust below another frame loses its area: *stacking* where both belong to one plate, *forced
 //! subduction* where not. Its thickness is added to what lies above; what exceeds the root of the
 //! highest mountains falls off as *delamination*. Continental crust that fills a crack is
 //! stretched: area without volume, booked as *rifting*. Nearest assignment alone would let the rest
@@ -10,7 +10,8 @@
 //! ledger's.
 
 use super::blend::sample_frame;
-use super::project::{ProjectInput, ProjectNotes};
+use super::input::ProjectInput;
+use super::project::ProjectNotes;
 use crate::crust::isostasy::Isostasy;
 use crate::crust::ledger::measure;
 use crate::crust::{Cause, Crust, CrustKind, Ledger, Surface};

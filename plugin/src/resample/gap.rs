@@ -8,18 +8,17 @@
 //! nearer oceanic rim's floor, or new floor where there is none. *Triple junctions*: the two
 //! nearest plates decide.
 
+use super::input::GapInput;
 use super::project::ProjectNotes;
 use super::ridge::{Between, Opening, ridge_row};
 use crate::crust::surface::Cover;
 use crate::crust::{CrustKind, CrustRow, Surface};
 use crate::ids::PlateId;
 use crate::parallel;
-use crate::plate::PlateTable;
 use crate::sphere::SphereMesh;
 use crate::sphere::angle_of_chord;
 use crate::sphere::components::Components;
 use crate::sphere::nearest_source::{SourceField, UNREACHED, extend_nearest_sources};
-use crate::view::PlanetView;
 use rayon::prelude::*;
 
 /// Widest gap in km between continents that do not diverge, which their crust fills by stretching.
@@ -27,16 +26,6 @@ pub const WIDEST_CRACK: f64 = 120.0;
 
 /// Radians beyond which no rim is looked for: more than half of the sphere.
 const FARTHEST_RIM: f64 = 2.0;
-
-/// What filling gaps reads.
-pub(super) struct GapInput<'a> {
-    /// Samples, parameters, size.
-    pub planet: PlanetView<'a>,
-    /// The plates.
-    pub plates: &'a PlateTable,
-    /// Time since the last resample in My.
-    pub elapsed: f64,
-}
 
 /// For every sample of a gap its nearest rim, and the nearest rim of another plate; memory to be
 /// used again.
@@ -176,7 +165,7 @@ fn second_rims(mesh: &SphereMesh, gap: &[u32], surface: &Surface, rims: &GapRims
     );
 }
 
-/// What a sample of a gap becomes.
+/// New crust at a sample of a gap.
 struct Filling {
     row: CrustRow,
     plate: PlateId,

@@ -13,13 +13,15 @@
 //! Projection, gaps and trenches are also how a planet is looked at between two resamples
 //! ([`Surface`](crate::crust::Surface)), so that pictures just before and after a resample agree.
 
-mod project;
+mod input;
 
 mod blend;
 
-pub mod gap;
+mod project;
 
 pub mod ridge;
+
+pub mod gap;
 
 mod conservation;
 

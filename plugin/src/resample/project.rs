@@ -4,35 +4,19 @@
 //! is noted, for the ledger.
 
 use super::blend::sample_frame;
+use super::input::ProjectInput;
 use crate::crust::surface::Cover;
-use crate::crust::{Crust, CrustRow, Frame, Frames, Surface};
+use crate::crust::{Crust, CrustRow, Frame, Surface};
 use crate::ids::PlateId;
 use crate::parallel::CHUNK;
 use crate::params::TectonicParams;
-use crate::plate::overlap::{FrameHit, OverlapIndex, upper};
-use crate::plate::polarity::PolarityMemory;
-use crate::sphere::SphereMesh;
+use crate::plate::overlap::{FrameHit, upper};
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
 
 /// Chunks that are projected between two looks at the clock.
 const CHUNKS_PER_TIME_SLICE: usize = 4;
-
-/// The state that a projection reads.
-#[derive(Clone, Copy)]
-pub(crate) struct ProjectInput<'a> {
-    /// Samples and triangles.
-    pub mesh: &'a SphereMesh,
-    /// The crust in its frames.
-    pub crust: &'a Crust,
-    /// Frames.
-    pub frames: &'a Frames,
-    /// Which frames cover a point; must fit the frames' rotations.
-    pub overlap: &'a OverlapIndex,
-    /// Who goes under whom.
-    pub polarity: &'a PolarityMemory,
-}
 
 /// Notes of a projection that only a resample needs, per sample.
 #[derive(Clone, Debug, Default)]
@@ -46,7 +30,7 @@ pub(crate) struct ProjectNotes {
 }
 
 /// The projection of one sample.
-struct Projected {
+struct ProjectedSample {
     row: CrustRow,
     plate: PlateId,
     cover: Cover,
@@ -111,7 +95,7 @@ pub(super) fn project_chunks(
     end
 }
 
-fn project_sample(input: &ProjectInput, at_rest: bool, i: usize) -> Projected {
+fn project_sample(input: &ProjectInput, at_rest: bool, i: usize) -> ProjectedSample {
     let &ProjectInput {
         mesh,
         crust,
@@ -120,7 +104,7 @@ fn project_sample(input: &ProjectInput, at_rest: bool, i: usize) -> Projected {
         polarity,
     } = input;
     // A sample that is covered by itself, or by nothing until the gaps are filled.
-    let own = |plate, cover, weight| Projected {
+    let own = |plate, cover, weight| ProjectedSample {
         row: crust.row(i),
         plate,
         cover,
@@ -149,7 +133,7 @@ fn project_sample(input: &ProjectInput, at_rest: bool, i: usize) -> Projected {
     } else {
         (0.0, [0; 2])
     };
-    Projected {
+    ProjectedSample {
         row,
         plate: frames.plate(top.frame),
         cover,

@@ -13,7 +13,7 @@
 //! grows with the spreading rate, so that z_G agrees with the subsidence of floor that spread at
 //! that rate; the parameter holds for [`REFERENCE_RATE`].
 
-use super::gap::GapInput;
+use super::input::GapInput;
 use crate::crust::{CrustKind, CrustRow, Orogeny, Surface};
 use crate::math::exp2;
 use crate::params::TectonicParams;

@@ -3,8 +3,9 @@
 
 use super::conservation::conserve;
 use super::exclaves::merge_exclaves;
-use super::gap::{GapInput, GapRims, fill_gaps};
-use super::project::{ProjectInput, ProjectNotes, prepare, project_chunks};
+use super::gap::{GapRims, fill_gaps};
+use super::input::{GapInput, ProjectInput};
+use super::project::{ProjectNotes, prepare, project_chunks};
 use super::trench::{TrenchInput, bend};
 use crate::crust::{Crust, Frame, FrameId, Frames, Ledger, PlanetSurface, Surface};
 use crate::events::CrustResampled;
@@ -25,7 +26,7 @@ use bevy::prelude::*;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// What a projection is for.
+/// The purpose of a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Aim {
     /// It becomes the new state.
@@ -49,13 +50,13 @@ pub struct Resampling {
 
 /// Parts of the work after the chunks have been projected, in order.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum WorkPart {
     Gaps,
     Conservation,
     Trenches,
 }
 
-const PARTS: [Part; 3] = [Part::Gaps, Part::Conservation, Part::Trenches];
+const PARTS: [WorkPart; 3] = [WorkPart::Gaps, WorkPart::Conservation, WorkPart::Trenches];
 
 /// Works on the projection until the time slice is up; then the stage holds. Returns whether the
 /// projection is complete.
@@ -156,16 +157,16 @@ impl Resampling {
             return true;
         }
         match PARTS.get(*progress - chunks) {
-            Some(Part::Gaps) => {
+            Some(WorkPart::Gaps) => {
                 self.new_ocean = fill_gaps(&input.gaps, next, &self.notes, &mut self.rims);
             }
-            Some(Part::Conservation) => {
+            Some(WorkPart::Conservation) => {
                 if input.aim == Aim::Resample {
                     conserve(&input.project, planet, next, &self.notes, ledger);
                     merge_exclaves(planet.mesh, next);
                 }
             }
-            Some(Part::Trenches) => bend(&input.trenches, next, &mut self.scratch),
+            Some(WorkPart::Trenches) => bend(&input.trenches, next, &mut self.scratch),
             None => return false,
         }
         *progress += 1;
@@ -213,7 +214,7 @@ fn publish(
     }
 }
 
-/// What was known of contacts belongs to samples that are now others.
+/// Contacts found before belong to samples that are now others.
 fn forget_contacts(world: &mut World, planet: Entity) {
     let mut query = world.query::<(&Rim, &mut Contacts)>();
     if let Ok((rim, mut contacts)) = query.get_mut(world, planet) {

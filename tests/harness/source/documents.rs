@@ -16,7 +16,7 @@ pub struct Named {
 }
 
 impl Named {
-    /// Reads code spans such as `` `io/save.rs` `` or `` `io/` `` and the targets of links. A path
+    /// Reads code spans such as `` `io/digest.rs` `` or `` `io/` `` and the targets of links. A path
     /// counts from the folder of a path before it in the line, from the folder that the last
     /// heading names, from that of the plugin or from the root.
     pub fn read(markdown: &str) -> Self {
@@ -103,13 +103,13 @@ mod tests {
 
     #[test]
     fn paths_count_from_the_heading_and_from_the_path_before() {
-        let text = "# Map\n| `io/save.rs`, `mod.rs` | `Vec<T>`, a/b |\n## demo/src\n| `main.rs` |\n\
+        let text = "# Map\n| `io/digest.rs`, `mod.rs` | `Vec<T>`, a/b |\n## demo/src\n| `main.rs` |\n\
                     [tests](tests/README.md) [far](https://a.b/c.rs)\n```\n`none.rs`\n```";
         let named = Named::read(text);
         let expected = [
             "demo/src/main.rs",
             "plugin/src/io/mod.rs",
-            "plugin/src/io/save.rs",
+            "plugin/src/io/digest.rs",
             "tests/README.md",
         ];
         assert!(named.found.iter().eq(expected.iter()), "{named:?}");
@@ -130,6 +130,6 @@ mod tests {
         let named = Named::read("`io/dem/`, `params.rs`, `plugin/`");
         assert!(named.covers("plugin/src/io/dem/hgt.rs"));
         assert!(named.covers("plugin/src/params/switches.rs"));
-        assert!(!named.covers("plugin/src/io/save.rs"));
+        assert!(!named.covers("plugin/src/io/digest.rs"));
     }
 }

@@ -18,7 +18,7 @@ mod trigger;
 
 pub use suture::smaller_terrane;
 
-use self::suture::{Collision, Continents};
+use self::suture::{Collision, CollisionInput};
 use crate::crust::{Cause, Crust, Frames, Ledger};
 use crate::planet::GeologicClock;
 use crate::plate::PlateAccess;
@@ -77,7 +77,7 @@ pub fn collision(
     let last_chance = due(view.params, clock, &table, view.radius, frames.len());
     let share = if last_chance { LAST_CHANCE_SHARE } else { 1.0 };
     let trigger = view.params.collision_trigger / view.radius * share;
-    let continents = Continents {
+    let continents = CollisionInput {
         planet: view,
         rim,
         contacts,

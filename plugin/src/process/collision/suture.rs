@@ -14,8 +14,8 @@ use bevy::math::DVec3;
 use bevy::prelude::*;
 use rayon::prelude::*;
 
-/// What all parts of a collision read.
-pub(super) struct Continents<'a> {
+/// The state that all parts of a collision read.
+pub(super) struct CollisionInput<'a> {
     pub planet: PlanetView<'a>,
     pub rim: &'a Rim,
     pub contacts: &'a Contacts,
@@ -47,7 +47,7 @@ impl Collision {
     /// The collision at the rim's position `k`, if both sides still stand where they were found and
     /// the smaller terrane is large enough.
     pub(super) fn find(
-        continents: &Continents,
+        continents: &CollisionInput,
         k: usize,
         crust: &Crust,
         frames: &Frames,
@@ -101,7 +101,7 @@ impl Collision {
     /// frame and the other gained.
     pub(super) fn surge(
         &self,
-        continents: &Continents,
+        continents: &CollisionInput,
         crust: &mut Crust,
         frames: &Frames,
         scratch: &mut SourceScratch,
@@ -118,7 +118,7 @@ impl Collision {
     }
 
     /// The samples of both sides that lie in the overlap: of the terrane, and of the other frame.
-    fn suture(&self, continents: &Continents, crust: &Crust, frames: &Frames) -> [Vec<u32>; 2] {
+    fn suture(&self, continents: &CollisionInput, crust: &Crust, frames: &Frames) -> [Vec<u32>; 2] {
         let mesh = continents.planet.mesh;
         let frame = frames[usize::from(self.from)];
         let other_side = |i: u32| {
@@ -161,7 +161,7 @@ impl Collision {
     }
 }
 
-impl Continents<'_> {
+impl CollisionInput<'_> {
     /// km².
     fn area(&self, samples: &[u32]) -> f64 {
         let sum: f64 = samples.iter().map(|&i| self.planet.mesh.area(i)).sum();
@@ -204,7 +204,7 @@ pub fn smaller_terrane(mesh: &SphereMesh, crust: &Crust, start: [u32; 2]) -> (us
     for i in start {
         seen[i as usize] = true;
     }
-    let mut floods = start.map(|i| Flood {
+    let mut floods = start.map(|i| TerraneFlood {
         frame: crust.frame[i as usize],
         samples: vec![i],
         next: 0,
@@ -221,14 +221,14 @@ pub fn smaller_terrane(mesh: &SphereMesh, crust: &Crust, start: [u32; 2]) -> (us
 }
 
 /// The continental samples of a frame that were found from a start.
-struct Flood {
+struct TerraneFlood {
     frame: FrameId,
     samples: Vec<u32>,
     /// Position of the sample whose neighbours come next.
     next: usize,
 }
 
-impl Flood {
+impl TerraneFlood {
     /// One turn. Returns whether the terrane is complete.
     fn advance(&mut self, mesh: &SphereMesh, crust: &Crust, seen: &mut [bool]) -> bool {
         for _ in 0..SAMPLES_PER_TURN {

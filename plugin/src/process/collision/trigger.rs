@@ -1,6 +1,6 @@
 //! Where continents overlap deeply enough to collide.
 
-use super::suture::Continents;
+use super::suture::CollisionInput;
 use crate::crust::{Crust, FrameId, Frames};
 use crate::math::sin_cos;
 use crate::plate::boundary::Rim;
@@ -22,7 +22,7 @@ pub(super) fn meeting_continents(rim: &Rim, contacts: &Contacts, crust: &Crust) 
         .collect()
 }
 
-impl Continents<'_> {
+impl CollisionInput<'_> {
     /// The first place of every pair of frames where continents overlap by `trigger` radians, in
     /// the order of the rim.
     pub(super) fn deep_overlaps(

@@ -1,4 +1,4 @@
-//! What a line of fracture would do to a plate, before anything changes.
+//! The effect of a line of fracture on a plate, before anything changes.
 
 use super::shape::RiftShape;
 use super::{RiftError, RiftTrial};
