@@ -9,7 +9,7 @@ use bevy_pangaea::prelude::*;
 use bevy_pangaea::process::{
     collision::CollisionPlugin, commit::CommitPlugin, contact::ContactPlugin, drift::DriftPlugin,
     margin::MarginPlugin, rifting::RiftingPlugin, slab_pull::SlabPullPlugin,
-    subduction::SubductionPlugin, surface_processes::SurfaceProcessesPlugin,
+    subduction::SubductionPlugin, surface_processes::SurfaceProcessesPlugin, writes,
 };
 use bevy_pangaea::resample::ResamplePlugin;
 use bevy_pangaea::schedule::TectonicSchedulePlugin;
@@ -26,71 +26,6 @@ fn lively(seed: u64) -> PlanetRecipe {
     recipe
 }
 
-/// Names of all that a stage may write, as the table of the processes says.
-fn declared(stage: Stage) -> &'static [&'static str] {
-    match stage {
-        Stage::Commands | Stage::Projection => &[],
-        Stage::Drift => &["frames"],
-        Stage::Contact => &["polarity"],
-        Stage::Subduction => &[
-            "elevation",
-            "thickness",
-            "fold",
-            "orogeny",
-            "orogeny_age",
-            "ledger",
-        ],
-        Stage::SlabPull => &["plates"],
-        Stage::Collision => &[
-            "frame",
-            "frames",
-            "elevation",
-            "thickness",
-            "fold",
-            "orogeny",
-            "orogeny_age",
-            "ledger",
-            "plates",
-            "polarity",
-        ],
-        Stage::Rifting => &[
-            "frame",
-            "frames",
-            "plates",
-            "thickness",
-            "ledger",
-            "numbers",
-            "polarity",
-        ],
-        Stage::SurfaceProcesses => &[
-            "elevation",
-            "thickness",
-            "ocean_age",
-            "orogeny_age",
-            "kind",
-            "orogeny",
-            "ledger",
-        ],
-        Stage::Resample => &[
-            "frame",
-            "frames",
-            "kind",
-            "thickness",
-            "elevation",
-            "ocean_age",
-            "ridge",
-            "orogeny_age",
-            "orogeny",
-            "fold",
-            "plates",
-            "polarity",
-            "ledger",
-            "clock",
-        ],
-        Stage::Commit => &["clock", "ledger"],
-    }
-}
-
 #[test]
 fn every_stage_writes_what_it_declares() {
     let (mut app, planet) = planet_app(&lively(1));
@@ -99,7 +34,7 @@ fn every_stage_writes_what_it_declares() {
     probe(&mut app, move |change: &Change| {
         for column in change.changed() {
             assert!(
-                declared(change.stage).contains(&column),
+                writes(change.stage).contains(&column),
                 "{} writes {column}",
                 change.stage.name()
             );
@@ -322,4 +257,33 @@ fn clash() {
     app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
     app.add_systems(TectonicStep, (|_: Query<&mut Crust>| {}).in_set(set));
     steps(&mut app, planet, 1);
+}
+
+/// The rows of ARCHITECTURE.md's table of processes: stage and state that it writes.
+fn documented() -> Vec<(String, BTreeSet<String>)> {
+    let text = include_str!("../ARCHITECTURE.md");
+    let (_, table) = text.split_once("\n## Processes\n").expect("the table");
+    let rows = table.lines().skip_while(|line| !line.starts_with("|---"));
+    rows.skip(1)
+        .take_while(|line| line.starts_with('|'))
+        .map(|line| {
+            let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+            let written = cells[5].split(',').map(|name| name.trim().to_string());
+            (
+                cells[1].to_lowercase(),
+                written.filter(|name| !name.is_empty()).collect(),
+            )
+        })
+        .collect()
+}
+
+#[test]
+fn the_map_of_the_code_lists_what_stages_write() {
+    let documented = documented();
+    for stage in Stage::ALL {
+        let written: BTreeSet<String> = writes(stage).iter().map(|&name| name.into()).collect();
+        let row = documented.iter().find(|(name, _)| name == stage.name());
+        let (_, listed) = row.expect(stage.name());
+        assert_eq!(*listed, written, "{}", stage.name());
+    }
 }

@@ -32,7 +32,7 @@ use pangaea_shaders::amplify::mark::View;
 use pangaea_shaders::amplify::topology::SplitMark;
 use pangaea_shaders::amplify::vertex::Vertex;
 use pangaea_tests::shape::small;
-use pangaea_tests::world::{get, heard, listen, planet_app, plates, spawn, state, steps};
+use pangaea_tests::world::{get, heard, listen, planet_app, plates, state, steps};
 use std::sync::Arc;
 
 /// A planet on which plates break and collide.

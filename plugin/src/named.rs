@@ -18,25 +18,25 @@ macro_rules! named_enum {
 
         impl $name {
             /// All of them, in order.
-            pub const ALL: [Self; Self::COUNT] = [$( Self::$variant, )+];
+            $visibility const ALL: [Self; Self::COUNT] = [$( Self::$variant, )+];
 
             /// How many there are.
-            pub const COUNT: usize = [$( $text, )+].len();
+            $visibility const COUNT: usize = [$( $text, )+].len();
 
             /// Its name in files, commands and menus.
-            pub const fn name(self) -> &'static str {
+            $visibility const fn name(self) -> &'static str {
                 match self {
                     $( Self::$variant => $text, )+
                 }
             }
 
             /// The one with this name.
-            pub fn from_name(name: &str) -> Option<Self> {
+            $visibility fn from_name(name: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|one| one.name() == name)
             }
 
             /// The one with this number, counted from 0, as files store it.
-            pub fn from_u8(number: u8) -> Option<Self> {
+            $visibility fn from_u8(number: u8) -> Option<Self> {
                 Self::ALL.get(usize::from(number)).copied()
             }
         }
@@ -49,7 +49,7 @@ pub(crate) use named_enum;
 mod tests {
     named_enum! {
         /// Directions of the wind.
-        pub(super) enum Wind {
+        enum Wind {
             /// From the north.
             North = "north",
             /// From the south-east.

@@ -3,11 +3,15 @@
 //!
 //! Values of paper 000, Appendix A, where it gives one; the others say why they are what they are.
 
+mod limits;
 mod switches;
 
 use bevy::prelude::*;
 use thiserror::Error;
 
+pub(crate) use limits::shown;
+use limits::within_of;
+pub use limits::{OutOfRange, within};
 pub use switches::{OceanFloor, ProcessSwitches};
 
 /// Name, limits, unit and meaning of a parameter.
@@ -38,20 +42,9 @@ pub enum ParamError {
     /// There is no parameter of that name.
     #[error("unknown parameter `{}`", .0.escape_debug())]
     Unknown(String),
-    /// The value is outside of the limits, or no number.
-    #[error("{name} = {} is outside of {min}..={max} {unit}", crate::params::shown(*value))]
-    OutOfRange {
-        /// Name of the parameter.
-        name: &'static str,
-        /// The refused value.
-        value: f64,
-        /// Smallest allowed value.
-        min: f64,
-        /// Largest allowed value.
-        max: f64,
-        /// Unit of the limits.
-        unit: &'static str,
-    },
+    /// The value is outside of the limits, or NaN.
+    #[error(transparent)]
+    OutOfRange(#[from] OutOfRange),
     /// Two parameters stand the wrong way round.
     #[error("{lower} is above {upper}")]
     Order {
@@ -60,16 +53,6 @@ pub enum ParamError {
         /// The other.
         upper: &'static str,
     },
-}
-
-/// A refused number as a message shows it: a huge one with an exponent, not with three hundred
-/// digits.
-pub(crate) fn shown(value: f64) -> String {
-    if value.abs() >= 1e15 {
-        format!("{value:e}")
-    } else {
-        value.to_string()
-    }
 }
 
 macro_rules! params {
@@ -303,25 +286,12 @@ impl TectonicParams {
 }
 
 impl ParamInfo {
-    /// Whether `value` lies within the limits.
+    /// Refuses a value outside of the limits.
+    ///
+    /// # Errors
+    /// [`ParamError::OutOfRange`]
     pub fn check(&self, value: f64) -> Result<(), ParamError> {
-        if value >= self.min && value <= self.max {
-            return Ok(());
-        }
-        let Self {
-            name,
-            min,
-            max,
-            unit,
-            ..
-        } = *self;
-        Err(ParamError::OutOfRange {
-            name,
-            value,
-            min,
-            max,
-            unit,
-        })
+        Ok(within_of(self.name, value, self.min, self.max, self.unit)?)
     }
 }
 

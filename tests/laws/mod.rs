@@ -1,4 +1,4 @@
-//! Laws: closed forms, conservation, and what the design says of each process.
+//! Laws: closed forms, conservation, and the rules of each process.
 
 mod climate;
 mod collision;

@@ -1,6 +1,6 @@
 //! Carrying commands out, between two steps.
 
-use super::check::{direction_of, within};
+use super::check::direction_of;
 use super::command::TectonicCommand;
 use super::error::CommandError;
 use super::events::{CommandApplied, CommandRejected};
@@ -8,7 +8,7 @@ use super::inbox::Inbox;
 use super::paint::{CrustEdit, paint, set_plate_kind};
 use super::scenario::{Recording, Scenario, TimedCommand};
 use crate::crust::{Cause, Crust, Frames, Ledger, ledger};
-use crate::params::TectonicParams;
+use crate::params::{TectonicParams, within};
 use crate::planet::{GeologicClock, planet_radius};
 use crate::plate::{PlateId, PlateMotion, PlateRow, caches, plate_table};
 use crate::process::rifting::{rift_along, rift_at_random};

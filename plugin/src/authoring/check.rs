@@ -3,7 +3,7 @@
 use super::error::CommandError;
 use super::{Brush, PaintTarget, TectonicCommand};
 use crate::math::direction;
-use crate::params::{ProcessSwitches, TectonicParams};
+use crate::params::{ProcessSwitches, TectonicParams, within};
 use bevy::math::DVec3;
 
 impl TectonicCommand {
@@ -17,13 +17,13 @@ impl TectonicCommand {
         match self {
             Self::SetPlateMotion { pole, speed, .. } => {
                 direction_of(*pole)?;
-                within("speed", *speed, -300.0, 300.0)
+                Ok(within("speed", *speed, -300.0, 300.0)?)
             }
             Self::RiftPlate {
                 line, fragments, ..
             } => {
                 check_line(line)?;
-                within("fragments", f64::from(*fragments), 2.0, 4.0)
+                Ok(within("fragments", f64::from(*fragments), 2.0, 4.0)?)
             }
             Self::PaintCrust { target, brush } => {
                 target.check()?;
@@ -44,7 +44,7 @@ impl PaintTarget {
             Self::Everywhere => Ok(()),
             Self::Disc { center, radius } => {
                 direction_of(center)?;
-                within("radius", radius, 0.0, 1e5)
+                Ok(within("radius", radius, 0.0, 1e5)?)
             }
         }
     }
@@ -53,8 +53,8 @@ impl PaintTarget {
 impl Brush {
     fn check(&self) -> Result<(), CommandError> {
         match *self {
-            Self::Raise(km) => within("height", km, -20.0, 20.0),
-            Self::Elevation(km) => within("elevation", km, -15.0, 20.0),
+            Self::Raise(km) => Ok(within("height", km, -20.0, 20.0)?),
+            Self::Elevation(km) => Ok(within("elevation", km, -15.0, 20.0)?),
             Self::Kind(_) => Ok(()),
         }
     }
@@ -68,25 +68,6 @@ fn check_line(line: &[(f64, f64)]) -> Result<(), CommandError> {
     within("points", line.len() as f64, 2.0, 1000.0)?;
     line.iter()
         .try_for_each(|&point| direction_of(point).map(|_| ()))
-}
-
-/// Refuses a value outside of its limits, NaN included.
-pub(super) fn within(
-    field: &'static str,
-    value: f64,
-    min: f64,
-    max: f64,
-) -> Result<(), CommandError> {
-    if value >= min && value <= max {
-        Ok(())
-    } else {
-        Err(CommandError::OutOfRange {
-            field,
-            value,
-            min,
-            max,
-        })
-    }
 }
 
 /// Checks a latitude and longitude in degrees and returns the direction.

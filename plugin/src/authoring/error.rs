@@ -1,6 +1,6 @@
 //! Why a command is refused.
 
-use crate::params::ParamError;
+use crate::params::{OutOfRange, ParamError};
 use crate::plate::PlateId;
 use crate::process::rifting::RiftError;
 use thiserror::Error;
@@ -15,17 +15,8 @@ pub enum CommandError {
     #[error("there is no plate {}", .0.0)]
     NoPlate(PlateId),
     /// A number is outside of its limits, or NaN.
-    #[error("{field} = {} is outside of {min}..={max}", crate::params::shown(*value))]
-    OutOfRange {
-        /// The field.
-        field: &'static str,
-        /// The refused value.
-        value: f64,
-        /// Smallest allowed value.
-        min: f64,
-        /// Largest allowed value.
-        max: f64,
-    },
+    #[error(transparent)]
+    OutOfRange(#[from] OutOfRange),
     /// The parameter or its value is refused.
     #[error(transparent)]
     Param(#[from] ParamError),

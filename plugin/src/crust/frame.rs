@@ -1,4 +1,4 @@
-//! Frames: rigid rotations shared by sets of samples (the design's "frames, not moved points").
+//! Frames: rigid rotations shared by sets of samples. Frames turn, samples never move.
 //!
 //! A plate owns one frame after each resample; a terrane that changes plate brings its own along.
 

@@ -37,7 +37,7 @@
 //!
 //! # Memory
 //!
-//! A sample of crust is 47 bytes, in the state and once more in each [`Surface`] that someone
+//! A sample of crust is [`Crust::BYTES`] bytes, 44, in the state and once more in each [`Surface`] that someone
 //! holds. [`PlanetState`] is a copy of all of it; saves are taken from one, so they may be written
 //! on another thread.
 //!
@@ -46,6 +46,7 @@
 //! [`StageTimings`] on a planet has the milliseconds of every stage, and `pangaea bench` prints
 //! these tables for the machine that it runs on.
 //!
+//! [`Crust::BYTES`]: crate::crust::Crust::BYTES
 //! [`BakeSettings`]: crate::control::BakeSettings
 //! [`ClockControls::frame_budget`]: crate::planet::ClockControls::frame_budget
 //! [`PlanetState::spawn`]: crate::spawn::PlanetState::spawn

@@ -3,85 +3,70 @@
 use super::ParamError;
 use bevy::prelude::*;
 
-/// Which processes run; each can be switched at any time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect, serde::Serialize, serde::Deserialize)]
-#[serde(default, deny_unknown_fields)]
-#[reflect(Default, Serialize, Deserialize)]
-pub struct ProcessSwitches {
+/// Makes the switches from one table: the fields, their names, and the way from a name to a field.
+macro_rules! switches {
+    ($( $(#[doc = $doc:literal])+ $name:ident; )+) => {
+        /// Which processes run; each can be switched at any time.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
+        #[derive(serde::Serialize, serde::Deserialize)]
+        #[serde(default, deny_unknown_fields)]
+        #[reflect(Default, Serialize, Deserialize)]
+        pub struct ProcessSwitches {
+            $( $(#[doc = $doc])+ pub $name: bool, )+
+        }
+
+        impl ProcessSwitches {
+            /// Names of the switches, in order.
+            pub const NAMES: [&'static str; Self::COUNT] = [$( stringify!($name), )+];
+
+            /// Number of switches.
+            pub const COUNT: usize = [$( stringify!($name), )+].len();
+
+            /// All on or all off.
+            pub fn all(on: bool) -> Self {
+                Self { $( $name: on, )+ }
+            }
+
+            /// The switch of that name.
+            ///
+            /// # Errors
+            /// [`ParamError::Unknown`]
+            pub fn get_mut(&mut self, name: &str) -> Result<&mut bool, ParamError> {
+                match name {
+                    $( stringify!($name) => Ok(&mut self.$name), )+
+                    _ => Err(ParamError::Unknown(name.to_string())),
+                }
+            }
+        }
+    };
+}
+
+switches! {
     /// Plates move.
-    pub drift: bool,
+    drift;
     /// Overriding plates rise (paper 000 §4.1).
-    pub subduction: bool,
+    subduction;
     /// Subducting plates turn towards their fronts (§4.1).
-    pub slab_pull: bool,
+    slab_pull;
     /// Terranes are sutured (§4.2).
-    pub collision: bool,
+    collision;
     /// New ocean floor and even samples (§4.3).
-    pub resample: bool,
+    resample;
     /// Plates break by themselves (§4.4).
-    pub rifting: bool,
+    rifting;
     /// Continents wear down (§4.5).
-    pub erosion: bool,
+    erosion;
     /// Ocean floor sinks with age (§4.5).
-    pub subsidence: bool,
+    subsidence;
     /// Trenches and deep floor fill (§4.5).
-    pub sediment: bool,
+    sediment;
     /// Coherent noise (§4.5).
-    pub noise: bool,
+    noise;
 }
 
 impl Default for ProcessSwitches {
     fn default() -> Self {
         Self::all(true)
-    }
-}
-
-impl ProcessSwitches {
-    /// Names of the switches, in order.
-    pub const NAMES: [&'static str; 10] = [
-        "drift",
-        "subduction",
-        "slab_pull",
-        "collision",
-        "resample",
-        "rifting",
-        "erosion",
-        "subsidence",
-        "sediment",
-        "noise",
-    ];
-
-    /// All on or all off.
-    pub fn all(on: bool) -> Self {
-        Self {
-            drift: on,
-            subduction: on,
-            slab_pull: on,
-            collision: on,
-            resample: on,
-            rifting: on,
-            erosion: on,
-            subsidence: on,
-            sediment: on,
-            noise: on,
-        }
-    }
-
-    /// The switch of that name.
-    pub fn get_mut(&mut self, name: &str) -> Result<&mut bool, ParamError> {
-        Ok(match name {
-            "drift" => &mut self.drift,
-            "subduction" => &mut self.subduction,
-            "slab_pull" => &mut self.slab_pull,
-            "collision" => &mut self.collision,
-            "resample" => &mut self.resample,
-            "rifting" => &mut self.rifting,
-            "erosion" => &mut self.erosion,
-            "subsidence" => &mut self.subsidence,
-            "sediment" => &mut self.sediment,
-            "noise" => &mut self.noise,
-            _ => return Err(ParamError::Unknown(name.to_string())),
-        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Recipes: all that a planet is grown from.
 
-use crate::params::{ParamError, TectonicParams};
+use crate::params::{OutOfRange, ParamError, TectonicParams, within};
 use crate::sphere::SphereError;
 use bevy::asset::ReflectAsset;
 use bevy::math::DVec3;
@@ -103,17 +103,8 @@ pub enum PlanetError {
     #[error(transparent)]
     Param(#[from] ParamError),
     /// A number of the recipe is outside of its limits.
-    #[error("{field} = {} is outside of {min}..={max}", crate::params::shown(*value))]
-    OutOfRange {
-        /// The field of the recipe.
-        field: &'static str,
-        /// The refused value.
-        value: f64,
-        /// Smallest allowed value.
-        min: f64,
-        /// Largest allowed value.
-        max: f64,
-    },
+    #[error(transparent)]
+    OutOfRange(#[from] OutOfRange),
     /// More plates than there can be with so few samples.
     #[error("{plates} plates need at least {needed} samples, not {samples}")]
     TooManyPlates {
@@ -183,24 +174,11 @@ impl DiscRecipe {
     fn check(&self) -> Result<(), PlanetError> {
         within("continent latitude", self.center.0, -90.0, 90.0)?;
         within("continent longitude", self.center.1, -360.0, 360.0)?;
-        within("continent radius", self.radius, 1.0, 20_000.0)
+        Ok(within("continent radius", self.radius, 1.0, 20_000.0)?)
     }
 
     /// Unit direction of the centre.
     pub fn direction(&self) -> DVec3 {
         crate::math::direction(self.center.0, self.center.1)
     }
-}
-
-/// Refuses a value outside of its limits, NaN included.
-fn within(field: &'static str, value: f64, min: f64, max: f64) -> Result<(), PlanetError> {
-    if value >= min && value <= max {
-        return Ok(());
-    }
-    Err(PlanetError::OutOfRange {
-        field,
-        value,
-        min,
-        max,
-    })
 }

@@ -1,19 +1,25 @@
 //! The processes of a step. One file is one process, one plugin and one section of paper 000.
 //!
-//! | file | paper 000 | reads | writes |
-//! |---|---|---|---|
-//! | [`drift`] | §3 | motions | frames |
-//! | [`contact`] | §6 | frames, crust, motions | contacts, polarity |
-//! | [`subduction`] | §4.1 | contacts | elevation, thickness, fold, orogeny |
-//! | [`slab_pull`] | §4.1 | contacts | motions |
-//! | [`collision`] | §4.2 | contacts, crust | frames, elevation, thickness, fold, orogeny |
-//! | [`rifting`] | §4.4 | plates, crust | plates, frames, thickness |
-//! | [`surface_processes`] | §4.5 | crust | elevation, thickness, ages, kind |
-//! | [`margin`] | §4.5 | elevation, kind | elevation of ocean crust |
-//! | [`terranes`] | §3 | frames, kinds, motions | terranes |
-//! | [`commit`] | | crust | clock, ledger |
+//! | file | paper 000 | in a word |
+//! |---|---|---|
+//! | [`drift`] | §3 | frames rotate with their plates |
+//! | [`contact`] | §6 | where plates meet, and which goes under |
+//! | [`subduction`], [`uplift`] | §4.1 | overriding plates rise |
+//! | [`slab_pull`] | §4.1 | plates turn towards their fronts |
+//! | [`collision`] | §4.2 | terranes break off and are sutured |
+//! | [`rifting`] | §4.4 | plates break |
+//! | [`surface_processes`], [`erosion`], [`ocean_floor`], [`relief_noise`] | §4.5 | crust wears, sinks, floats and ages |
+//! | [`margin`] | §4.5 | sediment slopes beside continents |
+//! | [`commit`], [`terranes`] | | clock and ledger; terranes as entities |
+//!
+//! The header of each file has its equations, units and policies; [`writes`](fn@writes) is the list
+//! of what each stage may write.
 //!
 //! New ocean crust (§4.3) belongs to [`resample`](crate::resample).
+
+mod writes;
+
+pub use writes::writes;
 
 pub mod contact;
 

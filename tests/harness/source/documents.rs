@@ -108,8 +108,8 @@ mod tests {
         let named = Named::read(text);
         let expected = [
             "demo/src/main.rs",
-            "plugin/src/io/mod.rs",
             "plugin/src/io/digest.rs",
+            "plugin/src/io/mod.rs",
             "tests/README.md",
         ];
         assert!(named.found.iter().eq(expected.iter()), "{named:?}");

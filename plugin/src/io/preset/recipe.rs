@@ -35,8 +35,8 @@ pub fn parse_recipe(text: &str) -> Result<PlanetRecipe, TextError> {
 /// The name in the text of the field that an error is about.
 fn field_of(error: &PlanetError) -> Option<&str> {
     match error {
-        PlanetError::Param(ParamError::OutOfRange { name, .. }) => Some(name),
-        PlanetError::OutOfRange { field, .. } => field.split(' ').next_back(),
+        PlanetError::Param(ParamError::OutOfRange(refused)) => Some(refused.name),
+        PlanetError::OutOfRange(refused) => refused.name.split(' ').next_back(),
         PlanetError::TooManyPlates { .. } => Some("plates"),
         PlanetError::Sphere(_) => Some("samples"),
         PlanetError::Param(ParamError::Order { lower, .. }) => Some(lower),
