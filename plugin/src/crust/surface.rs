@@ -5,7 +5,7 @@
 
 use super::columns::Crust;
 use crate::ids::PlateId;
-use crate::sphere::SphereMesh;
+use crate::sphere::{Location, SphereMesh};
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use std::sync::Arc;
@@ -83,18 +83,19 @@ impl Surface {
 
     /// The surface at the unit direction `p`: values are interpolated, categories nearest.
     pub fn at(&self, mesh: &SphereMesh, p: DVec3) -> SurfacePoint {
-        let location = mesh.locate(p);
-        let value = |column: &dyn Fn(usize) -> f32| -> f32 {
-            let corner =
-                |k: usize| location.weights[k] * f64::from(column(location.vertices[k] as usize));
-            (corner(0) + corner(1) + corner(2)) as f32
-        };
+        let at = mesh.locate(p);
         SurfacePoint {
-            sample: location.nearest,
-            elevation: value(&|i| self.elevation(i)),
-            thickness: value(&|i| self.crust.thickness[i]),
-            ocean_age: value(&|i| self.crust.ocean_age[i]),
-            orogeny_age: value(&|i| self.crust.orogeny_age[i]),
+            sample: at.nearest,
+            elevation: interpolated(&at, |i| self.elevation(i)),
+            thickness: interpolated(&at, |i| self.crust.thickness[i]),
+            ocean_age: interpolated(&at, |i| self.crust.ocean_age[i]),
+            orogeny_age: interpolated(&at, |i| self.crust.orogeny_age[i]),
         }
     }
+}
+
+/// The barycentric mean of a column.
+fn interpolated(at: &Location, column: impl Fn(usize) -> f32) -> f32 {
+    let corner = |k: usize| at.weights[k] * f64::from(column(at.vertices[k] as usize));
+    (corner(0) + corner(1) + corner(2)) as f32
 }

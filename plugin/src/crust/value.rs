@@ -173,21 +173,26 @@ pub fn decode_column<T: ColumnValue>(
     if bytes.len() != T::BYTES * n {
         return Err(ColumnError::Length(label));
     }
-    let (min, max) = limits.into_inner();
-    let value = |(sample, bytes)| {
-        let value = T::decode(bytes).ok_or(ColumnError::Unknown { label, sample })?;
-        match value.outside(min, max) {
-            None => Ok(value),
-            Some(value) => Err(ColumnError::OutOfRange {
-                label,
-                sample,
-                value,
-            }),
-        }
-    };
     bytes
         .chunks_exact(T::BYTES)
         .enumerate()
-        .map(value)
+        .map(|(sample, bytes)| decode_value(bytes, sample, label, &limits))
         .collect()
+}
+
+fn decode_value<T: ColumnValue>(
+    bytes: &[u8],
+    sample: usize,
+    label: &'static str,
+    limits: &RangeInclusive<f32>,
+) -> Result<T, ColumnError> {
+    let value = T::decode(bytes).ok_or(ColumnError::Unknown { label, sample })?;
+    match value.outside(*limits.start(), *limits.end()) {
+        None => Ok(value),
+        Some(value) => Err(ColumnError::OutOfRange {
+            label,
+            sample,
+            value,
+        }),
+    }
 }

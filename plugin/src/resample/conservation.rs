@@ -33,7 +33,8 @@ pub(super) fn conserve(
     notes: &ProjectNotes,
     ledger: &mut Ledger,
 ) {
-    let (mesh, radius, square) = (input.mesh, planet.radius, planet.square());
+    let (mesh, radius) = (input.mesh, planet.radius);
+    let square = planet.square();
     let before = measure(input.crust, mesh, radius);
     let [stacked, forced] = buried_area(mesh, notes);
     let stretched = stretched_area(mesh, surface, notes);
@@ -107,16 +108,21 @@ fn change_coast(input: &ProjectInput, surface: &mut Surface, notes: &ProjectNote
 /// The samples that have another kind than `to` and corners of that kind, those with the largest
 /// share of them first.
 fn ranked_coast(surface: &Surface, notes: &ProjectNotes, to: CrustKind) -> Vec<u32> {
-    let share = |i: usize| match to {
-        CrustKind::Continental => notes.weight[i],
-        CrustKind::Oceanic => 1.0 - notes.weight[i],
-    };
+    let share = |i: usize| share_of(to, notes.weight[i]);
     let coast = samples_where(surface.len(), |i| {
         notes.weight[i] >= 0.0 && share(i) > LEAST_SHARE && surface.crust.kind[i] != to
     });
     let mut ranked: Vec<(f32, u32)> = coast.into_iter().map(|i| (-share(i), i as u32)).collect();
     ranked.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     ranked.into_iter().map(|(_, i)| i).collect()
+}
+
+/// The share of corners of a kind, from that of continental ones.
+fn share_of(kind: CrustKind, continental: f32) -> f32 {
+    match kind {
+        CrustKind::Continental => continental,
+        CrustKind::Oceanic => 1.0 - continental,
+    }
 }
 
 /// Gives sample `i` the crust of kind `to` that the frame on top has there; `false` if it has none.

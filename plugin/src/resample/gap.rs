@@ -36,6 +36,15 @@ pub(super) struct GapRims {
 }
 
 impl GapRims {
+    /// The plate of the rim nearest to sample `i`; `None` for a covered sample, which is not in the
+    /// field.
+    fn nearest_plate(&self, surface: &Surface, i: u32) -> Option<PlateId> {
+        match self.first.source(i) {
+            UNREACHED => None,
+            rim => Some(surface.plate[rim as usize]),
+        }
+    }
+
     fn clear(&mut self, n: usize) {
         for field in [&mut self.first, &mut self.second] {
             if field.len() != n {
@@ -139,13 +148,7 @@ fn nearest_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, inside: imp
 /// For every sample of a gap the nearest rim of another plate than the nearest rim's: the search
 /// begins where the regions of two plates meet within the gap.
 fn second_rims(mesh: &SphereMesh, gap: &[u32], surface: &Surface, rims: &GapRims) {
-    // A covered neighbour is not in the field; only gap samples have a plate here.
-    let nearest_plate = |i: u32| -> Option<PlateId> {
-        match rims.first.source(i) {
-            UNREACHED => None,
-            rim => Some(surface.plate[rim as usize]),
-        }
-    };
+    let nearest_plate = |i: u32| rims.nearest_plate(surface, i);
     let mut start = Vec::new();
     for &i in gap {
         for &j in mesh.ring(i) {

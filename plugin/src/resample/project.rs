@@ -103,23 +103,27 @@ fn project_sample(input: &ProjectInput, at_rest: bool, i: usize) -> ProjectedSam
         overlap,
         polarity,
     } = input;
-    // A sample that is covered by itself, or by nothing until the gaps are filled.
-    let own = |plate, cover, weight| ProjectedSample {
+    // A sample that nothing covers keeps its own crust until the gaps are filled.
+    let own = ProjectedSample {
         row: crust.row(i),
-        plate,
-        cover,
-        weight,
+        plate: PlateId::default(),
+        cover: Cover::Ridge,
+        weight: -1.0,
         below: 0.0,
         layers: [0; 2],
     };
     if at_rest {
-        let continental = f32::from(u8::from(crust.is_continental(i)));
-        return own(frames.plate(crust.frame[i]), Cover::One, continental);
+        return ProjectedSample {
+            plate: frames.plate(crust.frame[i]),
+            cover: Cover::One,
+            weight: f32::from(u8::from(crust.is_continental(i))),
+            ..own
+        };
     }
     let p = mesh.points()[i];
     let mut hits = overlap.covering(mesh, crust, p);
     let Some(mut top) = hits.next() else {
-        return own(PlateId::default(), Cover::Ridge, -1.0);
+        return own;
     };
     let mut cover = Cover::One;
     for hit in hits {

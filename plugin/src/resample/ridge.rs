@@ -63,28 +63,60 @@ pub(super) fn ridge_row(
         return None;
     }
     let distance = |rim: u32| angle_of_chord(p.distance(mesh.point(rim))) * input.planet.radius;
-    let (d1, d2) = (distance(between.near), distance(between.far));
-    let half = 0.5 * (d1 + d2);
-    let to_ridge = (half - d1).max(0.0);
-    // alpha: 0 on the ridge, 1 on the rim.
-    let alpha = to_ridge / half;
-    let near = between.near as usize;
-    let z_near = f64::from(surface.crust.elevation[near]);
-    let z_far = f64::from(surface.crust.elevation[between.far as usize]);
-    let mean = (z_near * d2 + z_far * d1) / (d1 + d2);
-    let params = input.planet.params;
-    let z = alpha * mean + (1.0 - alpha) * ridge_profile(params, to_ridge, 0.5 * rate);
+    let floor = NewFloor {
+        to_near: distance(between.near),
+        to_far: distance(between.far),
+        rate,
+    };
+    let elevation = |rim: u32| f64::from(surface.crust.elevation[rim as usize]);
+    let (near, far) = (elevation(between.near), elevation(between.far));
     Some(CrustRow {
-        frame: surface.crust.frame[near],
+        frame: surface.crust.frame[between.near as usize],
         kind: CrustKind::Oceanic,
-        thickness: params.ocean_thickness as f32,
-        elevation: z as f32,
-        ocean_age: (alpha * input.elapsed.min(2.0 * half / rate)) as f32,
+        thickness: input.planet.params.ocean_thickness as f32,
+        elevation: floor.elevation(input.planet.params, near, far) as f32,
+        ocean_age: floor.age(input.elapsed) as f32,
         ridge: across.cross(p).normalize_or(DVec3::ZERO).as_vec3(),
         orogeny_age: 0.0,
         orogeny: Orogeny::None,
         fold: Vec3::ZERO,
     })
+}
+
+/// A place on new floor: distances in km to both rims, and the rate in km/My at which they part.
+struct NewFloor {
+    to_near: f64,
+    to_far: f64,
+    rate: f64,
+}
+
+impl NewFloor {
+    /// Half of the way from rim to rim in km.
+    fn half(&self) -> f64 {
+        0.5 * (self.to_near + self.to_far)
+    }
+
+    fn to_ridge(&self) -> f64 {
+        (self.half() - self.to_near).max(0.0)
+    }
+
+    /// alpha: 0 on the ridge, 1 on the rim.
+    fn alpha(&self) -> f64 {
+        self.to_ridge() / self.half()
+    }
+
+    /// In km, between rims at `near` and `far` km.
+    fn elevation(&self, params: &TectonicParams, near: f64, far: f64) -> f64 {
+        let mean = (near * self.to_far + far * self.to_near) / (self.to_near + self.to_far);
+        let alpha = self.alpha();
+        let ridge = ridge_profile(params, self.to_ridge(), 0.5 * self.rate);
+        alpha * mean + (1.0 - alpha) * ridge
+    }
+
+    /// In My, if the gap has been open for `elapsed` My at most.
+    fn age(&self, elapsed: f64) -> f64 {
+        self.alpha() * elapsed.min(2.0 * self.half() / self.rate)
+    }
 }
 
 /// Speed in km/My at which the plates of two rims part in the direction `across`; negative where

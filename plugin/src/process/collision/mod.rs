@@ -20,6 +20,7 @@ pub use suture::smaller_terrane;
 
 use self::suture::{Collision, CollisionInput};
 use crate::crust::{Cause, Crust, Frames, Ledger};
+use crate::events::TerraneCollided;
 use crate::planet::GeologicClock;
 use crate::plate::PlateAccess;
 use crate::plate::boundary::Rim;
@@ -84,26 +85,41 @@ pub fn collision(
         overlap,
         plates: table,
     };
+    let places = continents.deep_overlaps(&meeting, trigger, &crust, &frames);
+    let (events, moved) = collide(&continents, places, &mut crust, &mut frames, &mut ledger);
+    for event in events {
+        commands.trigger(TerraneCollided { planet, ..event });
+    }
+    if !moved.samples.is_empty() {
+        commands.queue(move |world: &mut World| recompute_moved(world, planet, &moved));
+    }
+}
+
+/// Carries out the collisions at some places of the rim, one after the other. Returns their events
+/// and the samples that have a new frame.
+fn collide(
+    continents: &CollisionInput,
+    places: Vec<usize>,
+    crust: &mut Crust,
+    frames: &mut Frames,
+    ledger: &mut Ledger,
+) -> (Vec<TerraneCollided>, MovedSamples) {
+    let mut events = Vec::new();
     let mut moved = MovedSamples::default();
     let mut scratch = SourceScratch::default();
-    for at in continents.deep_overlaps(&meeting, trigger, &crust, &frames) {
-        let Some(collision) = Collision::find(&continents, at, &crust, &frames) else {
+    for at in places {
+        let Some(collision) = Collision::find(continents, at, crust, frames) else {
             continue;
         };
-        let mut event = collision.event(&frames);
-        event.planet = planet;
-        commands.trigger(event);
-        let volumes = collision.surge(&continents, &mut crust, &frames, &mut scratch);
-        for volume in volumes {
+        events.push(collision.event(frames));
+        for volume in collision.surge(continents, crust, frames, &mut scratch) {
             ledger.book(Cause::CollisionUplift, 0.0, volume);
         }
-        let new_frame = collision.reframe(&mut crust, &mut frames);
+        let new_frame = collision.reframe(crust, frames);
         moved.frames.extend([new_frame, collision.from]);
         moved.samples.extend(collision.terrane);
     }
-    if !moved.samples.is_empty() {
-        moved.samples.sort_unstable();
-        moved.samples.dedup();
-        commands.queue(move |world: &mut World| recompute_moved(world, planet, &moved));
-    }
+    moved.samples.sort_unstable();
+    moved.samples.dedup();
+    (events, moved)
 }

@@ -221,11 +221,10 @@ impl RiftShape {
                 warp,
                 ..
             } => {
-                let beside = |p: &DVec3| {
-                    (asin(p.dot(*center)) + radius - 0.5 * PI).abs() < BESIDE + warp.amplitude
-                };
-                let plate: Vec<DVec3> = plate.iter().copied().filter(beside).collect();
-                open_line(*center, *origin, &plate, speed, far_end)
+                let width = BESIDE_LINE + warp.amplitude;
+                let off = |p: &DVec3| (asin(p.dot(*center)) + radius - 0.5 * PI).abs();
+                let beside: Vec<DVec3> = plate.iter().copied().filter(|p| off(p) < width).collect();
+                open_line(*center, *origin, &beside, speed, far_end)
             }
             Self::Path { points, .. } => {
                 let (first, last) = (points[0], points[points.len() - 1]);
@@ -304,7 +303,7 @@ fn sector(junction: DVec3, azimuths: &[f64], warp: &Warp, p: DVec3) -> (usize, f
 }
 
 /// Fragments touch where a plate lies nearer to the line than this, in radians.
-const BESIDE: f64 = 0.06;
+const BESIDE_LINE: f64 = 0.06;
 
 /// The ends of nothing.
 const NOWHERE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
