@@ -283,7 +283,7 @@ fn the_map_of_the_code_lists_what_stages_write() {
     for stage in Stage::ALL {
         let written: BTreeSet<String> = writes(stage).iter().map(|&name| name.into()).collect();
         let row = documented.iter().find(|(name, _)| name == stage.name());
-        let (_, listed) = row.expect(stage.name());
+        let (_, listed) = row.expect("a row of the table");
         assert_eq!(*listed, written, "{}", stage.name());
     }
 }

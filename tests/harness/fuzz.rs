@@ -1,7 +1,7 @@
 //! Fuzzing with a stable compiler: good inputs are damaged, and a reader must accept or refuse each.
 //!
 //! An input depends on the format and on its number alone, so every run tries the same ones. One
-//! that makes the reader panic, or read for longer than [`PATIENCE`], is kept in a file of the
+//! that makes the reader panic, or read for longer than `PATIENCE`, is kept in a file of the
 //! system's temporary folder and named.
 
 use crate::soak;

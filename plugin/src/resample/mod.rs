@@ -2,7 +2,7 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `project` | finds the crust that covers every sample, by [`blend`] |
+//! | `project` | finds the crust that covers every sample, by `blend` |
 //! | [`gap`], [`ridge`] | fills samples that nothing covers; new ocean floor between parting plates |
 //! | `conservation` | brings continents to the area and volume that the ledger expects |
 //! | `exclaves` | gives small pieces of plates to the plate around them |

@@ -135,7 +135,7 @@ impl RiftChoice {
         if self.is_wide() && self.extent > ALL_ROUND_EXTENT && attempt % 16 == 15 {
             return Some(RiftShape::halves(stream, counter, *warp));
         }
-        if self.is_wide() && attempt % 4 != 0 {
+        if self.is_wide() && !attempt.is_multiple_of(4) {
             let draw = stream.bits(16 * counter + 9);
             let (at, outward) = place_on_border(world, planet, row.id, draw)?;
             return Some(RiftShape::bite(stream, counter, at, outward, *warp));
