@@ -18,7 +18,7 @@ use std::ffi::OsStr;
 use std::fmt::Write;
 use std::path::Path;
 
-/// ReliefStats figures of a class of sites, or of one tile of real ground.
+/// Relief figures of a class of sites, or of one tile of real ground.
 struct ReliefFigures {
     name: String,
     sites: usize,

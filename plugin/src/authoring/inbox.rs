@@ -17,7 +17,7 @@ pub struct Inbox(pub Vec<TectonicCommand>);
 pub trait TectonicCommandsExt {
     /// Sends a command to the planet; it takes effect at the next step boundary.
     ///
-    /// An entity that neither is a planet nor has a recipe of one refuses it with
+    /// An entity without a planet or a recipe refuses it with
     /// [`CommandRejected`] and a warning.
     ///
     /// ```

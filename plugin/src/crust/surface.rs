@@ -14,14 +14,14 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
 #[repr(u8)]
 pub enum Cover {
-    /// By one frame.
+    /// One frame covers it.
     #[default]
     One = 0,
-    /// By several: what is stored belongs to the one on top.
+    /// Several frames cover it; the stored crust is that of the one on top.
     Several = 1,
-    /// By none, between diverging plates: provisional ridge crust.
+    /// No frame covers it, and its plates diverge: provisional ridge crust.
     Ridge = 2,
-    /// By none, between plates that do not diverge: filled from its neighbours.
+    /// No frame covers it, and its plates do not diverge: filled from its neighbours.
     Filled = 3,
 }
 

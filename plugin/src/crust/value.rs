@@ -14,8 +14,8 @@ pub trait ColumnValue: Copy + PartialEq + Send + Sync + 'static {
     /// Stores the value in exactly [`BYTES`](Self::BYTES) bytes.
     fn encode(self, bytes: &mut [u8]);
 
-    /// The value that `bytes` hold, exactly [`BYTES`](Self::BYTES) of them; `None` if they hold
-    /// none.
+    /// The value that `bytes` hold, exactly [`BYTES`](Self::BYTES) of them; `None` if they are
+    /// no valid value.
     fn decode(bytes: &[u8]) -> Option<Self>;
 
     /// The first component that is NaN or outside of the limits.

@@ -33,7 +33,7 @@ pub(super) fn strahler_of(routes: &Routes, is_channel: impl Fn(u32) -> bool) -> 
 struct Tributaries {
     /// Highest of their orders; 0 at a spring.
     highest: u8,
-    /// Whether more than one has it.
+    /// Whether several tributaries have it.
     is_shared: bool,
 }
 

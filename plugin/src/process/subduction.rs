@@ -108,7 +108,7 @@ fn rise(
                 let thicker = lift(&mut chunk, k, rate, &fast);
                 if chunk.kind[k] == CrustKind::Continental {
                     volume += f64::from(thicker) * planet.mesh.areas()[i];
-                    fold(&mut chunk, k, rate, &fast);
+                    note_orogeny(&mut chunk, k, rate, &fast);
                 }
                 chunk.fold[k] = turned(chunk.fold[k], drag, n);
             }
@@ -130,9 +130,9 @@ fn lift(chunk: &mut CrustChunk, k: usize, rate: f32, law: &FastUplift) -> f32 {
     thicker - before
 }
 
-/// Continental crust that rises fast enough is folded.
+/// Continental crust that rises fast enough belongs to an Andean orogeny from now on.
 #[inline]
-fn fold(chunk: &mut CrustChunk, k: usize, rate: f32, law: &FastUplift) {
+fn note_orogeny(chunk: &mut CrustChunk, k: usize, rate: f32, law: &FastUplift) {
     let young_belt =
         chunk.orogeny[k] == Orogeny::Himalayan && chunk.orogeny_age[k] < HIMALAYAN_MEMORY;
     if rate > law.folding && !young_belt {

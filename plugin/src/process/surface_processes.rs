@@ -82,6 +82,7 @@ impl Changes {
         }
     }
 
+    /// `square` is the square of the planet's radius in km.
     fn book(&self, ledger: &mut Ledger, square: f64) {
         let arcs = (self.arc_area * square, self.arc_volume * square);
         ledger.book(Cause::ArcGrowth, arcs.0, arcs.1);

@@ -39,7 +39,7 @@ pub(super) struct Between {
 pub(super) enum Opening {
     /// As fast as its plates part; where they do not, there is no ridge.
     Measured,
-    /// It closes now, but it was opened at some rate once; the reference stands for it.
+    /// The gap closes now; the reference rate stands for that at which it once opened.
     Past,
 }
 
@@ -105,7 +105,7 @@ impl NewFloor {
         self.to_ridge() / self.half()
     }
 
-    /// In km, between rims at `near` and `far` km.
+    /// Elevation of the new floor in km, between rims at `near` and `far` km.
     fn elevation(&self, params: &TectonicParams, near: f64, far: f64) -> f64 {
         let mean = (near * self.to_far + far * self.to_near) / (self.to_near + self.to_far);
         let alpha = self.alpha();
@@ -113,7 +113,7 @@ impl NewFloor {
         alpha * mean + (1.0 - alpha) * ridge
     }
 
-    /// In My, if the gap has been open for `elapsed` My at most.
+    /// Age of the new floor in My; the gap has been open for `elapsed` My at most.
     fn age(&self, elapsed: f64) -> f64 {
         self.alpha() * elapsed.min(2.0 * self.half() / self.rate)
     }

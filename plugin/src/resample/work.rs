@@ -31,7 +31,7 @@ use std::sync::Arc;
 pub(super) enum Aim {
     /// It becomes the new state.
     Resample,
-    /// It is looked at; the state stays.
+    /// It is published for readers; the state stays.
     Look,
 }
 

@@ -229,7 +229,7 @@ struct TerraneFlood {
 }
 
 impl TerraneFlood {
-    /// One turn. Returns whether the terrane is complete.
+    /// Floods as many samples as a turn has. Returns whether the terrane is complete.
     fn advance(&mut self, mesh: &SphereMesh, crust: &Crust, seen: &mut [bool]) -> bool {
         for _ in 0..SAMPLES_PER_TURN {
             let Some(&i) = self.samples.get(self.next) else {

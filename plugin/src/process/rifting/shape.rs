@@ -305,7 +305,7 @@ fn sector(junction: DVec3, azimuths: &[f64], warp: &Warp, p: DVec3) -> (usize, f
 /// Fragments touch where a plate lies nearer to the line than this, in radians.
 const BESIDE_LINE: f64 = 0.06;
 
-/// The ends of nothing.
+/// An empty range: the identity of the minimum and maximum below.
 const NOWHERE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
 /// Two fragments turn about a pole on the line's extension beyond what of the plate lies beside it.
