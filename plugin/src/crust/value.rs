@@ -22,39 +22,30 @@ pub trait ColumnValue: Copy + PartialEq + Send + Sync + 'static {
     fn outside(&self, min: f32, max: f32) -> Option<f32>;
 }
 
-impl ColumnValue for u16 {
-    const BYTES: usize = 2;
+macro_rules! numbers {
+    ($($number:ty),+) => { $(
+        impl ColumnValue for $number {
+            const BYTES: usize = size_of::<Self>();
 
-    fn encode(self, bytes: &mut [u8]) {
-        bytes.copy_from_slice(&self.to_le_bytes());
-    }
+            fn encode(self, bytes: &mut [u8]) {
+                bytes.copy_from_slice(&self.to_le_bytes());
+            }
 
-    fn decode(bytes: &[u8]) -> Option<Self> {
-        Some(Self::from_le_bytes(bytes.try_into().ok()?))
-    }
+            fn decode(bytes: &[u8]) -> Option<Self> {
+                Some(Self::from_le_bytes(bytes.try_into().ok()?))
+            }
 
-    fn outside(&self, min: f32, max: f32) -> Option<f32> {
-        f32::from(*self).outside(min, max)
-    }
+            fn outside(&self, min: f32, max: f32) -> Option<f32> {
+                let value = *self as f32;
+                // Written so that NaN is outside of any limits.
+                let within = value >= min && value <= max;
+                (!within).then_some(value)
+            }
+        }
+    )+ };
 }
 
-impl ColumnValue for f32 {
-    const BYTES: usize = 4;
-
-    fn encode(self, bytes: &mut [u8]) {
-        bytes.copy_from_slice(&self.to_le_bytes());
-    }
-
-    fn decode(bytes: &[u8]) -> Option<Self> {
-        Some(Self::from_le_bytes(bytes.try_into().ok()?))
-    }
-
-    fn outside(&self, min: f32, max: f32) -> Option<f32> {
-        // Written so that NaN is outside of any limits.
-        let within = *self >= min && *self <= max;
-        (!within).then_some(*self)
-    }
-}
+numbers!(u16, u32, f32);
 
 impl ColumnValue for Vec3 {
     const BYTES: usize = 12;
@@ -76,22 +67,6 @@ impl ColumnValue for Vec3 {
 
     fn outside(&self, min: f32, max: f32) -> Option<f32> {
         self.to_array().iter().find_map(|x| x.outside(min, max))
-    }
-}
-
-impl ColumnValue for u32 {
-    const BYTES: usize = 4;
-
-    fn encode(self, bytes: &mut [u8]) {
-        bytes.copy_from_slice(&self.to_le_bytes());
-    }
-
-    fn decode(bytes: &[u8]) -> Option<Self> {
-        Some(Self::from_le_bytes(bytes.try_into().ok()?))
-    }
-
-    fn outside(&self, min: f32, max: f32) -> Option<f32> {
-        (*self as f32).outside(min, max)
     }
 }
 

@@ -74,6 +74,13 @@ pub struct Contact {
     pub relative: DVec3,
 }
 
+impl Contact {
+    /// Whether ocean floor of the other plate sinks here: it makes a trench, and pulls its plate.
+    pub fn is_over_sinking_floor(&self) -> bool {
+        self.role == Role::Overriding && !self.other_continental
+    }
+}
+
 /// All meetings of one step, parallel to [`Rim::samples`].
 #[derive(Component, Clone, Debug, Default, Reflect)]
 #[reflect(Component)]

@@ -14,7 +14,7 @@ use crate::crust::{Crust, Frames};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice};
 use crate::plate::boundary::Rim;
-use crate::plate::contact::{Contacts, Role};
+use crate::plate::contact::Contacts;
 use crate::plate::{Plate, PlateId, PlateMotion, PlateStats, Plates};
 use crate::schedule::{CurrentPlanet, Stage, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
@@ -77,7 +77,7 @@ fn sinking_fronts(
 ) -> BTreeMap<PlateId, Vec<DVec3>> {
     let mut fronts: BTreeMap<PlateId, Vec<DVec3>> = BTreeMap::new();
     for (&i, contact) in rim.samples.iter().zip(&contacts.0) {
-        if contact.role == Role::Overriding && !contact.other_continental {
+        if contact.is_over_sinking_floor() {
             let frame = &frames[usize::from(crust.frame[i as usize])];
             let place = frame.to_world(mesh.point(i));
             fronts.entry(contact.other).or_default().push(place);

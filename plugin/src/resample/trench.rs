@@ -8,7 +8,7 @@ use crate::crust::{Crust, CrustKind, Frames, Surface};
 use crate::ids::PlateId;
 use crate::math::smoothstep;
 use crate::plate::boundary::Rim;
-use crate::plate::contact::{Contacts, Role};
+use crate::plate::contact::Contacts;
 use crate::sphere::nearest_source::{SourceScratch, nearest_sources};
 use crate::view::PlanetView;
 use bevy::math::DVec3;
@@ -75,7 +75,7 @@ fn sinking_fronts(input: &TrenchInput) -> (Vec<SinkingFront>, Vec<(u32, DVec3)>)
     let mut fronts = Vec::new();
     let mut seeds = Vec::new();
     for (k, contact) in input.contacts.0.iter().enumerate() {
-        if contact.role == Role::Overriding && !contact.other_continental {
+        if contact.is_over_sinking_floor() {
             let i = input.rim.samples[k];
             let frame = &input.frames[usize::from(input.crust.frame[i as usize])];
             let p = frame.to_world(mesh.point(i)).normalize();
