@@ -4,6 +4,7 @@
 //! | fast | slow |
 //! |---|---|
 //! | rims and statistics carried along by collisions and rifts | found anew from the state |
+//! | terranes that drift and grow | counted anew from the crust |
 //! | distances to fronts, followed from step to step | spread anew from the same front |
 //! | heights and samples in batches, on all threads | one by one |
 //! | a raster | its pixels one by one |
@@ -16,7 +17,9 @@
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use bevy_pangaea::control::{BakeSettings, PlanetBake, bake_now};
+use bevy_pangaea::plate::Terrane;
 use bevy_pangaea::plate::boundary::Rim;
+use bevy_pangaea::plate::census::TerraneCensus;
 use bevy_pangaea::plate::contact::{Contact, Contacts, Role};
 use bevy_pangaea::plate::front::{FrontField, FrontInput};
 use bevy_pangaea::prelude::*;
@@ -97,6 +100,39 @@ fn statistics_of_plates_carried_along_are_those_counted_anew() {
             );
         }
     }
+}
+
+/// Terranes without the numbers that their history gave them, from one end of the planet's axes to
+/// the other.
+fn unnumbered(terranes: impl Iterator<Item = Terrane>) -> Vec<Terrane> {
+    let mut terranes: Vec<Terrane> = terranes
+        .map(|terrane| Terrane {
+            number: 0,
+            ..terrane
+        })
+        .collect();
+    let place = |terrane: &Terrane| terrane.centroid.to_array();
+    terranes.sort_by(|a, b| place(a).partial_cmp(&place(b)).expect("a direction"));
+    terranes
+}
+
+#[test]
+fn terranes_that_grow_and_drift_are_those_counted_anew() {
+    let (mut app, planet) = lively(4);
+    let mut grown = 0;
+    for step in 0..60 {
+        let before = get::<TerraneCensus>(&app, planet).clone();
+        steps(&mut app, planet, 1);
+        let census = get::<TerraneCensus>(&app, planet);
+        assert!(!census.stale && census.grown.is_empty());
+        grown += usize::from(*census != before);
+        let anew = TerraneCensus::new(get::<Lattice>(&app, planet), get::<Crust>(&app, planet));
+        let anew: Vec<Terrane> = anew.terranes(get::<Frames>(&app, planet), 6370.0).collect();
+        let mut entities = app.world_mut().query::<&Terrane>();
+        let entities = unnumbered(entities.iter(app.world()).cloned());
+        assert_eq!(entities, unnumbered(anew.into_iter()), "step {step}");
+    }
+    assert!(grown > 10, "{grown} steps changed a terrane");
 }
 
 /// Distances from the samples that are nearest to themselves, which are those of the front, spread

@@ -7,15 +7,15 @@
 //! | [`FrontField`] | contacts and rims; it has a memory | marked stale here, recomputed by subduction |
 //! | [`PlateStats`] alone | the kinds of samples | [`recompute_stats`] |
 //! | [`Contacts`] | rims, frames, motions | each step; for pictures by [`recompute_contacts`] |
-//! | terranes | frames and kinds | [`recompute_terranes`], at the end of a step that changed them |
+//! | terranes | frames and kinds | marked stale here, counted by the [census](super::census) |
 
 use super::boundary::Rim;
+use super::census::TerraneCensus;
 use super::contact::{Contact, ContactInput, Contacts, find_contacts};
 use super::front::FrontField;
 use super::overlap::OverlapIndex;
 use super::polarity::PolarityMemory;
 use super::stats::plate_stats;
-use super::terrane::{TerraneCensus, TerraneOf, Terranes, find_terranes};
 use super::{PlateRow, PlateStats, plate_table};
 use crate::crust::{Crust, Frames};
 use crate::events::PlateConsumed;
@@ -90,26 +90,6 @@ pub fn recompute_contacts(world: &mut World, planet: Entity) {
     };
     let mut memory = polarity.clone();
     *contacts = find_contacts(&input, rim, &mut memory, view.params.polarity_hysteresis);
-}
-
-/// Finds the terranes of all plates anew: their entities are replaced.
-pub fn recompute_terranes(world: &mut World, planet: Entity) {
-    let mut query = world.query::<(PlanetQuery, &Crust, &Frames, &mut TerraneCensus)>();
-    let Ok((body, crust, frames, mut census)) = query.get_mut(world, planet) else {
-        return;
-    };
-    let view = body.view();
-    census.stale = false;
-    let terranes = find_terranes(view.mesh, crust, frames, view.radius);
-    let plates = plate_table(world, planet);
-    for row in plates.rows() {
-        world.entity_mut(row.entity).despawn_related::<Terranes>();
-    }
-    for (plate, terrane) in terranes {
-        if let Some(row) = plates.get(plate) {
-            world.spawn((TerraneOf(row.entity), terrane));
-        }
-    }
 }
 
 fn mark_terranes_stale(world: &mut World, planet: Entity) {

@@ -26,6 +26,8 @@ pub(crate) mod stats;
 
 pub mod table;
 
+pub mod census;
+
 pub mod caches;
 
 pub use crate::ids::PlateId;

@@ -1,19 +1,19 @@
 //! Terranes: connected regions of continental crust on one plate (paper 000 §3).
 
-use crate::crust::{Crust, Frames};
-use crate::ids::{FrameId, PlateId};
-use crate::sphere::SphereMesh;
-use crate::sphere::components::Components;
+use crate::ids::FrameId;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 
 /// A connected region of continental crust, from a small island to a whole continent.
 ///
-/// Between two steps the terranes are those of the crust as it is. A step that changes which
-/// samples a terrane has replaces the entities of all; drift only moves their centroids.
+/// After every step, and after commands between two steps, the terranes are those of the crust as
+/// it is. An entity stays while its terrane drifts, grows, or takes in others; crust that changes
+/// its frame, as in a collision, a rifting or a resampling, replaces the entities of all.
 #[derive(Component, Clone, Debug, PartialEq, Reflect)]
 #[reflect(Component)]
 pub struct Terrane {
+    /// Its number in the [`TerraneCensus`](super::census::TerraneCensus).
+    pub number: u32,
     /// The frame that carries it.
     pub frame: FrameId,
     /// Number of samples.
@@ -35,62 +35,3 @@ pub struct TerraneOf(pub Entity);
 #[relationship_target(relationship = TerraneOf, linked_spawn)]
 #[reflect(Component)]
 pub struct Terranes(Vec<Entity>);
-
-/// Whether the terranes of a planet must be found anew before its step ends.
-#[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq, Reflect)]
-#[reflect(Component)]
-pub struct TerraneCensus {
-    /// Set by whatever moves samples between frames or changes their kind.
-    pub stale: bool,
-}
-
-/// TerraneSums over the samples of a terrane, in lattice coordinates.
-#[derive(Clone, Copy, Default)]
-struct TerraneSums {
-    frame: FrameId,
-    samples: u32,
-    area: f64,
-    moment: DVec3,
-}
-
-/// The terranes of all plates: connected continental samples of one frame, in the order of their
-/// first samples. `radius` is in km.
-pub fn find_terranes(
-    mesh: &SphereMesh,
-    crust: &Crust,
-    frames: &Frames,
-    radius: f64,
-) -> Vec<(PlateId, Terrane)> {
-    let components = Components::new(
-        mesh,
-        |i| crust.is_continental(i as usize),
-        |i, j| crust.frame[i as usize] == crust.frame[j as usize],
-    );
-    let mut sums = vec![TerraneSums::default(); components.count];
-    for (i, &number) in components.of.iter().enumerate() {
-        // Samples of no component have a number beyond the last.
-        if let Some(sum) = sums.get_mut(number as usize) {
-            sum.frame = crust.frame[i];
-            sum.samples += 1;
-            sum.area += mesh.areas()[i];
-            sum.moment += mesh.points()[i] * mesh.areas()[i];
-        }
-    }
-    sums.iter()
-        .map(|sum| terrane(sum, frames, radius))
-        .collect()
-}
-
-fn terrane(sum: &TerraneSums, frames: &Frames, radius: f64) -> (PlateId, Terrane) {
-    let frame = &frames[usize::from(sum.frame)];
-    let terrane = Terrane {
-        frame: sum.frame,
-        samples: sum.samples,
-        area: sum.area * radius * radius,
-        centroid: frame
-            .to_world(sum.moment)
-            .try_normalize()
-            .unwrap_or(DVec3::Z),
-    };
-    (frame.plate, terrane)
-}

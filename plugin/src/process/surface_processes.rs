@@ -14,7 +14,7 @@ use crate::crust::isostasy::Isostasy;
 use crate::crust::{Cause, Crust, CrustChunk, CrustKind, Ledger, Orogeny};
 use crate::params::TectonicParams;
 use crate::planet::GeologicClock;
-use crate::plate::terrane::TerraneCensus;
+use crate::plate::census::TerraneCensus;
 use crate::schedule::{CurrentPlanet, Stage, StepCursor, TectonicStep, TectonicSystems};
 use crate::sphere::SphereMesh;
 use crate::view::PlanetQuery;
@@ -55,15 +55,15 @@ pub fn surface_processes(
     }
     let law = SurfaceLaw::new(view.params, clock.time);
     let changes = sweep(view.mesh, &mut crust, &noise, &law);
-    if changes.arc_area > 0.0 {
-        census.stale = true;
-    }
+    census.grown.extend(&changes.arcs);
     changes.book(&mut ledger, view.square());
 }
 
 /// Changes of a sweep on continents, per square of the radius.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Changes {
+    /// Samples of ocean crust that became land, in order.
+    arcs: Vec<u32>,
     /// Steradians of ocean crust that became land.
     arc_area: f64,
     /// Its volume; all volumes are in km times steradians.
@@ -73,8 +73,10 @@ struct Changes {
 }
 
 impl Changes {
-    fn plus(self, other: Self) -> Self {
+    fn plus(mut self, other: Self) -> Self {
+        self.arcs.extend(other.arcs);
         Self {
+            arcs: self.arcs,
             arc_area: self.arc_area + other.arc_area,
             arc_volume: self.arc_volume + other.arc_volume,
             erosion: self.erosion + other.erosion,
@@ -179,6 +181,7 @@ fn sweep_chunk(
             chunk.kind[k] = CrustKind::Continental;
             chunk.orogeny[k] = Orogeny::Andean;
             chunk.orogeny_age[k] = 0.0;
+            changes.arcs.push((chunk.start + k) as u32);
             changes.arc_area += area;
             changes.arc_volume += f64::from(chunk.thickness[k]) * area;
         }

@@ -1,67 +1,96 @@
-//! Terranes as entities: what they are is brought up to date once a step (paper 000 §3).
+//! Terranes as entities: brought up to date at the end of each step (paper 000 §3).
 //!
-//! Whatever moves samples between frames, or changes their kind, marks the census stale. At the end
-//! of the step, and of commands given between two steps, the terranes are found anew. Drift only
-//! takes their centroids along.
+//! Land that rises is added to the census; only crust that changes its frame asks for a new one.
 //!
-//! Reads: frames, kinds, motions. Writes: terranes.
+//! Reads: frames, kinds. Writes: terranes.
 
 use super::commit::commit;
-use crate::math::rotation;
-use crate::params::TectonicParams;
-use crate::plate::caches::recompute_terranes;
-use crate::plate::terrane::{Terrane, TerraneCensus, Terranes};
-use crate::plate::{PlateMotion, Plates};
+use crate::crust::{Crust, Frames};
+use crate::plate::census::{TerraneCensus, recount_terranes};
+use crate::plate::terrane::{Terrane, TerraneOf, Terranes};
+use crate::plate::{PlateAccess, Plates};
 use crate::schedule::{
     BetweenSteps, BetweenStepsSystems, CurrentPlanet, Stage, TectonicStep, TectonicSystems,
 };
+use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 
-/// Adds [`carry_terranes`] and [`census`] to the step.
+/// Adds [`census`] and [`refresh_terranes`] to the step.
 pub struct TerranePlugin;
 
 impl Plugin for TerranePlugin {
     fn build(&self, app: &mut App) {
         app.add_systems(
             TectonicStep,
-            (
-                carry_terranes.in_set(TectonicSystems::Process(Stage::Drift)),
-                census
-                    .in_set(TectonicSystems::Process(Stage::Commit))
-                    .after(commit),
-            ),
+            (census, refresh_terranes)
+                .chain()
+                .in_set(TectonicSystems::Process(Stage::Commit))
+                // Whoever hears that the step is over finds its terranes.
+                .before(commit),
         )
-        .add_systems(BetweenSteps, census.in_set(BetweenStepsSystems::Caches));
+        .add_systems(
+            BetweenSteps,
+            (census, refresh_terranes)
+                .chain()
+                .in_set(BetweenStepsSystems::Caches),
+        );
     }
 }
 
-/// Takes the centroids of the current planet's terranes along with their plates.
-pub fn carry_terranes(
-    current: Res<CurrentPlanet>,
-    planets: Query<(&TectonicParams, &Plates)>,
-    plates: Query<(&PlateMotion, &Terranes)>,
-    mut terranes: Query<&mut Terrane>,
+/// Counts the land of the current planet that has risen since the last census, or all of it if that
+/// census is stale.
+pub fn census(
+    plates: PlateAccess,
+    mut planets: Query<(PlanetQuery, &Crust, &Frames, &mut TerraneCensus)>,
+    mut commands: Commands,
 ) {
-    let Ok((params, of_planet)) = planets.get(current.0) else {
+    let planet = plates.planet();
+    let Ok((body, crust, frames, mut census)) = planets.get_mut(planet) else {
         return;
     };
-    if !params.processes.drift {
+    if census.stale {
+        commands.queue(move |world: &mut World| recount_terranes(world, planet));
         return;
     }
-    for (motion, of_plate) in plates.iter_many(of_planet.iter()) {
-        let turn = rotation(motion.axis, motion.speed * params.time_step);
-        let mut terranes = terranes.iter_many_mut(of_plate.iter());
-        while let Some(mut terrane) = terranes.fetch_next() {
-            terrane.centroid = (turn * terrane.centroid).normalize();
+    let PlanetView { mesh, radius, .. } = body.view();
+    let known = census.len();
+    census.count_grown(mesh, crust);
+    if census.len() == known {
+        return;
+    }
+    let plates = plates.table();
+    for number in known..census.len() {
+        let terrane = census.terrane(number, frames, radius);
+        let row = terrane
+            .as_ref()
+            .and_then(|terrane| plates.get(frames.plate(terrane.frame)));
+        if let (Some(terrane), Some(row)) = (terrane, row) {
+            commands.spawn((TerraneOf(row.entity), terrane));
         }
     }
 }
 
-/// Finds the terranes of the current planet anew if they are out of date.
-pub fn census(world: &mut World) {
-    let planet = world.resource::<CurrentPlanet>().0;
-    let census = world.get::<TerraneCensus>(planet);
-    if census.is_some_and(|census| census.stale) {
-        recompute_terranes(world, planet);
+/// Gives the terranes of the current planet the size that they were counted with, and the place
+/// that they have drifted to; those that were joined to others go.
+pub fn refresh_terranes(
+    current: Res<CurrentPlanet>,
+    planets: Query<(PlanetQuery, &Frames, &TerraneCensus, &Plates)>,
+    plates: Query<&Terranes>,
+    mut terranes: Query<(Entity, &mut Terrane)>,
+    mut commands: Commands,
+) {
+    let Ok((body, frames, census, of_planet)) = planets.get(current.0) else {
+        return;
+    };
+    let radius = body.view().radius;
+    let of_plates = plates
+        .iter_many(of_planet.iter())
+        .flat_map(|terranes| terranes.iter());
+    let mut of_planet = terranes.iter_many_mut(of_plates);
+    while let Some((entity, mut terrane)) = of_planet.fetch_next() {
+        match census.terrane(terrane.number, frames, radius) {
+            Some(now) => _ = terrane.set_if_neq(now),
+            None => commands.entity(entity).despawn(),
+        }
     }
 }

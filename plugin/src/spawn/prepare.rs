@@ -7,11 +7,11 @@ use crate::crust::{Crust, Frames, Ledger, PlanetSurface};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlateNumbers};
 use crate::plate::boundary::Rim;
+use crate::plate::census::{TerraneCensus, recount_terranes};
 use crate::plate::contact::Contacts;
 use crate::plate::front::FrontField;
 use crate::plate::overlap::OverlapIndex;
 use crate::plate::polarity::PolarityMemory;
-use crate::plate::terrane::TerraneCensus;
 use crate::plate::{
     Plate, PlateOf, PlateRow, PlateStats, Plates, Terrane, TerraneOf, Terranes, caches, plate_table,
 };
@@ -109,7 +109,7 @@ impl PlanetState {
 fn find_caches(world: &mut World, planet: Entity) {
     caches::recompute_but_fronts(world, planet);
     caches::recompute_contacts(world, planet);
-    caches::recompute_terranes(world, planet);
+    recount_terranes(world, planet);
     project_now(world, planet);
 }
 
