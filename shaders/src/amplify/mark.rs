@@ -109,8 +109,10 @@ impl View {
         // Along the ground and above it, as the legs of a right triangle.
         let ground = scale.chord(centre, self.direction);
         let above = self.above(corners);
+        // Held to 2²⁸ sixteenths, 16,777 km, so that `length` keeps its range.
         let distance = length(ground, above.clamp(-(1 << 28), 1 << 28), 0);
         let outside = distance.saturating_sub(self.radius).max(0);
+        // A square lies in its disc; the greater distance outside of the two counts.
         outside.max(self.beside(scale, centre))
     }
 
@@ -130,6 +132,7 @@ impl View {
         if self.sides == [[0; 3]; 2] {
             return 0;
         }
+        // Quarters of units, so that opposite sides of the planet keep 32 bits.
         let offset = difference(direction.map(|x| x >> 2), self.direction.map(|x| x >> 2));
         let [x, y] = self.sides.map(|side| {
             let along: i32 = (0..3).map(|i| mul_q16(offset[i], side[i])).sum();
@@ -142,6 +145,7 @@ impl View {
     /// Distance within which a face of a level is split, sixteenths of a metre.
     #[inline]
     pub fn bound(&self, scale: &PlanetScale, level: u32) -> i32 {
+        // A camera, of radius 0, refines no ground evenly.
         let finest = self.radius > 0 && level + 1 == self.level;
         let sharpness = if finest {
             RIM_SHARPNESS

@@ -79,9 +79,10 @@ fn floor(rules: &Rules, context: &EdgeContext) -> i32 {
     }
     // The draw is wide at coarse levels and narrows with each finer one.
     let spread = FLOOR_SPREAD - SPREAD_LOSS * context.level.min(14) as i32;
-    // Less sway in shallow water.
+    // Less sway in shallow water: at most a sixth of the depth at the deeper end.
     let most_sway = mul_q16(context.length, FLOOR_SWAY).min(-a.min(b) / 6);
     let sway = mul_q16(most_sway, centred_share(context.new.seed, 1));
+    // Never dry: between two vertices of the sea there is no shore.
     (between(context, spread) + sway).min(-GRAINS / 4)
 }
 

@@ -183,7 +183,7 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
     }
     let x = ratio(across, width);
     let shape = shape(rules, vertex);
-    // The plain's own height bounds them.
+    // Greater rivers have gentler sides.
     let tangent = mix(SIDE_SLOPE[0], SIDE_SLOPE[1], reach.strength);
     let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x));
     let shoulder = reach.shoulder();
@@ -206,6 +206,7 @@ const fn shape(rules: &Rules, vertex: &Vertex) -> ValleyShape {
 /// Half-width of a vertex's valley, grains. A tributary is known no farther than its reach: its
 /// valley ends before.
 fn width(vertex: &Vertex, reach: &Reach, edge: i32) -> i32 {
+    // An eighth short, so that the valley has ended where vertices no longer know the river.
     reach
         .half_valley(edge)
         .min(vertex.river.reach / 8 * 7)
