@@ -20,6 +20,7 @@ use super::{PlateRow, PlateStats, plate_table};
 use crate::crust::{Crust, Frames};
 use crate::events::PlateConsumed;
 use crate::ids::{FrameId, PlateId};
+use crate::sphere::SphereMesh;
 use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 
@@ -174,22 +175,35 @@ fn recompute_columns(
     let (body, crust, frames) = state;
     let PlanetView { mesh, radius, .. } = body.view();
     let old_rim = rim.samples.clone();
-    let affected = match moved.filter(|_| !rim.index.is_empty()) {
-        Some(moved) => {
-            rim.update(mesh, &crust.frame, frames, &moved.samples);
-            Affected::Only(moved.frames.iter().map(|&id| frames.plate(id)).collect())
-        }
-        None => {
-            *rim = Rim::new(mesh, &crust.frame, frames);
-            Affected::All
-        }
-    };
+    let affected = update_rim(&mut rim, mesh, &crust.frame, frames, moved);
     overlap.update(mesh, &crust.frame, frames);
     contacts.0 = kept_contacts(&old_rim, &contacts.0, &rim.samples);
     let stats = plate_stats(mesh, crust, frames, radius, |plate| {
         affected.contains(plate)
     });
     Some((affected, stats))
+}
+
+/// Updates the rims after samples have moved, or finds them anew. Returns the plates that lost or
+/// gained samples.
+fn update_rim(
+    rim: &mut Rim,
+    mesh: &SphereMesh,
+    frame: &[FrameId],
+    frames: &Frames,
+    moved: Option<&MovedSamples>,
+) -> Affected {
+    // A rim that was never found has no index to update.
+    match moved.filter(|_| !rim.index.is_empty()) {
+        Some(moved) => {
+            rim.update(mesh, frame, frames, &moved.samples);
+            Affected::Only(moved.frames.iter().map(|&id| frames.plate(id)).collect())
+        }
+        None => {
+            *rim = Rim::new(mesh, frame, frames);
+            Affected::All
+        }
+    }
 }
 
 /// The statistics of a plate, if it has samples.

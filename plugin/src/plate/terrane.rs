@@ -44,7 +44,7 @@ pub struct TerraneCensus {
     pub stale: bool,
 }
 
-/// TerraneSums over the samples of a terrane, in lattice coordinates.
+/// Sums over the samples of a terrane, in steradians and lattice coordinates.
 #[derive(Clone, Copy, Default)]
 struct TerraneSums {
     frame: FrameId,

@@ -17,6 +17,7 @@ fn overrides(
     let frame_a = &frames[usize::from(a.frame)];
     let frame_b = &frames[usize::from(b.frame)];
     if frame_a.plate == frame_b.plate {
+        // Of one plate: terranes over the frame that they came to, later ones over earlier ones.
         return (frame_a.terrane, a.frame) > (frame_b.terrane, b.frame);
     }
     let (i, j) = (a.sample as usize, b.sample as usize);

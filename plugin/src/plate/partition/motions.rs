@@ -14,8 +14,8 @@ const SPEED_SHARE: [f64; 2] = [0.45, 0.95];
 /// than half of the speed of oceanic ones.
 const CONTINENTAL_DRAG: f64 = 0.55;
 
-/// Farthest that a plate's pole of rotation lies from 90 degrees off its centroid, in rad: it is 60
-/// to 120 degrees away, so that the plate travels rather than spins.
+/// Most by which the angle from a plate's centroid to its pole of rotation differs from 90 degrees,
+/// in rad: at 60 to 120 degrees the plate travels rather than spins.
 const MAX_TILT: f64 = math::PI / 6.0;
 
 /// Motions of the recipe's plates: as given, or random.

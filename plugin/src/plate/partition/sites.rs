@@ -65,8 +65,8 @@ impl PlateSite {
         }
     }
 
-    /// Distance in rad by which a cap of the given radius around `p` is farther away than it must
-    /// be.
+    /// Distance in rad that a cap of the given radius around `p` has to spare from this plate;
+    /// negative where it is too near.
     fn room(&self, p: DVec3, radius: f64) -> f64 {
         math::angle_between(p, self.centroid) - SEPARATION * (radius + self.radius)
     }
