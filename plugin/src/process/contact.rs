@@ -38,6 +38,7 @@ pub fn contact(
     };
     let (planet, crust, frames, rim) = state;
     let view = planet.view();
+    // Drift has turned the frames since the table of the world was made.
     overlap.turn(frames);
     let table = plates.table();
     let input = ContactInput {

@@ -90,6 +90,7 @@ fn sinking_fronts(
 pub fn pulled(axis: DVec3, centroid: DVec3, front: &[DVec3], length: f64, rate: f64) -> DVec3 {
     let pull: DVec3 = front
         .iter()
+        // A front under the centroid, or opposite to it, pulls in no direction.
         .filter_map(|q| centroid.cross(*q).try_normalize())
         .sum();
     (axis + pull * (rate * length))
@@ -117,13 +118,15 @@ mod tests {
         assert!((axis.length() - 1.0).abs() < 1e-12);
     }
 
+    /// A front of `n` points along a meridian.
+    fn line(n: i32) -> Vec<DVec3> {
+        (0..n)
+            .map(|k| direction(-20.0 + 40.0 * (f64::from(k) + 0.5) / f64::from(n), 50.0))
+            .collect()
+    }
+
     #[test]
     fn the_pull_does_not_depend_on_the_resolution() {
-        let line = |n: i32| -> Vec<_> {
-            (0..n)
-                .map(|k| direction(-20.0 + 40.0 * (f64::from(k) + 0.5) / f64::from(n), 50.0))
-                .collect()
-        };
         let coarse = pulled(DVec3::Y, DVec3::X, &line(40), 1.0 / 40.0, 0.1);
         let fine = pulled(DVec3::Y, DVec3::X, &line(400), 1.0 / 400.0, 0.1);
         assert!((coarse - fine).length() < 1e-4);

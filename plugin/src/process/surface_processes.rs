@@ -68,7 +68,9 @@ struct Changes {
     arc_area: f64,
     /// Its volume; all volumes are in km times steradians.
     arc_volume: f64,
+    /// Volume that eroded, negative.
     erosion: f64,
+    /// Volume that the noise added or took.
     noise: f64,
 }
 
@@ -93,6 +95,7 @@ impl Changes {
 
 /// Everything that a sweep needs to know, for one time.
 struct SurfaceLaw {
+    /// Time step in My.
     dt: f32,
     /// Share of its elevation that land loses; `None` where nothing erodes.
     wear: Option<f32>,
@@ -119,8 +122,8 @@ impl SurfaceLaw {
         }
     }
 
-    /// Moves the elevation `z` and thickness `e` in km of continental crust on by one step. `wave`
-    /// is what the noise raises.
+    /// Moves the elevation `z` and thickness `e` in km of continental crust on by one step. The
+    /// noise raises it by `wave` km; `area` is in steradians.
     #[inline]
     fn continent(&self, z: &mut f32, e: &mut f32, wave: f32, area: f64, changes: &mut Changes) {
         let before = *e;
@@ -134,6 +137,7 @@ impl SurfaceLaw {
         }
         changes.noise += f64::from(after_noise - before) * area;
         changes.erosion += f64::from(*e - after_noise) * area;
+        // Noise and erosion took the thickness along; floating moves the elevation alone.
         *z += (self.isostasy.elevation(*e) - *z) * self.adjustment;
         *z = z.min(self.ceiling);
     }
@@ -168,6 +172,7 @@ fn sweep_chunk(
     let samples = chunk.start..chunk.start + chunk.kind.len();
     let areas = &mesh.areas()[samples.clone()];
     let silent = law.noise == [0.0; 2];
+    // Switched off, the patterns were not prepared, or are of another wavelength.
     let patterns = noise.patterns(samples).filter(|_| !silent);
     for (k, &area) in areas.iter().enumerate() {
         chunk.orogeny_age[k] += law.dt;

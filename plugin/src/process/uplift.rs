@@ -129,6 +129,7 @@ pub(super) struct FastUplift {
     pub dt: f32,
     /// Elevation in km that summits approach.
     pub ceiling: f32,
+    /// How thick crust must be to float as high as it rises.
     pub isostasy: Isostasy,
 }
 
@@ -139,6 +140,7 @@ impl FastUplift {
             radius: law.radius as f32,
             peak: p.uplift_peak as f32,
             end: p.uplift_end() as f32,
+            // A peak at the front itself, or an end at the peak, must not divide by 0.
             rising: (1.0 / p.uplift_peak.max(1e-3)) as f32,
             falling: (1.0 / (p.uplift_end() - p.uplift_peak).max(1.0)) as f32,
             distance: Linear::new(p.weight_distance, 1.0),
@@ -162,6 +164,7 @@ impl FastUplift {
             (self.end - d) * self.falling
         };
         let x = x.clamp(0.0, 1.0);
+        // x runs from 0 to 1 at the peak and back: one smoothstep serves both pieces of f.
         let profile = x * x * (3.0 - 2.0 * x);
         let velocity = push.spin.cross(n);
         let near = self.distance.at(profile);

@@ -21,7 +21,7 @@ use crate::sphere::SphereMesh;
 use crate::view::PlanetView;
 use rayon::prelude::*;
 
-/// Samples of the coast with a smaller share of corners of the other kind never change.
+/// Share of corners of the other kind, by weight, up to which a sample of the coast never changes.
 const LEAST_SHARE: f32 = 0.02;
 
 /// Books what was buried and brings the projected crust to the area and the volume that the ledger
@@ -41,6 +41,8 @@ pub(super) fn conserve(
     ledger.book(Cause::Stacking, -stacked * square, 0.0);
     ledger.book(Cause::ForcedSubduction, -forced * square, 0.0);
     ledger.book(Cause::Rifting, stretched * square, 0.0);
+    // Coasts first: what is buried thickens whatever is continental then. Scaling comes last and
+    // makes up for the rounding of all.
     let target = before.area + (stretched - stacked - forced) * square + ledger.carried_area;
     change_coast(input, surface, notes, target / square);
     let shed = stack(planet.params, &mut surface.crust, mesh, notes) * square;
@@ -66,6 +68,7 @@ fn buried_area(mesh: &SphereMesh, notes: &ProjectNotes) -> [f64; 2] {
 /// Steradians of cracks that continental crust fills.
 fn stretched_area(mesh: &SphereMesh, surface: &Surface, notes: &ProjectNotes) -> f64 {
     samples_where(surface.len(), |i| {
+        // A negative weight: no frame covered the sample.
         notes.weight[i] < 0.0 && surface.crust.is_continental(i)
     })
     .into_iter()

@@ -56,18 +56,14 @@ pub(super) fn ridge_row(
     let across = mesh.point(between.far) - mesh.point(between.near);
     let across = (across - p * across.dot(p)).try_normalize()?;
     let rate = match opening {
+        // The reference rate is that of one flank.
         Opening::Past => 2.0 * REFERENCE_RATE,
         Opening::Measured => parting_rate(input, surface, between, across),
     };
     if rate <= 0.0 {
         return None;
     }
-    let distance = |rim: u32| angle_of_chord(p.distance(mesh.point(rim))) * input.planet.radius;
-    let floor = NewFloor {
-        to_near: distance(between.near),
-        to_far: distance(between.far),
-        rate,
-    };
+    let floor = NewFloor::between(input, between, rate);
     let elevation = |rim: u32| f64::from(surface.crust.elevation[rim as usize]);
     let (near, far) = (elevation(between.near), elevation(between.far));
     Some(CrustRow {
@@ -91,11 +87,24 @@ struct NewFloor {
 }
 
 impl NewFloor {
+    /// The place of a sample between two rims that part at `rate` km/My.
+    fn between(input: &GapInput, between: &Between, rate: f64) -> Self {
+        let mesh = input.planet.mesh;
+        let p = mesh.point(between.sample);
+        let distance = |rim: u32| angle_of_chord(p.distance(mesh.point(rim))) * input.planet.radius;
+        Self {
+            to_near: distance(between.near),
+            to_far: distance(between.far),
+            rate,
+        }
+    }
+
     /// Half of the way from rim to rim in km.
     fn half(&self) -> f64 {
         0.5 * (self.to_near + self.to_far)
     }
 
+    /// d_G in km.
     fn to_ridge(&self) -> f64 {
         (self.half() - self.to_near).max(0.0)
     }
@@ -107,6 +116,7 @@ impl NewFloor {
 
     /// Elevation of the new floor in km, between rims at `near` and `far` km.
     fn elevation(&self, params: &TectonicParams, near: f64, far: f64) -> f64 {
+        // z_mean: each rim counts the more the nearer it is.
         let mean = (near * self.to_far + far * self.to_near) / (self.to_near + self.to_far);
         let alpha = self.alpha();
         let ridge = ridge_profile(params, self.to_ridge(), 0.5 * self.rate);
@@ -130,6 +140,7 @@ fn parting_rate(input: &GapInput, surface: &Surface, between: &Between, across: 
 
 /// Template z_G of the floor at `d` km from a ridge that spreads at `rate` km/My to either side.
 pub fn ridge_profile(params: &TectonicParams, d: f64, rate: f64) -> f64 {
+    // The slowest ridges keep a tenth of the width, or they would be walls.
     let sigma = params.ridge_width * (rate / REFERENCE_RATE).max(0.1);
     params.abyss_elevation + (params.ridge_elevation - params.abyss_elevation) * exp2(-d / sigma)
 }

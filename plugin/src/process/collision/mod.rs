@@ -30,11 +30,11 @@ use crate::plate::overlap::OverlapIndex;
 use crate::resample::due;
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
 use crate::sphere::nearest_source::SourceScratch;
-use crate::view::PlanetQuery;
+use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 
-/// Share of the trigger that is enough in a step that ends with a resample: what is half way to a
-/// collision would never become one.
+/// Share of the trigger's length at which continents collide in a step that ends with a resample:
+/// the resample would undo an overlap that is half way to a collision.
 const LAST_CHANCE_SHARE: f64 = 0.5;
 
 /// Adds [`collision`] to the step.
@@ -76,8 +76,7 @@ pub fn collision(
     }
     let table = plates.table();
     let last_chance = due(view.params, clock, &table, view.radius, frames.len());
-    let share = if last_chance { LAST_CHANCE_SHARE } else { 1.0 };
-    let trigger = view.params.collision_trigger / view.radius * share;
+    let trigger = trigger_length(&view, last_chance);
     let continents = CollisionInput {
         planet: view,
         rim,
@@ -91,8 +90,15 @@ pub fn collision(
         commands.trigger(TerraneCollided { planet, ..event });
     }
     if !moved.samples.is_empty() {
+        // Only afterwards: the caches need the whole world.
         commands.queue(move |world: &mut World| recompute_moved(world, planet, &moved));
     }
+}
+
+/// Length of overlap in radians from which continents collide; less before a resample.
+fn trigger_length(planet: &PlanetView, last_chance: bool) -> f64 {
+    let share = if last_chance { LAST_CHANCE_SHARE } else { 1.0 };
+    planet.params.collision_trigger / planet.radius * share
 }
 
 /// Carries out the collisions at some places of the rim, one after the other. Returns their events
@@ -119,6 +125,7 @@ fn collide(
         moved.frames.extend([new_frame, collision.from]);
         moved.samples.extend(collision.terrane);
     }
+    // A terrane may be sutured twice in one step.
     moved.samples.sort_unstable();
     moved.samples.dedup();
     (events, moved)
