@@ -30,6 +30,7 @@ impl Frame {
 
     /// Whether the frame stands where its samples are.
     pub fn is_at_rest(&self) -> bool {
+        // To the last bit: rotations that come near it by chance are blended as all others.
         self.rotation == DQuat::IDENTITY
     }
 

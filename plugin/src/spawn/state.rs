@@ -73,11 +73,7 @@ impl PlanetState {
         let (motions, owner) = initial_plates(recipe, &mesh);
         let mut crust = initial_crust(recipe, &mesh, &owner);
         crust.frame.clone_from(&owner);
-        let mut numbers = PlateNumbers::default();
-        let plates: Vec<_> = motions
-            .into_iter()
-            .map(|motion| (numbers.issue(), motion, 0.0))
-            .collect();
+        let (numbers, plates) = numbered(motions);
         let frames = Frames(plates.iter().map(|&(id, ..)| Frame::at_rest(id)).collect());
         let stats = stats::plate_stats(&mesh, &crust, &frames, recipe.radius, |_| true);
         Ok(Self {
@@ -103,4 +99,14 @@ impl PlanetState {
             polarity: PolarityMemory::default(),
         })
     }
+}
+
+/// Numbers for new plates, and the plates: their numbers, motions and times of birth.
+fn numbered(motions: Vec<PlateMotion>) -> (PlateNumbers, Vec<(PlateId, PlateMotion, f64)>) {
+    let mut numbers = PlateNumbers::default();
+    let plates = motions
+        .into_iter()
+        .map(|motion| (numbers.issue(), motion, 0.0))
+        .collect();
+    (numbers, plates)
 }

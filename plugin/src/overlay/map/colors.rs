@@ -109,24 +109,19 @@ impl<'a> MapColors<'a> {
 
     /// The colour in the light of the map's sun.
     fn shaded(&self, color: Rgba, place: &Barycentric, land: &[Vec3], sea: &[Vec3]) -> Rgba {
-        let corners = || {
-            place
-                .vertices
-                .into_iter()
-                .map(|v| v as usize)
-                .zip(place.weights)
-        };
-        let z: f32 = corners().map(|(v, w)| w * self.surface.elevation(v)).sum();
+        let z: f32 = corners(place)
+            .map(|(v, w)| w * self.surface.elevation(v))
+            .sum();
         let (gradients, exaggeration) = if z >= 0.0 {
             (land, LAND_EXAGGERATION)
         } else {
             (sea, SEA_EXAGGERATION)
         };
         // The normal is taken where the pixel is, or triangles would show as facets.
-        let p: Vec3 = corners()
+        let p: Vec3 = corners(place)
             .map(|(v, w)| w * self.mesh.point(v as u32).as_vec3())
             .sum();
-        let gradient: Vec3 = corners().map(|(v, w)| w * gradients[v]).sum();
+        let gradient: Vec3 = corners(place).map(|(v, w)| w * gradients[v]).sum();
         let light = shade(p.normalize_or(Vec3::Z), gradient * exaggeration);
         palette::scaled(color, light.clamp(BRIGHTNESS.0, BRIGHTNESS.1))
     }
@@ -147,4 +142,10 @@ impl<'a> MapColors<'a> {
             kind => kind.color(),
         }
     }
+}
+
+/// The samples at the corners of a place, each with its weight.
+fn corners(place: &Barycentric) -> impl Iterator<Item = (usize, f32)> {
+    let vertices = place.vertices.into_iter().map(|v| v as usize);
+    vertices.zip(place.weights)
 }

@@ -108,19 +108,16 @@ fn maps_have_north_up_and_greenwich_in_the_middle() {
     );
 }
 
+fn pool(threads: usize) -> rayon::ThreadPool {
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    builder.build().unwrap()
+}
+
 #[test]
 fn the_same_map_on_any_number_of_threads() {
     let small = small(0.01);
-    let draw = || {
-        let map = MapProjection::new(&small.mesh, 96, 48);
-        Overlay::ALL.map(|overlay| map.draw(overlay, &small.input()))
-    };
-    let pool = |n| {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(n)
-            .build()
-            .unwrap()
-    };
+    let map = MapProjection::new(&small.mesh, 96, 48);
+    let draw = || Overlay::ALL.map(|overlay| map.draw(overlay, &small.input()));
     assert_eq!(pool(1).install(draw), pool(3).install(draw));
 }
 
