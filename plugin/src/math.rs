@@ -1,4 +1,4 @@
-//! The only door to transcendental functions.
+//! Transcendental functions: the simulation calls no others.
 //!
 //! The platform's `sin`, `exp` or `pow` differ in their last bits between machines and compiler
 //! versions; those of `libm` are the same everywhere, and the same seed must give the same planet

@@ -43,6 +43,7 @@ impl Frame {
     /// From where the crust is now to lattice coordinates.
     #[inline]
     pub fn to_lattice(&self, p: DVec3) -> DVec3 {
+        // The inverse of a unit quaternion.
         self.rotation.conjugate() * p
     }
 }

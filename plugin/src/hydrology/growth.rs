@@ -52,7 +52,8 @@ const UNBRANCHED_EDGES: u16 = 2;
 /// Edges from the mouth within which a river does not end on high ground.
 const UNENDED_EDGES: u16 = 3;
 
-/// Elevation of the ground in km at which growth stops, unless half the crust's elevation is higher.
+/// Elevation of the ground in km at which growth stops, unless half the crust's elevation is
+/// higher.
 const GROWTH_STOPS_KM: f64 = 0.7;
 
 /// Chance that a vertex that did not branch leaves the front in a round.

@@ -22,8 +22,8 @@ use crate::math;
 use crate::sphere::SphereMesh;
 use bevy::reflect::Reflect;
 
-/// Fewest vertices that drain to a vertex of a channel, itself included: 13,500 km² on an Earth-sized
-/// planet.
+/// Fewest vertices that drain to a vertex of a channel, itself included: 13,500 km² on an
+/// Earth-sized planet.
 const CHANNEL_SUPPORT: u32 = 5;
 
 /// Least Horton–Strahler order that a basin must reach for its streams to count in Horton's ratios.

@@ -103,6 +103,7 @@ pub fn recompute_terranes(world: &mut World, planet: Entity) {
     census.stale = false;
     let terranes = find_terranes(view.mesh, crust, frames, view.radius);
     let plates = plate_table(world, planet);
+    // All are replaced: which old terrane a new one continues is not known.
     for row in plates.rows() {
         world.entity_mut(row.entity).despawn_related::<Terranes>();
     }
@@ -146,6 +147,7 @@ fn recompute_frames(world: &mut World, planet: Entity, moved: Option<&MovedSampl
         .copied()
         .filter(|row| affected.contains(row.id) && stats_of(&stats, row.id).is_none())
         .collect();
+    // Numbers are not given twice: nobody would ask for these segments again.
     if let Some(mut polarity) = world.get_mut::<PolarityMemory>(planet) {
         polarity.retain(|id| consumed.iter().all(|row| row.id != id));
     }
@@ -174,6 +176,7 @@ fn recompute_columns(
     let (state, (mut rim, mut overlap, mut contacts)) = query.get_mut(world, planet).ok()?;
     let (body, crust, frames) = state;
     let PlanetView { mesh, radius, .. } = body.view();
+    // Contacts are parallel to the rim as it was.
     let old_rim = rim.samples.clone();
     let affected = update_rim(&mut rim, mesh, &crust.frame, frames, moved);
     overlap.update(mesh, &crust.frame, frames);

@@ -99,6 +99,7 @@ impl FrontField {
         let field = &self.nearest;
         while !pending.is_empty() {
             let rest = pending.len().saturating_sub(FRAMES_PER_LOOK);
+            // Frames differ much in size: each is a task of its own.
             let batch = pending.par_drain(rest..).with_max_len(1);
             batch.for_each(|start| input.search(field, &start));
             // Each call does some of the work, or one that is late would never end.

@@ -123,8 +123,8 @@ impl PolarityMemory {
         (count != [0; 2]).then_some(count[1] >= count[0])
     }
 
-    /// Decides by the evidence of one step, which is ordered by pair and bin. `hysteresis` is the difference
-    /// of mean ages in My that turns a decision over.
+    /// Decides by the evidence of one step, which is ordered by pair and bin. `hysteresis` is the
+    /// difference of mean ages in My that turns a decision over.
     pub fn update(&mut self, evidence: &[(FrontKey, Evidence)], hysteresis: f64) {
         let mut fresh = Vec::new();
         for &((pair, bin), seen) in evidence {

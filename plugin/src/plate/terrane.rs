@@ -70,6 +70,7 @@ pub fn find_terranes(
     for (i, &number) in components.of.iter().enumerate() {
         // Samples of no component have a number beyond the last.
         if let Some(sum) = sums.get_mut(number as usize) {
+            // The same for all samples of a component.
             sum.frame = crust.frame[i];
             sum.samples += 1;
             sum.area += mesh.areas()[i];
@@ -87,6 +88,7 @@ fn terrane(sum: &TerraneSums, frames: &Frames, radius: f64) -> (PlateId, Terrane
         frame: sum.frame,
         samples: sum.samples,
         area: sum.area * radius * radius,
+        // A terrane all round the sphere has no centroid: any direction serves.
         centroid: frame
             .to_world(sum.moment)
             .try_normalize()

@@ -2,7 +2,7 @@
 //! sediment accretion; the paper names passive margins as missing, §7.5).
 //!
 //! ```text
-//! z' = min(z + eps_t dt, max over neighbours j of z_j - s |p - p_j|)      where that is higher than z
+//! z' = min(z + eps_t dt, max over neighbours j of z_j - s |p - p_j|)    where that exceeds z
 //! ```
 //!
 //! s is the slope that falls from the sea to the abyss within the margin's width. Subsidence works
@@ -47,13 +47,16 @@ pub fn margin(
         return;
     };
     let view = planet.view();
+    // A stage that holds runs this system in each of its time slices; the crust is filled in the
+    // last.
     let due = !cursor.is_held() && clock.step.is_multiple_of(STEPS_BETWEEN_FILLINGS);
     if view.params.processes.sediment && due && view.params.margin_width > 0.0 {
         fill(view.mesh, &mut crust, view.params, view.radius);
     }
 }
 
-/// Fills what lies below the slope of its neighbours, as much as [`STEPS_BETWEEN_FILLINGS`] steps allow.
+/// Fills what lies below the slope of its neighbours, as much as [`STEPS_BETWEEN_FILLINGS`] steps
+/// allow.
 fn fill(mesh: &SphereMesh, crust: &mut Crust, params: &TectonicParams, radius: f64) {
     let slope = -params.abyss_elevation / params.margin_width;
     // Neighbours are taken to be a spacing apart.

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! L_k is the length of front that q_k stands for, so that the pull does not depend on the
-//! resolution. The speed stays. Young fragments of a rift are left alone for [`GRACE_PERIOD`] My: pulled
-//! together, they would close the rift.
+//! resolution. The speed stays. Young fragments of a rift are left alone for [`GRACE_PERIOD`] My:
+//! pulled together, they would close the rift.
 //!
 //! Reads: contacts. Writes: motions.
 
@@ -78,6 +78,7 @@ fn sinking_fronts(
     let mut fronts: BTreeMap<PlateId, Vec<DVec3>> = BTreeMap::new();
     for (&i, contact) in rim.samples.iter().zip(&contacts.0) {
         if contact.is_over_sinking_floor() {
+            // In the order of the rim, in which they are summed, too.
             let frame = &frames[usize::from(crust.frame[i as usize])];
             let place = frame.to_world(mesh.point(i));
             fronts.entry(contact.other).or_default().push(place);

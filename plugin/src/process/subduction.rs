@@ -8,9 +8,9 @@
 //! by beta (s_i - s_j): here it has the opposite sign, which is the same axis, and fades with the
 //! distance from the front as the uplift does. Orogeny becomes Andean where continental crust rises
 //! faster than `orogeny_rate`, unless a collision folded it in the last [`HIMALAYAN_MEMORY`] My.
-//! Thickness follows by isostasy; on continents it is booked as subduction uplift. *Several fronts*:
-//! only the nearest lifts a sample. *Forced subduction*: where the crust going under is continental,
-//! h is large and so is the uplift.
+//! Thickness follows by isostasy; on continents it is booked as subduction uplift. *Several
+//! fronts*: only the nearest lifts a sample. *Forced subduction*: where the crust going under is
+//! continental, h is large and so is the uplift.
 //!
 //! Reads: contacts, distances to fronts. Writes: elevation, thickness, fold, orogeny type and age,
 //! ledger.
@@ -29,8 +29,8 @@ use rayon::prelude::*;
 /// Age in My up to which the belt of a collision stays Himalayan above a subduction zone.
 pub const HIMALAYAN_MEMORY: f32 = 60.0;
 
-/// Greatest distance in radians over which a front lifts: on small planets `uplift_end` would go all
-/// round.
+/// Greatest distance in radians over which a front lifts: on small planets `uplift_end` would go
+/// all round.
 const FARTHEST_REACH: f64 = 2.0;
 
 /// Adds [`subduction`] to the step.
@@ -72,6 +72,7 @@ pub fn subduction(
         reach: (view.params.uplift_end() / view.radius).min(FARTHEST_REACH),
     };
     if !field.refresh(&front, || cursor.out_of_time()) {
+        // Nothing is written yet: the next time slice begins with the same crust.
         cursor.hold();
         return;
     }

@@ -56,6 +56,7 @@ pub fn surface_processes(
     let law = SurfaceLaw::new(view.params, clock.time);
     let changes = sweep(view.mesh, &mut crust, &noise, &law);
     if changes.arc_area > 0.0 {
+        // New land may join terranes, or make one.
         census.stale = true;
     }
     changes.book(&mut ledger, view.square());
@@ -181,12 +182,17 @@ fn sweep_chunk(
             let (z, e) = (&mut chunk.elevation[k], &mut chunk.thickness[k]);
             law.continent(z, e, wave, area, &mut changes);
         } else if law.ocean_floor(&mut chunk, k) {
-            chunk.kind[k] = CrustKind::Continental;
-            chunk.orogeny[k] = Orogeny::Andean;
-            chunk.orogeny_age[k] = 0.0;
+            become_land(&mut chunk, k);
             changes.arc_area += area;
             changes.arc_volume += f64::from(chunk.thickness[k]) * area;
         }
     }
     changes
+}
+
+/// Makes the chunk's sample `k` the land of a young arc.
+fn become_land(chunk: &mut CrustChunk, k: usize) {
+    chunk.kind[k] = CrustKind::Continental;
+    chunk.orogeny[k] = Orogeny::Andean;
+    chunk.orogeny_age[k] = 0.0;
 }

@@ -34,6 +34,7 @@ impl<'a> Uplift<'a> {
         if d < peak {
             smoothstep(d / peak)
         } else {
+            // At least a kilometre: an end at the peak must not divide by 0.
             smoothstep((end - d) / (end - peak).max(1.0))
         }
     }
@@ -94,6 +95,7 @@ struct Linear {
 impl Linear {
     fn new(weight: f64, slope: f64) -> Self {
         Self {
+            // 1 + w (x - 1), with the slope times x for its x.
             offset: (1.0 - weight) as f32,
             slope: (weight * slope) as f32,
         }

@@ -183,6 +183,7 @@ fn fill(input: &GapInput, surface: &Surface, rims: &GapRims, i: u32) -> Option<(
         near: rims.first.source(i),
         far: rims.second.source(i),
     };
+    // Beyond the reach of the search: it keeps the crust that the projection left there.
     if between.near == UNREACHED {
         return None;
     }

@@ -43,6 +43,17 @@ pub(super) enum Opening {
     Past,
 }
 
+impl Opening {
+    /// Speed in km/My at which the gap opens in the direction `across`.
+    fn rate(self, input: &GapInput, surface: &Surface, between: &Between, across: DVec3) -> f64 {
+        match self {
+            // The reference rate is that of one flank.
+            Self::Past => 2.0 * REFERENCE_RATE,
+            Self::Measured => parting_rate(input, surface, between, across),
+        }
+    }
+}
+
 /// New ocean crust between two rims; `None` where the plates do not part, or where both rims lie in
 /// one direction.
 pub(super) fn ridge_row(
@@ -55,11 +66,7 @@ pub(super) fn ridge_row(
     let p = mesh.point(between.sample);
     let across = mesh.point(between.far) - mesh.point(between.near);
     let across = (across - p * across.dot(p)).try_normalize()?;
-    let rate = match opening {
-        // The reference rate is that of one flank.
-        Opening::Past => 2.0 * REFERENCE_RATE,
-        Opening::Measured => parting_rate(input, surface, between, across),
-    };
+    let rate = opening.rate(input, surface, between, across);
     if rate <= 0.0 {
         return None;
     }

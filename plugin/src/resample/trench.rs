@@ -30,6 +30,16 @@ pub(super) struct TrenchInput<'a> {
     pub contacts: &'a Contacts,
 }
 
+impl TrenchInput<'_> {
+    /// Offset in km, not positive, of floor at `z` km that is bent by the share `depth` of its way
+    /// to z_t.
+    fn offset(&self, z: f32, depth: f64) -> f32 {
+        let room = self.planet.params.trench_elevation as f32 - z;
+        // Floor below z_t already is not lifted.
+        (room * depth as f32).min(0.0)
+    }
+}
+
 /// A place of a front under which ocean floor sinks.
 struct SinkingFront {
     /// The plate that goes under.
@@ -55,9 +65,9 @@ pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut Sou
     let behind = 0.5 * mesh.spacing();
     let width = input.planet.params.trench_width / input.planet.radius;
     let (kind, top) = (&surface.crust.kind, &surface.crust.frame);
+    let sinks = |i: usize| goes_under.get(usize::from(top[i])) == Some(&true);
     let reached = nearest_sources(mesh, scratch, &seeds, width + behind, |_, to| {
-        kind[to as usize] == CrustKind::Oceanic
-            && goes_under.get(usize::from(top[to as usize])) == Some(&true)
+        kind[to as usize] == CrustKind::Oceanic && sinks(to as usize)
     });
     let nearest = reached.source.iter().zip(&reached.distance);
     for (&i, (&source, &d)) in reached.samples.iter().zip(nearest) {
@@ -68,9 +78,7 @@ pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut Sou
             continue;
         }
         let depth = front.depth((f64::from(d) - behind) / width);
-        let room = input.planet.params.trench_elevation as f32 - surface.crust.elevation[i];
-        // Floor below z_t already is not lifted.
-        surface.trench[i] = (room * depth as f32).min(0.0);
+        surface.trench[i] = input.offset(surface.crust.elevation[i], depth);
     }
 }
 

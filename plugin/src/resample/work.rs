@@ -113,6 +113,7 @@ fn advance_work(
         overlap.turn(frames);
         prepare(&mut work.next, &mut work.notes, planet.mesh.len());
     }
+    // A resample belongs to the end of its step, for which the clock has not ticked yet.
     let now = match aim {
         Aim::Resample => clock.time + planet.params.time_step,
         Aim::Look => clock.time,
@@ -169,6 +170,7 @@ impl Resampling {
                 self.new_ocean = fill_gaps(&input.gaps, next, &self.notes, &mut self.rims);
             }
             Some(WorkPart::Conservation) => {
+                // Who only looks changes no ledger.
                 if input.aim == Aim::Resample {
                     conserve(&input.project, planet, next, &self.notes, ledger);
                     merge_exclaves(planet.mesh, next);

@@ -25,8 +25,8 @@ pub struct PlanetState {
     pub frames: Frames,
     /// Plates in order of their numbers: number, motion, time of birth in My.
     pub plates: Vec<(PlateId, PlateMotion, f64)>,
-    /// Sizes and shares of the plates, in the same order, as they were found when frames last gained
-    /// or lost samples: rifting and slab pull go by them until the next time.
+    /// Sizes and shares of the plates, in the same order, as they were found when frames last
+    /// gained or lost samples: rifting and slab pull go by them until the next time.
     pub stats: Vec<PlateStats>,
     /// The clock.
     pub clock: GeologicClock,

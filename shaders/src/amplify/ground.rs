@@ -38,7 +38,8 @@ pub struct RefinedGround {
     pub scale: PlanetScale,
     /// Vertices of all levels.
     pub vertices: Vec<Vertex>,
-    /// Edges and faces level by level. A face of any level that is not [`SplitMark::Split`] is a leaf.
+    /// Edges and faces level by level. A face of any level that is not [`SplitMark::Split`] is a
+    /// leaf.
     pub levels: Vec<Level>,
     /// The first level whose splits were dropped because a cap was reached.
     pub capped: Option<u32>,

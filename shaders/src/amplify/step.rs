@@ -1,8 +1,8 @@
 //! One level of the subdivision: the passes in their order.
 //!
 //! The marks of the level's faces are given; the next level's vertices, edges and faces come out.
-//! Vertices of all levels share one column; those that a level makes come after those of the coarser
-//! ones, in the order of the edges.
+//! Vertices of all levels share one column; those that a level makes come after those of the
+//! coarser ones, in the order of the edges.
 
 use super::edge_split::{self, STRAIGHT_LEVEL};
 use super::face_decide::{self, FaceContext};

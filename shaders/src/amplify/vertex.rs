@@ -183,8 +183,8 @@ impl Vertex {
     }
 }
 
-/// An edge as a vertex's rule sees it: its ends, and the vertex that halves it, which has everything
-/// but its elevation.
+/// An edge as a vertex's rule sees it: its ends, and the vertex that halves it, which has
+/// everything but its elevation.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeContext<'a> {
     /// One end; the upstream one of a river edge, the wet one of an edge between a river and land.

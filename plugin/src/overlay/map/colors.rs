@@ -18,7 +18,7 @@ const SEA_EXAGGERATION: f32 = 9.0;
 /// Least and greatest brightness of shaded relief.
 const BRIGHTNESS: (f32, f32) = (0.45, 1.35);
 
-/// A line between plates is drawn where no plate leads by more of the weight.
+/// Lead in weight of one plate over the others up to which a line between plates is drawn.
 const BOUNDARY_LEAD: f32 = 0.5;
 
 /// Edges of triangles.
@@ -27,8 +27,9 @@ const EDGE: Rgba = [40, 42, 48, 255];
 /// Drawn over the colours of an overlay.
 enum Decoration {
     None,
-    /// Shading. Uphill gradients per sample of the land with the sea as a plain, and of the sea
-    /// floor with the land as one: a coast is no cliff.
+    /// Shading, from the uphill gradient at every sample: that of the land, with the sea as a
+    /// plain, and that of the sea floor, with the land as a plain. So a coast is not shaded as a
+    /// cliff.
     Relief {
         land: Vec<Vec3>,
         sea: Vec<Vec3>,

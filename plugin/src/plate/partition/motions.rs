@@ -69,10 +69,12 @@ fn random_motion(
     continental: f64,
 ) -> PlateMotion {
     let stream = Stream::new(recipe.seed, Purpose::PlateMotion, plate as u64);
+    // Any two tangents will do: the bearing is random.
     let east = math::any_tangent(site.centroid);
     let north = site.centroid.cross(east);
     let (sin_bearing, cos_bearing) = math::sin_cos(stream.range(0, 0.0, math::TAU));
     let (sin_tilt, cos_tilt) = math::sin_cos(stream.range(1, -MAX_TILT, MAX_TILT));
+    // A bearing on the circle 90 degrees off, then tilted towards the centroid or away.
     let axis = (east * cos_bearing + north * sin_bearing) * cos_tilt + site.centroid * sin_tilt;
     let [slow, fast] = SPEED_SHARE;
     let share = stream.range(2, slow, fast) * (1.0 - CONTINENTAL_DRAG * continental);

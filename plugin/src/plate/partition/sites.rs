@@ -100,6 +100,7 @@ fn shares(recipe: &PlanetRecipe) -> Vec<f64> {
     let n = recipe.plate_count as usize;
     let stream = Stream::new(recipe.seed, Purpose::PlateCentroids, 1);
     let [low, high] = AREA_FACTOR;
+    // Ranks count from 2: from 1, the largest of 40 plates would take three tenths of the surface.
     let share =
         |k: usize| math::pow(k as f64 + 2.0, -RANK_POWER) * stream.range(k as u64, low, high);
     let mut shares: Vec<_> = (0..n).map(share).collect();

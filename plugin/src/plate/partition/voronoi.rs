@@ -150,6 +150,7 @@ impl<'a> Cells<'a> {
             }
             at += self.displacement(p, octave);
         }
+        // Never reached: beyond the last octave the reach is 0.
         0
     }
 
@@ -176,6 +177,7 @@ fn closest(p: DVec3, near: &[Cell]) -> (u16, f64) {
     let mut second = f64::INFINITY;
     for cell in near {
         let d = cell.distance(p);
+        // Of equals the first stays, which has the lower index.
         if d < first {
             second = first;
             first = d;

@@ -22,11 +22,11 @@ use self::suture::{Collision, CollisionInput};
 use crate::crust::{Cause, Crust, Frames, Ledger};
 use crate::events::TerraneCollided;
 use crate::planet::GeologicClock;
-use crate::plate::PlateAccess;
 use crate::plate::boundary::Rim;
 use crate::plate::caches::{MovedSamples, recompute_moved};
 use crate::plate::contact::Contacts;
 use crate::plate::overlap::OverlapIndex;
+use crate::plate::{PlateAccess, PlateTable};
 use crate::resample::due;
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
 use crate::sphere::nearest_source::SourceScratch;
@@ -75,8 +75,7 @@ pub fn collision(
         return;
     }
     let table = plates.table();
-    let last_chance = due(view.params, clock, &table, view.radius, frames.len());
-    let trigger = trigger_length(&view, last_chance);
+    let trigger = trigger_length(&view, clock, &table, frames.len());
     let continents = CollisionInput {
         planet: view,
         rim,
@@ -86,17 +85,27 @@ pub fn collision(
     };
     let places = continents.deep_overlaps(&meeting, trigger, &crust, &frames);
     let (events, moved) = collide(&continents, places, &mut crust, &mut frames, &mut ledger);
-    for event in events {
-        commands.trigger(TerraneCollided { planet, ..event });
-    }
+    announce(&mut commands, planet, events);
     if !moved.samples.is_empty() {
         // Only afterwards: the caches need the whole world.
         commands.queue(move |world: &mut World| recompute_moved(world, planet, &moved));
     }
 }
 
+fn announce(commands: &mut Commands, planet: Entity, events: Vec<TerraneCollided>) {
+    for event in events {
+        commands.trigger(TerraneCollided { planet, ..event });
+    }
+}
+
 /// Length of overlap in radians from which continents collide; less before a resample.
-fn trigger_length(planet: &PlanetView, last_chance: bool) -> f64 {
+fn trigger_length(
+    planet: &PlanetView,
+    clock: &GeologicClock,
+    plates: &PlateTable,
+    frames: usize,
+) -> f64 {
+    let last_chance = due(planet.params, clock, plates, planet.radius, frames);
     let share = if last_chance { LAST_CHANCE_SHARE } else { 1.0 };
     planet.params.collision_trigger / planet.radius * share
 }
@@ -114,6 +123,7 @@ fn collide(
     let mut moved = MovedSamples::default();
     let mut scratch = SourceScratch::default();
     for at in places {
+        // Each sees what those before it have done.
         let Some(collision) = Collision::find(continents, at, crust, frames) else {
             continue;
         };

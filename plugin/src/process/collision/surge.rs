@@ -19,8 +19,8 @@ use crate::sphere::SphereMesh;
 use crate::sphere::nearest_source::ReachedSamples;
 use bevy::math::DVec3;
 
-/// Least share of the surge at the suture at which crust counts as folded: the belt is narrower than
-/// the radius of influence.
+/// Least share of the surge at the suture at which crust counts as folded: the belt is narrower
+/// than the radius of influence.
 const BELT_SHARE: f64 = 0.1;
 
 /// The surge of one collision.
@@ -62,7 +62,7 @@ impl Surge {
     }
 
     /// Raises what was reached; belts are folded around the direction `centroid`. Returns the gain
-    /// of volume in km per steradian.
+    /// of volume in km times steradians.
     pub(super) fn raise(
         &self,
         mesh: &SphereMesh,

@@ -105,6 +105,7 @@ impl Collision {
         let planet = &continents.planet;
         let surge = Surge::new(planet.params, planet.radius, self.area, self.speed);
         let [own, other] = self.suture(continents, crust, frames);
+        // Side by side in the world, apart on the lattice: each frame is searched by itself.
         [(self.from, own), (self.to, other)].map(|(id, seeds)| {
             let centroid = frames[usize::from(id)].to_lattice(self.centroid);
             let reached = continents.reach(crust, id, &seeds, surge.radius, scratch);
@@ -219,6 +220,7 @@ pub fn smaller_terrane(mesh: &SphereMesh, crust: &Crust, start: [u32; 2]) -> (us
         next: 0,
     });
     loop {
+        // The smaller is complete first, and a continent is not flooded for an island.
         for (side, flood) in floods.iter_mut().enumerate() {
             if flood.advance(mesh, crust, &mut seen) {
                 let mut samples = core::mem::take(&mut flood.samples);

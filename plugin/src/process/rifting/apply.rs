@@ -29,10 +29,12 @@ pub(super) fn apply(
             broken.born,
             fragment,
             motion,
+            // Found below, with the caches.
             PlateStats::default(),
         ));
     }
     recompute_moved(world, planet, &broken.moved);
+    // Observers see fragments that have their statistics.
     world.trigger(PlateRifted {
         planet,
         parent: row.id,
@@ -90,6 +92,7 @@ fn thin(crust: &mut Crust, planet: &PlanetView, samples: &[PlateSample]) -> f64 
         let fade = 1.0 - smoothstep(f64::from(part.distance) / width.max(1e-9));
         if fade > 0.0 && crust.is_continental(i) {
             let before = crust.thickness[i];
+            // The elevation follows step by step, as surface processes let thinner crust sink.
             crust.thickness[i] = before * (1.0 - planet.params.rift_thinning * fade) as f32;
             volume += f64::from(crust.thickness[i] - before) * planet.mesh.areas()[i];
         }
@@ -105,6 +108,7 @@ fn reframe(crust: &mut Crust, frames: &mut Frames, samples: &[PlateSample], ids:
     for part in samples.iter().filter(|part| part.fragment > 0) {
         let i = part.sample as usize;
         let key = (crust.frame[i], part.fragment);
+        // A handful of frames: looking at all is quick enough.
         let known = made.iter().find(|(other, _)| *other == key);
         crust.frame[i] = match known {
             Some(&(_, id)) => id,

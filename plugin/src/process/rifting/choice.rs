@@ -20,7 +20,8 @@ const SMALLEST_SHARE: f64 = 0.15;
 /// bites.
 const WIDE_EXTENT: f64 = 1.2;
 
-/// Angular radius in radians of the cap of a plate's area above which the plate may break all round.
+/// Angular radius in radians of the cap of a plate's area above which the plate may break all
+/// round.
 const ALL_ROUND_EXTENT: f64 = 2.0;
 
 /// Least share of the plate's samples in a bite, once [`ATTEMPTS_AT_LARGE_SHARES`] shapes have not
@@ -96,6 +97,7 @@ impl RiftChoice {
             extent,
             warp: Warp {
                 noise: Noise::new(view.seed, Purpose::RiftWarp, id << 32 | clock.step),
+                // As for initial borders, about two bends over the extent of the plate.
                 amplitude: 0.5 * view.params.border_warp * reach,
                 frequency: 2.0 / reach.max(0.01),
             },

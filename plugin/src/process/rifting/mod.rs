@@ -136,6 +136,7 @@ pub fn rift_at_random(
             continue;
         };
         match rift(world, planet, row, &trial) {
+            // A refused shape has changed nothing: the next one is tried.
             Err(RiftError::NoShape | RiftError::Misses) => {}
             Err(error) => return Err(error),
             Ok(plates) => {

@@ -1,7 +1,7 @@
 //! Motions that open the lines of a rift: what fragments gain beside the parent's motion.
 //!
-//! Motions are angular velocities in rad/My; `speed` is the greatest relative speed of two fragments
-//! along a line, in rad/My.
+//! Motions are angular velocities in rad/My; `speed` is the greatest relative speed of two
+//! fragments along a line, in rad/My.
 
 use crate::math::{PI, TAU, any_tangent, asin, atan2, sin, sin_cos};
 use crate::parallel;
@@ -91,8 +91,8 @@ fn extent_along(plate: &[DVec3], origin: DVec3, tangent: DVec3) -> (f64, f64) {
         .fold(NOWHERE, |all, part| (all.0.min(part.0), all.1.max(part.1)))
 }
 
-/// Two fragments part along one half of a whole great circle through `origin`, about the pole there,
-/// and converge along the other half; `far_end` chooses which.
+/// Two fragments part along one half of a whole great circle through `origin`, about the pole
+/// there, and converge along the other half; `far_end` chooses which.
 pub(super) fn open_half(origin: DVec3, speed: f64, far_end: bool) -> Vec<DVec3> {
     let half = origin * (0.5 * speed);
     if far_end {
@@ -108,7 +108,8 @@ pub(super) fn open_sectors(junction: DVec3, azimuths: &[f64], speed: f64) -> Vec
     let n = azimuths.len();
     let east = any_tangent(junction);
     let north = junction.cross(east);
-    // Neighbours move at an angle of 2π/n to each other, so they part at 2 sin(π/n) times their own speed.
+    // Neighbours move at an angle of 2π/n to each other, so they part at 2 sin(π/n) times their own
+    // speed.
     let rate = 0.5 * speed / sin(PI / n as f64);
     (0..n)
         .map(|k| {

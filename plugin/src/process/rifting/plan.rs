@@ -55,6 +55,7 @@ impl RiftPlan {
     pub(super) fn new(input: &RiftInput, trial: &RiftTrial) -> Result<Self, RiftError> {
         let stride = (input.row.stats.samples as usize / COARSE_SAMPLES).clamp(1, WIDEST_STRIDE);
         if trial.smallest_share > 0.0 && stride > 1 {
+            // A coarse look first refuses most shapes at a fraction of the cost.
             openings(input, trial, &split(input, &trial.shape, stride))?;
         }
         let samples = split(input, &trial.shape, 1);

@@ -89,6 +89,7 @@ impl RiftShape {
         let east = any_tangent(centroid);
         let north = centroid.cross(east);
         let (s, c) = sin_cos(TAU * draw(0));
+        // Off the centroid, so that fragments differ in size.
         let offset = (east * c + north * s) * (0.35 * reach * draw(1));
         let junction = (centroid + offset).normalize();
         if fragments == 2 {
@@ -163,8 +164,8 @@ impl RiftShape {
         }
     }
 
-    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians. Beyond
-    /// `near` radians the distance is not exact, but at least `near`.
+    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians.
+    /// Beyond `near` radians the distance is not exact, but at least `near`.
     pub fn split(&self, p: DVec3, near: f64) -> (usize, f64) {
         match self {
             Self::Line {

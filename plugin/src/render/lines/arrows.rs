@@ -12,7 +12,9 @@ use bevy::math::{DVec3, Vec3};
 
 /// Half width in pixels of arrows and axes.
 const HALF_WIDTH: f32 = 0.9;
+/// Colour of arrows on the dark end of the ramp of speeds.
 const LIGHT: Rgba = [250, 250, 244, 255];
+/// Colour of arrows on its light end, and of axes.
 const DARK: Rgba = [16, 18, 24, 255];
 
 /// Arrows on a planet.

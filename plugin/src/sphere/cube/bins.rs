@@ -86,6 +86,7 @@ impl CubeGrid {
     fn visit_faces(&self, p: DVec3, reach: f64, mut visit: impl FnMut(usize)) {
         for face in 0..6 {
             let (depth, u, v) = components(face, p);
+            // Nothing within reach is deep enough to lie on this face.
             if depth + reach < LEAST_DEPTH {
                 continue;
             }

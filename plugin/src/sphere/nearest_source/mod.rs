@@ -4,7 +4,8 @@
 //! and each sample measures the straight distance to the source that it is offered. So distances
 //! are not sums over edges, and do not show the lattice. They are exact wherever the samples that a
 //! source is nearest to are connected within the domain. Where the domain is not convex the path
-//! bends around its border, but the distance is still the straight one: less than the path's length.
+//! bends around its border, but the distance is still the straight one: less than the path's
+//! length.
 //!
 //! ```text
 //! bucket_queue  samples in order of distance, in constant time (Dial 1969)

@@ -9,8 +9,8 @@ use crate::amplify::rules::shift::{Shift, shift};
 use crate::amplify::rules::{EdgeKind, Rules};
 use crate::amplify::vertex::Vertex;
 
-/// Greatest barycentric share of a far corner that a displaced vertex may have: positive in the face
-/// that it moves into, negative in the face that it leaves; Q16.
+/// Greatest barycentric share of a far corner that a displaced vertex may have: positive in the
+/// face that it moves into, negative in the face that it leaves; Q16.
 const MOST_FAR_CORNER: i32 = q16(0.17);
 
 /// Most by which the barycentric share of an end may fall below ½, Q16: a sixth less the most that
@@ -79,9 +79,9 @@ fn displaced(shift: &Shift, [a, b]: [&Vertex; 2], [x, y]: [&Vertex; 2]) -> Place
 /// start is the rest.
 ///
 /// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least
-/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges' vertices do
-/// within such bounds, all four children of a face keep at least 0.045 of its area (least
-/// determinant over the corners of the bounds): none turns over.
+/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges'
+/// vertices do within such bounds, all four children of a face keep at least 0.045 of its area
+/// (least determinant over the corners of the bounds): none turns over.
 fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     // Flat triangles would get flatter.
     let low = x.height.min(y.height);
@@ -103,8 +103,8 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     [Q16 / 2 + weigh(kept, towards_b), weigh(kept, wx)]
 }
 
-/// How much of its halves the nearer end of an edge loses to a vertex that is drawn `towards_b`, and
-/// by `far` to the far corner.
+/// How much of its halves the nearer end of an edge loses to a vertex that is drawn `towards_b`,
+/// and by `far` to the far corner.
 #[inline]
 fn end_loss(towards_b: i32, far: i32) -> i32 {
     (-towards_b).max(towards_b + far)

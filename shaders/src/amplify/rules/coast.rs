@@ -51,6 +51,7 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
 /// every level: no length of coast is straight.
 fn across_shore(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let spread = if rules.landforms {
+        // Wide at coarse levels, which draw the large bays, and narrower with each finer one.
         SHORE_SPREAD - SPREAD_LOSS * context.level.min(16) as i32
     } else {
         0

@@ -50,6 +50,7 @@ fn released_height(context: &EdgeContext, low: i32, high: i32, toss: i32) -> i32
     let spread = Q16 - level * level * NARROWING;
     let base = mix(low, high, Q16 / 2 + mul_q16(spread, toss));
     let rough = mul_q16(draw(1), draw(2));
+    // 7 stands for 6.82, which is no whole number.
     let raised = base + mul_q16(context.length, rough) / 7;
     mix(base, raised, mul_q16(draw(3), draw(4)))
 }

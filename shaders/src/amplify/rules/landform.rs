@@ -18,8 +18,9 @@ const DRY_WETNESS: [i32; 2] = [q16(0.15), q16(0.45)];
 /// How far dryness alone makes land look old (release).
 const AGE_OF_DRYNESS: i32 = q16(0.38);
 
-/// Crust elevation C₀ at which land is a quarter as steep as its rock could stand, grains: steepness
-/// goes with (C / (C + C₀))², so a plain at 0.2 km is a thirteenth as steep as a belt at 1.5 km.
+/// Crust elevation C₀ at which land is a quarter as steep as its rock could stand, grains:
+/// steepness goes with (C / (C + C₀))², so a plain at 0.2 km is a thirteenth as steep as a belt at
+/// 1.5 km.
 const HALF_RELIEF_CRUST: i32 = metres(1_000);
 
 /// Character of the land at a vertex; shares and tangents in Q16.

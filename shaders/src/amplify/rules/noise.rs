@@ -113,7 +113,8 @@ impl CornerCache {
 }
 
 /// Gradient noise of wavelength 2^`cell` direction units at a point, about -1..1 in Q16, mean 0;
-/// `cell` 1..=30. `cache` is of one `cell` and `seed` alone; it changes no bit.
+/// `cell` 1..=30. `cache` must be used with the same `cell` and `seed` in every call; it saves work
+/// and changes no result.
 ///
 /// Continuous with its first two derivatives, exact at any frequency: the lattice is addressed by
 /// the bits themselves.
@@ -156,7 +157,7 @@ const fn origin(axis: u32, seed: u32) -> u32 {
 }
 
 /// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of
-/// the last. As many as the cache holds, at most `cell`.
+/// the last. There are as many octaves as `cache` has entries, but at most `cell`.
 pub fn fbm(cache: &mut [CornerCache], point: [i32; 3], cell: u32, gain: i32, seed: u32) -> i32 {
     let mut sum = 0;
     let mut weight = Q16;

@@ -138,7 +138,8 @@ fn fine_ground_is_the_closed_form() {
     }
 }
 
-/// R1: beds and water fall by half of their way at the ends of the range of levels, by 0.65 between.
+/// R1: beds and water fall by half of their way at the ends of the range of levels, by 0.65
+/// between.
 #[test]
 fn rivers_fall_by_their_share() {
     for rules in PRESETS {

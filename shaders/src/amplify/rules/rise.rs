@@ -140,6 +140,7 @@ fn least(context: &EdgeContext, low: i32, high: i32) -> i32 {
 /// edges are longer than the spacing of valleys: where a coarse vertex stood near C already, the
 /// land around it would fill up to a table under C, and no crest could stand out.
 fn part(level: u32, chi: i32) -> i32 {
+    /// By level; the last holds for all that follow.
     const LEAST_AND_GREATEST: [[i32; 2]; 5] = [
         [q16(0.06104), q16(0.39673)],
         [q16(0.12207), q16(0.64087)],

@@ -122,6 +122,7 @@ fn terraced(new: &Vertex, form: Landform, level: u32, height: i32) -> i32 {
     let stepped = nodes::terrace(height, nodes::TERRACE_STEP);
     let tread = nodes::floor_to(height, nodes::TERRACE_STEP);
     let low = Q16 - smoothstep(RAGGED_HEIGHTS[0], RAGGED_HEIGHTS[1], height);
+    // Nine tenths of the way at most: some of the riser stays.
     let ragged = mul_q16(share(new.seed, 1), low) / 10 * 9;
     mix(height, mix(stepped, tread, ragged), weight)
 }

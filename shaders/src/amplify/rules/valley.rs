@@ -7,8 +7,8 @@
 //! root of the discharge: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
 //!
 //! The side is measured where a vertex touches its river; between such vertices and beyond it is
-//! halved as the ground is ([`ValleySection`]). Nearest pieces of river change from one vertex to the
-//! next, and a side measured from each would break off along seams.
+//! halved as the ground is ([`ValleySection`]). Nearest pieces of river change from one vertex to
+//! the next, and a side measured from each would break off along seams.
 //!
 //! Departures: D is bounded by a share of the control mesh's edge, so that small planets have
 //! valleys too; the curve never raises ground above the land beside it; a bank always overtops its
@@ -30,8 +30,8 @@ const DEEPEST_BED: i32 = metres(200);
 /// Height of banks over the water, grains.
 const BANK: i32 = metres(1);
 
-/// Half-width of a brook's valley and of the greatest river's, as shares of the control mesh's edge:
-/// 200 m to 16 km on edges of 52 km. The slopes beyond are those of the graphs.
+/// Half-width of a brook's valley and of the greatest river's, as shares of the control mesh's
+/// edge: 200 m to 16 km on edges of 52 km. The slopes beyond are those of the graphs.
 const HALF_VALLEY: [i32; 2] = [q16(0.00381), q16(0.30518)];
 
 /// Tangent of a valley's sides beside a brook and beside the greatest river.

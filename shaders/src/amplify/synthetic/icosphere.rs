@@ -10,7 +10,8 @@ pub(super) type UnitVector = [f64; 3];
 /// Greatest squared distance of neighbours among the corners of an icosahedron: 1.106 and rounding.
 const NEIGHBOUR_SQUARE: f64 = 1.2;
 
-/// Most share of the way to a neighbour that a point is moved by, either way and for two neighbours.
+/// Most share of the way to a neighbour that a point is moved by, either way and for two
+/// neighbours.
 const JITTER: f64 = 0.45;
 
 fn unit(p: UnitVector) -> UnitVector {

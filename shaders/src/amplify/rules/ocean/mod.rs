@@ -84,8 +84,8 @@ impl Roughness {
     }
 }
 
-/// Noise drawn for the last vertex: vertices of a patch share most of it. It changes no bit of a
-/// relief.
+/// Noise drawn for the last vertex: vertices of a patch share most of it. It saves work and changes
+/// no result.
 #[derive(Clone, Debug, Default)]
 pub struct OceanCache {
     /// One per octave: waves of 6.5 km to 1.6 m.
