@@ -60,14 +60,12 @@ impl SinkingFront {
 pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut SourceScratch) {
     let mesh = input.planet.mesh;
     let (fronts, seeds) = sinking_fronts(input);
-    let goes_under = frames_going_under(input.frames, &fronts);
     // Front samples belong to the overriding plate, on average half a spacing behind the front.
     let behind = 0.5 * mesh.spacing();
     let width = input.planet.params.trench_width / input.planet.radius;
-    let (kind, top) = (&surface.crust.kind, &surface.crust.frame);
-    let sinks = |i: usize| goes_under.get(usize::from(top[i])) == Some(&true);
+    let goes_under = frames_going_under(input.frames, &fronts);
     let reached = nearest_sources(mesh, scratch, &seeds, width + behind, |_, to| {
-        kind[to as usize] == CrustKind::Oceanic && sinks(to as usize)
+        is_sinking_floor(&surface.crust, &goes_under, to as usize)
     });
     let nearest = reached.source.iter().zip(&reached.distance);
     for (&i, (&source, &d)) in reached.samples.iter().zip(nearest) {
@@ -86,6 +84,12 @@ pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut Sou
 fn frames_going_under(frames: &Frames, fronts: &[SinkingFront]) -> Vec<bool> {
     let goes_under = |frame: &Frame| fronts.iter().any(|front| front.plate == frame.plate);
     frames.iter().map(goes_under).collect()
+}
+
+/// Whether sample `i` is ocean floor on one of the frames that go under.
+fn is_sinking_floor(crust: &Crust, goes_under: &[bool], i: usize) -> bool {
+    crust.kind[i] == CrustKind::Oceanic
+        && goes_under.get(usize::from(crust.frame[i])) == Some(&true)
 }
 
 /// Places where ocean floor goes under, and the samples below them with their exact directions.
