@@ -129,6 +129,7 @@ pub fn lat_lon(direction: DVec3) -> (f64, f64) {
 
 /// A unit vector perpendicular to the unit vector `n`.
 pub fn any_tangent(n: DVec3) -> DVec3 {
+    // The axis is never near `n`, or the cross product would have no direction.
     let axis = if n.x.abs() < 0.6 { DVec3::X } else { DVec3::Y };
     n.cross(axis).normalize()
 }

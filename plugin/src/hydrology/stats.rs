@@ -282,6 +282,7 @@ fn slope(points: &[(f64, f64)]) -> Option<f64> {
         mean_x += x / n;
         mean_y += y / n;
     }
+    // About the means: sums of plain squares would lose digits to each other.
     let (mut variance, mut covariance) = (0.0, 0.0);
     for (x, y) in points {
         variance += (x - mean_x) * (x - mean_x);

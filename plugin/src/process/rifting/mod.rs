@@ -102,6 +102,7 @@ fn plates_to_rift(world: &mut World, planet: Entity) -> Vec<PlateId> {
         .rows()
         .iter()
         .filter(|row| {
+            // A stream for each plate, a number for each step: no draw depends on other plates.
             let draws = Stream::new(view.seed, Purpose::RiftTrigger, u64::from(row.id.0));
             row.stats.samples >= FEWEST_SAMPLES
                 && draws.unit(clock.step) < probability(view.params, &row.stats, view.radius)
@@ -174,6 +175,7 @@ pub fn rift_along(
     };
     let trial = RiftTrial {
         shape: RiftShape::Path { points, warp },
+        // A user may cut off as little as a single sample.
         smallest_share: 0.0,
         far_end: true,
     };

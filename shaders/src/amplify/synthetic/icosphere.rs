@@ -30,6 +30,7 @@ pub(super) fn icosphere(depth: u32) -> (Vec<UnitVector>, Vec<[u32; 3]>) {
 }
 
 fn icosahedron() -> Vec<UnitVector> {
+    // The corners of three golden rectangles, each normal to the other two.
     let g = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let mut points = Vec::new();
     for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
@@ -102,6 +103,7 @@ pub(super) fn jitter(points: &[UnitVector], triangles: &[[u32; 3]], seed: u32) -
     let mut done = vec![false; points.len()];
     for t in triangles {
         for k in 0..3 {
+            // Once, in the first of its triangles.
             if !std::mem::replace(&mut done[t[k] as usize], true) {
                 let turned = [0, 1, 2].map(|i| t[(k + i) % 3]);
                 moved[t[k] as usize] = jittered(points, turned, seed);
