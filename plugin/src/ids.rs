@@ -23,5 +23,6 @@ use bevy::prelude::*;
 #[reflect(Component)]
 pub struct PlateId(pub u32);
 
-/// Index of a frame in [`Frames`](crate::crust::Frames); the number that the crust's `frame` column holds.
+/// Index of a frame in [`Frames`](crate::crust::Frames); the number that the crust's `frame` column
+/// holds.
 pub type FrameId = u16;

@@ -1,4 +1,4 @@
-//! The only door to transcendental functions.
+//! Transcendental functions: the simulation calls no others.
 //!
 //! The platform's `sin`, `exp` or `pow` differ in their last bits between machines and compiler
 //! versions; those of `libm` are the same everywhere, and the same seed must give the same planet
@@ -129,6 +129,7 @@ pub fn lat_lon(direction: DVec3) -> (f64, f64) {
 
 /// A unit vector perpendicular to the unit vector `n`.
 pub fn any_tangent(n: DVec3) -> DVec3 {
+    // The axis is never near `n`, or the cross product would have no direction.
     let axis = if n.x.abs() < 0.6 { DVec3::X } else { DVec3::Y };
     n.cross(axis).normalize()
 }

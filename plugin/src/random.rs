@@ -22,7 +22,7 @@ pub enum Purpose {
     BorderWarp,
     /// Warp of coasts and relief of the initial continents.
     Coast,
-    /// Does a plate rift in this step (paper 000 §4.4)?
+    /// Whether a plate rifts in this step (paper 000 §4.4).
     RiftTrigger,
     /// Shape and motion of a rift.
     RiftShape,

@@ -1,8 +1,8 @@
 //! The WGSL of the globe: ground, sea, air and lines of a planet seen from orbit.
 //!
 //! Two kinds of source, told apart by their headers:
-//! - *libraries* (`#define_import_path pangaea_shaders::...`) hold pure functions and import nothing,
-//!   so other passes can reuse them and they can be validated alone;
+//! - *libraries* (`#define_import_path pangaea_shaders::...`) hold pure functions and import
+//!   nothing, so other passes can reuse them and they can be validated alone;
 //! - *passes* have entry points and bindings, and import the renderer's view and mesh.
 //!
 //! ```

@@ -1,8 +1,8 @@
 //! The ground of a planet down to half a metre, in exact integers; and the WGSL of the globe.
 //!
 //! - [`amplify`] refines a control mesh of 52 km to ground of half a metre. It runs on the CPU, is
-//!   written pass by pass and in operations that WGSL's 32-bit integers have, so that compute passes
-//!   can have the same bits. There is no compute pass yet.
+//!   written pass by pass and in operations that WGSL's 32-bit integers have, so that compute
+//!   passes can have the same bits. There is no compute pass yet.
 //! - [`globe`] holds the WGSL that draws a planet from orbit, as constants: ground and sea, air,
 //!   lines.
 //!

@@ -97,6 +97,7 @@ fn apply(world: &mut World, planet: Entity, command: &TectonicCommand) -> Result
             fragments,
         } => rift(world, planet, *plate, line, *fragments)?,
         TectonicCommand::SetPlateCrust { plate, kind } => {
+            // An unknown plate is an error, not an edit of no samples.
             plate_row(world, planet, *plate)?;
             edit_crust(world, planet, |edit| set_plate_kind(edit, *plate, *kind))?;
         }
@@ -141,6 +142,7 @@ fn set_motion(
     within("speed", speed, -limit, limit)?;
     let row = plate_row(world, planet, id)?;
     let radius = planet_radius(world, planet);
+    // Plates turn counter-clockwise about their axis: a negative speed turns the axis round.
     let axis = if speed < 0.0 { -axis } else { axis };
     world.entity_mut(row.entity).insert(PlateMotion {
         axis,
@@ -176,6 +178,7 @@ fn set_param(
     value: f64,
 ) -> Result<(), CommandError> {
     let mut present = params(world, planet)?;
+    // A copy is checked first: a refused value changes nothing.
     let mut wanted = present.clone();
     wanted.set(name, value)?;
     wanted.validate()?;
@@ -208,6 +211,7 @@ fn edit_crust(
         .get_mut(world, planet)
         .map_err(|_| CommandError::NoPlanet)?;
     let view = body.view();
+    // Edits do not say what they add: the difference does.
     let before = ledger::measure(&crust, view.mesh, view.radius);
     edit(&mut CrustEdit {
         planet: view,

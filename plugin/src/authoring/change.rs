@@ -75,17 +75,21 @@ mod tests {
         assert_eq!(TectonicCommand::between(&params, &params), []);
     }
 
+    /// Parameters with elevations of trench, abyss and ridge in km.
+    fn of_depths([trench, abyss, ridge]: [f64; 3]) -> TectonicParams {
+        TectonicParams {
+            trench_elevation: trench,
+            abyss_elevation: abyss,
+            ridge_elevation: ridge,
+            ..TectonicParams::default()
+        }
+    }
+
     #[test]
     fn every_command_leaves_parameters_valid() {
-        let depths = |trench_elevation, abyss_elevation, ridge_elevation| TectonicParams {
-            trench_elevation,
-            abyss_elevation,
-            ridge_elevation,
-            ..TectonicParams::default()
-        };
-        let deep = depths(-14.0, -9.0, -6.0);
-        let shallow = depths(-6.0, -4.0, -3.0);
-        let flat = depths(-6.0, -6.0, -6.0);
+        let deep = of_depths([-14.0, -9.0, -6.0]);
+        let shallow = of_depths([-6.0, -4.0, -3.0]);
+        let flat = of_depths([-6.0, -6.0, -6.0]);
         for old in [&deep, &shallow, &flat] {
             for new in [&deep, &shallow, &flat] {
                 let commands = TectonicCommand::between(old, new);

@@ -1,7 +1,8 @@
 //! Commands: all that a user may do to a planet, at any moment, recorded with their time.
 //!
-//! Player, modder, replay and test use the same door. Commands wait in an [`Inbox`] and take effect
-//! between two steps; a [`Recording`] of them, replayed on the same recipe, gives the same bits.
+//! Player, modder, replay and test send the same commands in the same way. Commands wait in an
+//! [`Inbox`] and take effect between two steps; a [`Recording`] of them, replayed on the same
+//! recipe, gives the same bits.
 //!
 //! ```text
 //! command    the commands

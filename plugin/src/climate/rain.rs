@@ -62,8 +62,8 @@ const MIXING_KM: f32 = 300.0;
 /// From the model's units of water per km to mm per year.
 const MM_PER_YEAR: f32 = 7.4e6;
 
-/// Limit of the rain over a whole vertex, mm per year: steep walls turn part of the air aside.
-/// Few places on Earth have more than twice as much, and none of 50 km.
+/// Rain in mm per year that a vertex's mean approaches and never reaches: steep walls turn part of
+/// the air aside. The wettest slopes on Earth have twice as much, but not over 50 km.
 const HEAVIEST_MM: f32 = 6000.0;
 
 /// Sweeps: the first two carry moisture around the planet, the third settles the part that was
@@ -78,7 +78,7 @@ pub(super) fn rain(
     temperature: &[f32],
     height: &[f32],
 ) -> Vec<f32> {
-    // Air does not follow every peak and hollow.
+    // Air does not follow every peak and hollow, whose temperatures these are.
     let smoothed = smooth(mesh, temperature);
     let [north, south] = &winds.seasons;
     // Each season is one sweep after the other; the two do not depend on each other.
@@ -234,6 +234,7 @@ impl Column {
     /// year.
     #[inline]
     fn pass(&self, water: f32, way: f32) -> (f32, f32) {
+        // Beyond 1 the water condenses, below.
         let humidity = (water / self.capacity).min(1.0);
         let falls = water * share(self.zone.rising * humidity * way / RAIN_LENGTH_KM);
         // Air that rises over ground cools, and holds less than it brought along.

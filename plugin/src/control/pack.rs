@@ -146,6 +146,7 @@ impl Levels {
 
     /// The floor of the sea, under the beds of the rivers that end there.
     fn sea_floor(drainage: &Drainage, rivers: &RiverEdges, i: usize) -> Self {
+        // Beds fall on into the sea; where no river ends this is far above any floor.
         let estuary = rivers.mouth_bed[i].saturating_sub(MIN_FALL);
         let floor = drainage.ground[i].min(estuary);
         Self {
@@ -226,6 +227,7 @@ fn q16(share: f32) -> u16 {
 fn age(my: f32) -> u16 {
     if my.is_finite() {
         let units = (my.max(0.0) * AGE_UNITS_PER_MY).round();
+        // The oldest that 16 bits tell, 1024 My, stands for all that is older.
         units.min(f32::from(u16::MAX - 1)) as u16
     } else {
         u16::MAX

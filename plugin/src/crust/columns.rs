@@ -285,15 +285,17 @@ mod tests {
         );
     }
 
+    /// The refusal of ten samples with some bytes of column `k` replaced from `at` on.
+    fn refused(k: usize, at: usize, with: &[u8]) -> String {
+        let mut columns = varied(10).encode_columns();
+        columns[k][at..at + with.len()].copy_from_slice(with);
+        let bytes: Vec<&[u8]> = columns.iter().map(Vec::as_slice).collect();
+        Crust::decode_columns(&bytes, 10).unwrap_err().to_string()
+    }
+
     #[test]
     fn refused_columns_name_the_sample() {
         let columns = varied(10).encode_columns();
-        let refused = |k: usize, at: usize, with: &[u8]| {
-            let mut columns = columns.clone();
-            columns[k][at..at + with.len()].copy_from_slice(with);
-            let bytes: Vec<&[u8]> = columns.iter().map(Vec::as_slice).collect();
-            Crust::decode_columns(&bytes, 10).unwrap_err().to_string()
-        };
         assert_eq!(refused(1, 4, &[2]), "unknown crust type of sample 4");
         let nan = f32::NAN.to_le_bytes();
         assert_eq!(refused(2, 8, &nan), "thickness of sample 2 is NaN");

@@ -30,6 +30,7 @@ impl Frame {
 
     /// Whether the frame stands where its samples are.
     pub fn is_at_rest(&self) -> bool {
+        // To the last bit: rotations that come near it by chance are blended as all others.
         self.rotation == DQuat::IDENTITY
     }
 
@@ -42,6 +43,7 @@ impl Frame {
     /// From where the crust is now to lattice coordinates.
     #[inline]
     pub fn to_lattice(&self, p: DVec3) -> DVec3 {
+        // The inverse of a unit quaternion.
         self.rotation.conjugate() * p
     }
 }

@@ -55,6 +55,7 @@ impl Isostasy {
     /// How much thicker crust of elevation `z` km becomes when it is raised by `dz` km.
     #[inline]
     pub fn thickening(&self, z: f32, dz: f32) -> f32 {
+        // Crust that crosses sea level has a part of the way on either slope.
         self.load(z + dz) - self.load(z)
     }
 

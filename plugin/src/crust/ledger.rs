@@ -93,6 +93,7 @@ impl Ledger {
     /// Returns the relative difference of area and of volume.
     pub fn check(&mut self, measured: Amount) -> (f64, f64) {
         let expected = self.expected();
+        // Where nothing is expected, differences count in whole km² and km³.
         let relative = |a: f64, b: f64| (a - b).abs() / b.abs().max(1.0);
         let area = relative(measured.area, expected.area);
         let volume = relative(measured.volume, expected.volume);
@@ -113,6 +114,7 @@ pub fn measure(crust: &Crust, mesh: &SphereMesh, radius: f64) -> Amount {
         (area, volume)
     });
     let square = radius * radius;
+    // Chunk by chunk in their order: the same bits on any number of threads.
     let (area, volume) = parts
         .iter()
         .fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));

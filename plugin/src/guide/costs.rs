@@ -17,9 +17,9 @@
 //!
 //! # A new planet
 //!
-//! It is built on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), its parallel parts by
-//! half of the machine's threads; the frame in which it is put onto its entity only moves columns
-//! there and spawns plates and terranes. [`PlanetState::spawn`] waits for all of it.
+//! It is built on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), its parallel parts
+//! by half of the machine's threads; the frame in which it is put onto its entity only moves
+//! columns there and spawns plates and terranes. [`PlanetState::spawn`] waits for all of it.
 //!
 //! # The ground
 //!
@@ -37,9 +37,9 @@
 //!
 //! # Memory
 //!
-//! A sample of crust is [`Crust::BYTES`] bytes, 44, in the state and once more in each [`Surface`] that someone
-//! holds. [`PlanetState`] is a copy of all of it; saves are taken from one, so they may be written
-//! on another thread.
+//! A sample of crust is [`Crust::BYTES`] bytes, 44, in the state and once more in each [`Surface`]
+//! that someone holds. [`PlanetState`] is a copy of all of it; saves are taken from one, so they
+//! may be written on another thread.
 //!
 //! # Measure it
 //!

@@ -1,9 +1,9 @@
 //! Sea, coast and land, such that no edge joins land and sea (paper 002 §4, Fig. 5d).
 //!
 //! A coast vertex stands at sea level between them: there rivers end, and estuaries have room. Of
-//! an edge between land and sea that end becomes coast that lies nearer to sea level, so the land
-//! neither grows nor shrinks in the mean; land without hinterland stays land, or islands would
-//! vanish.
+//! the two ends of an edge between land and sea the one nearer to sea level becomes coast, so that
+//! the land keeps its area in the mean. Hinterland is land with land all around it; land that does
+//! not touch any stays land, or islands would vanish.
 //!
 //! Policy. *Sea* is a connected body below 0 of at least [`SEA_SHARE`] of the planet, or the
 //! largest body if all are smaller; a smaller one is land below sea level, and drainage decides
@@ -20,14 +20,14 @@ use bevy::reflect::Reflect;
 /// that of the smallest seas with an ocean's floor (Black Sea and Mediterranean together 0.6 %).
 const SEA_SHARE: f64 = 0.0025;
 
-/// A vertex by its place about the shore.
+/// The side of the shore that a vertex lies on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
 pub enum ShoreClass {
     /// Under the sea.
     Sea,
     /// At sea level, between land and sea.
     Coast,
-    /// Everything else.
+    /// Neither: dry land and lakes, at any height.
     Land,
 }
 
@@ -61,13 +61,13 @@ pub(super) fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<ShoreClas
     shore
 }
 
-/// Whether some neighbour of vertex `i` is such.
+/// Whether a condition holds at some neighbour of vertex `i`.
 fn borders(mesh: &SphereMesh, i: u32, is_such: impl Fn(u32) -> bool) -> bool {
     mesh.ring(i).iter().any(|&j| is_such(j))
 }
 
-/// Whether the land at vertex `i` is lower than the sea beside it is deep in the mean. False where
-/// there is no sea beside it.
+/// Whether vertex `i`, on land, is less high than its neighbours in the sea are deep in the mean.
+/// False where none of its neighbours lies in the sea.
 fn is_nearer_to_sea_level(mesh: &SphereMesh, ground: &[i32], is_sea: &[bool], i: u32) -> bool {
     let height = i64::from(ground[i as usize]);
     // Sums instead of means: whole numbers, exact.
@@ -79,7 +79,7 @@ fn is_nearer_to_sea_level(mesh: &SphereMesh, ground: &[i32], is_sea: &[bool], i:
     count > 0 && height * count < depth
 }
 
-/// Which vertices lie under a sea.
+/// Whether each vertex lies under a sea; water that is no sea counts as land.
 fn seas(mesh: &SphereMesh, ground: &[i32]) -> Vec<bool> {
     let bodies = Components::new(mesh, |i| ground[i as usize] < 0, |_, _| true);
     let mut areas = vec![0.0; bodies.count];
@@ -88,6 +88,7 @@ fn seas(mesh: &SphereMesh, ground: &[i32]) -> Vec<bool> {
             areas[body as usize] += mesh.area(i);
         }
     }
+    // A planet whose waters are all small keeps the largest as its sea.
     let largest = areas.iter().copied().fold(0.0, f64::max);
     let least = (SEA_SHARE * 4.0 * math::PI).min(largest);
     let is_sea = |body: u32| body != OUTSIDE && areas[body as usize] >= least;
@@ -101,7 +102,7 @@ mod tests {
     use crate::random::Purpose;
     use bevy::math::DVec3;
 
-    /// Area of the vertices that are such, in steradians.
+    /// Area of the vertices that fulfil a condition, in steradians.
     fn area(mesh: &SphereMesh, is_such: impl Fn(usize) -> bool) -> f64 {
         (0..mesh.len())
             .filter(|&i| is_such(i))

@@ -82,7 +82,7 @@ struct Flood<'a> {
     ground: &'a [i32],
     /// Level at which each vertex was reached, or [`DRY`].
     level: Vec<i32>,
-    /// Vertices reached from which the flood has not gone on.
+    /// Vertices that the flood has reached and not yet gone on from.
     shoreline: RisingQueue,
     routes: Routes,
 }
@@ -142,6 +142,8 @@ impl<'a> Flood<'a> {
                 }
                 self.routes.receiver[j as usize] = i;
                 let z = self.ground[j as usize];
+                // Lower than the water that reaches it: the water would have to rise again to
+                // leave.
                 if z < level {
                     self.fill_depression(j, level);
                 } else {
@@ -168,6 +170,7 @@ impl<'a> Flood<'a> {
                 }
                 let z = self.ground[j as usize];
                 self.routes.receiver[j as usize] = i;
+                // Marked as it enters the queue, so that no vertex enters twice.
                 self.level[j as usize] = z.max(spill_elevation);
                 // Higher ground around the depression waits until the flood has risen to it.
                 if z <= spill_elevation {
@@ -193,6 +196,8 @@ impl<'a> Flood<'a> {
         }
         // The order stays true: lower levels were reached earlier.
         let receiver = parallel::map(self.mesh.len(), |i| {
+            // In a depression the flooded ground is level: there the way of the flood is the only
+            // one.
             let flooded_from = self.routes.receiver[i as usize];
             if flooded_from == NO_VERTEX || in_depression[i as usize] {
                 flooded_from

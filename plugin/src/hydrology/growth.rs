@@ -40,29 +40,38 @@ const MAX_ROUNDS: u64 = 2000;
 /// Fewest vertices that take a step in a round.
 const FEWEST_PER_ROUND: usize = 8;
 
-/// Part of the front that takes a step in a round: one in so many.
+/// Number of front vertices of which one takes a step in a round.
 const FRONT_PER_ROUND: usize = 8;
 
-/// Height in km of crust that grows last.
+/// Elevation of the crust in km at which, and above which, a vertex takes its step last.
 const LAST_CRUST_KM: f64 = 10.0;
 
-/// Edges from the mouth within which a river does not branch, and does not end for height.
+/// Edges from the mouth within which a river does not branch.
 const UNBRANCHED_EDGES: u16 = 2;
+
+/// Edges from the mouth within which a river does not end on high ground.
 const UNENDED_EDGES: u16 = 3;
 
-/// Lowest ground in km at which growth stops; where half the crust's elevation is more, that.
+/// Elevation of the ground in km at which growth stops, unless half the crust's elevation is
+/// higher.
 const GROWTH_STOPS_KM: f64 = 0.7;
 
 /// Chance that a vertex that did not branch leaves the front in a round.
 const CHANCE_TO_REST: f64 = 0.02;
 
-/// Least cosine between an edge and the way so far: 78° for tips, 90° for branches.
+/// Least cosine between a tip's step and the way so far: 78°.
 const TIP_BEND_COSINE: f64 = 0.2;
+
+/// Least cosine between a branch's first step and the way so far: 90°.
 const BRANCH_BEND_COSINE: f64 = 0.0;
 
-/// Purposes of a vertex's random numbers within a round.
+/// Purpose of a vertex's random number in a round: when it takes its step.
 const DRAW_RANK: u64 = 0;
+
+/// Purpose of a vertex's random number in a round: whether it branches.
 const DRAW_BRANCH: u64 = 1;
+
+/// Purpose of a vertex's random number in a round: whether it leaves the front.
 const DRAW_REST: u64 = 2;
 
 /// Grows the network of the base mesh.
@@ -164,6 +173,7 @@ impl Growth<'_> {
         let way = (self.mesh.point(i) - self.mesh.point(to)).length();
         self.receiver[i as usize] = to;
         self.length[i as usize] = self.length[to as usize] + way;
+        // A coast has 0 edges, so its first vertex on land has 1: rivers are told by that.
         self.edges[i as usize] = self.edges[to as usize] + 1;
         self.is_tip[i as usize] = true;
         self.is_tip[to as usize] = false;
@@ -197,6 +207,7 @@ impl Growth<'_> {
     /// How late vertex `i` takes its step, in billionths.
     fn rank(&self, i: u32, round: u64) -> u64 {
         let lowness = (1.0 - self.crust_km(i) / LAST_CRUST_KM).clamp(0.0, 1.0);
+        // Whole numbers: they sort without question, and ties go by vertex number.
         ((1.0 - self.draw(i, round, DRAW_RANK) * lowness) * 1e9) as u64
     }
 
@@ -266,6 +277,7 @@ impl Growth<'_> {
         let chance = self
             .stream
             .unit(mix(u64::from(i) << 32 | u64::from(j)) ^ round);
+        // The factor 100 of the header is left out: it changes no order.
         let fold = self.terrain.fold[k].as_dvec3().dot(edge).abs();
         let rise = math::smoothstep((self.crust_km(j) - self.crust_km(i) + 0.2) / 0.3);
         let plateau = 0.05 + f64::from(self.terrain.plateau[k]);
@@ -315,7 +327,7 @@ impl Growth<'_> {
     }
 }
 
-/// A height of so many grains in km.
+/// A height in grains as km.
 fn km(grains: i32) -> f64 {
     f64::from(grains) / f64::from(1000 * GRAINS)
 }

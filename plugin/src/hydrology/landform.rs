@@ -70,8 +70,8 @@ pub(super) struct CrustSample {
     pub(super) fold: Vec3,
     /// Direction of the ridge that made the ocean floor, undirected.
     pub(super) ridge: Vec3,
-    /// Share of the noise between samples that is added: 0 for maps, which bring relief of their
-    /// own.
+    /// Factor of the noise that stands for relief between samples: 1, but 0 for maps, which have
+    /// relief of their own.
     pub(super) noise: f32,
 }
 
@@ -109,10 +109,11 @@ impl CrustSample {
         let plain = 0.05 + 0.08 * z.clamp(0.0, 3.0);
         let range = COLLISION_RELIEF_KM - SUBDUCTION_RELIEF_KM;
         let young = SUBDUCTION_RELIEF_KM + range * self.collision;
+        // A belt is bounded by its own mean: valleys cannot be cut below the sea.
         let belt =
             (WORN_RELIEF_KM + (young - WORN_RELIEF_KM) * self.youth()).min(RELIEF_OF_MEAN * z);
         let relief = plain + (belt - plain).max(0.0) * self.folded;
-        // Under water waves and sediment level the relief.
+        // Under water waves and sediment level the relief: none of it is left 300 m below the sea.
         relief * (1.0 - LEVELLED * plateau) * smoothstep((z + 0.3) / 0.4)
     }
 
@@ -125,7 +126,8 @@ impl CrustSample {
         } else {
             z
         };
-        // 60 m of noise even on plains, or rivers would run along the triangles.
+        // 60 m of noise even on plains, or rivers would run along the triangles; on slopes at most
+        // 900 m more.
         let rough = 0.06 + 0.2 * relief + SLOPE_ROUGHNESS_KM * steepness.min(0.02);
         // The deep floor gets its relief from the amplifier alone.
         valleys + self.noise * noise * rough * smoothstep((z + 1.5) / 1.3)
@@ -134,6 +136,7 @@ impl CrustSample {
     /// P. Tibet and the Altiplano rise by less than 200 m in 100 km, the flanks of their belts by 1
     /// to 4 km. Where the noise between samples is high a range crosses the plateau.
     pub(super) fn plateau(&self, steepness: f32, noise: f32) -> f32 {
+        // High is from 1.8 to 3.4 km, level from 10 down to 2 m per km.
         let high = smoothstep((self.elevation - 1.8) / 1.6);
         let level = 1.0 - smoothstep((steepness - 0.002) / 0.008);
         let basin = 1.0 - smoothstep(self.noise * noise / 0.5);
@@ -162,7 +165,8 @@ impl CornerSamples {
         parts.sum::<f32>()
     }
 
-    /// The mean of a value among the corners that have a share in something; 0 if none has.
+    /// The mean of `value` over the corners, each weighted by its `share` as well; 0 where all
+    /// shares are 0.
     fn mean_among(&self, share: impl Fn(usize) -> f32, value: impl Fn(usize) -> f32) -> f32 {
         let sum = self.mean(&share);
         if sum > 0.0 {
@@ -172,7 +176,8 @@ impl CornerSamples {
         }
     }
 
-    /// The mean of undirected vectors: each is turned to the side of the heaviest corner's first.
+    /// The mean of undirected vectors, each first turned to the side of the heaviest corner's
+    /// vector; unit length, or zero.
     fn axis(&self, vectors: &[Vec3]) -> Vec3 {
         let heaviest = (0..3)
             .max_by(|&a, &b| self.weights[a].total_cmp(&self.weights[b]))

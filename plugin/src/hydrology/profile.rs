@@ -109,20 +109,21 @@ impl Channels<'_> {
         }
     }
 
-    /// How low every vertex should lie for the water from upstream to run on, if its river can wear
-    /// it down so far.
+    /// Level in grains that every vertex should have for the water from upstream to run on, but no
+    /// lower than its river can wear it down.
     fn breach(&self, lake: &[u32]) -> Vec<i32> {
         let least = parallel::map(self.ground.len(), |i| self.deepest_breach(i as usize));
         let mut wanted = self.ground.to_vec();
         for &i in self.routes.order.iter().rev() {
             let k = i as usize;
+            // Vertices upstream may ask for more than the river can wear down.
             wanted[k] = wanted[k].max(least[k]);
             let to = self.routes.receiver[k];
             if to == NO_VERTEX {
                 continue;
             }
-            // The receiver must lie lower than everything that drains to it, or dam it up.
-            // Closed lakes have their levels: nothing is breached into or under them.
+            // The receiver must lie lower than everything that drains to it, or dam it up. Closed
+            // lakes have their levels already: no breach leads into one or out of it.
             let r = to as usize;
             if lake[k] == NO_LAKE && lake[r] == NO_LAKE {
                 wanted[r] = wanted[r].min(wanted[k] - MIN_FALL);
@@ -134,6 +135,7 @@ impl Channels<'_> {
     /// The level of the water at every vertex, downstream first: at the wanted level where water
     /// can run off, in a lake where it cannot.
     fn settle_water(&self, wanted: &[i32], lakes: &mut Lakes) -> Vec<i32> {
+        // Sea and coasts are in no order and keep their ground: rivers end at the coasts' 0.
         let mut level = self.ground.to_vec();
         for &i in &self.routes.order {
             let k = i as usize;
@@ -177,6 +179,8 @@ impl Channels<'_> {
             if lake[k] == NO_LAKE {
                 river
             } else {
+                // As deep as its ground, but no deeper than sediment leaves it, and at least as
+                // deep as the river would be.
                 let sediment = level[k].saturating_sub(GREATEST_LAKE_DEPTH);
                 river.min(self.ground[k].max(sediment))
             }

@@ -77,13 +77,15 @@ pub(super) fn close_basins(balance: &WaterBalance, routes: &mut Routes) -> Vec<C
         let d = depression_of[i as usize];
         // The sink of a planet without a sea leaves, too: to nowhere.
         let leaves = to == NO_VERTEX || depression_of[to as usize] != d;
+        // Inside its depression water runs on to the saddle; what would cross it is held back.
         if d != NO_DEPRESSION && leaves {
             sweep.hold_back(i, to);
         } else {
             let amount = sweep.discharge[i as usize];
             sweep.pass_on(to, amount);
         }
-        // Only the first vertex of a depression, the last to be swept, decides its fate.
+        // Only the first vertex of a depression, the last to be swept, decides its fate. Turning it
+        // around permutes its part of the order, which the sweep has passed.
         if d != NO_DEPRESSION && k <= routes.depressions[d as usize].range.start {
             sweep.decide(balance, routes, d as usize);
         }
@@ -192,6 +194,7 @@ impl WaterBalance<'_> {
             for &j in self.mesh.ring(i) {
                 if unreached.take(j) {
                     receiver[j as usize] = i;
+                    // Water stands level: behind a sill it is as high as the sill.
                     heap.push(entry(self.ground[j as usize].max(level), j));
                 }
             }
@@ -199,8 +202,8 @@ impl WaterBalance<'_> {
         rising
     }
 
-    /// The lake that covers so much of the rising vertices that it loses what flows in; the lowest
-    /// at least.
+    /// The lake that rises over as many of the vertices as it can while it loses no more than flows
+    /// in; it covers the lowest at least.
     fn closed_lake(&self, rising: &[(i32, u32)], spill_elevation: i32, inflow: u64) -> ClosedLake {
         let mut vertices = Vec::new();
         let mut spent = 0;

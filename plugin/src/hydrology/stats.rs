@@ -6,10 +6,11 @@
 //! says that the longest way upstream grows with a power of 0.57 to 0.6 of the area (Hack 1957).
 //! Ratios and power are slopes of straight lines fitted to logarithms.
 //!
-//! Policies. Channels begin where five vertices drain together: the network of single vertices
-//! is the mesh's, not the land's (as in any network drawn from a grid, Tarboton, Bras and
-//! Rodriguez-Iturbe 1991). Orders with fewer than ten streams are left out of the fit, and basins
-//! of fewer than ten vertices.
+//! Policies. A vertex is part of a channel if at least five vertices drain to it, itself included:
+//! what drains less follows the edges of the mesh rather than the land (as in any network drawn
+//! from a grid, Tarboton, Bras and Rodriguez-Iturbe 1991). The fit of Horton's laws leaves out
+//! orders of fewer than ten streams, the fit of Hack's law streams with fewer than ten vertices
+//! upstream.
 
 use super::coast::ShoreClass;
 use super::drainage::Drainage;
@@ -21,16 +22,18 @@ use crate::math;
 use crate::sphere::SphereMesh;
 use bevy::reflect::Reflect;
 
-/// Vertices that must drain together to make a channel: 13,500 km² on an Earth-sized planet.
+/// Fewest vertices that drain to a vertex of a channel, itself included: 13,500 km² on an
+/// Earth-sized planet.
 const CHANNEL_SUPPORT: u32 = 5;
 
-/// Order that a basin must reach to count as a network.
+/// Least Horton–Strahler order that a basin must reach for its streams to count in Horton's ratios.
 const NETWORK_ORDER: u8 = 3;
 
 /// Fewest streams of an order that counts in the fit of Horton's laws.
 const FEWEST_STREAMS: f64 = 10.0;
 
-/// Fewest vertices of a basin that counts in the fit of Hack's law.
+/// Fewest vertices upstream of a stream's mouth, itself included, that count in the fit of Hack's
+/// law.
 const FEWEST_VERTICES: u32 = 10;
 
 /// Figures of the hydrology of a planet.
@@ -59,11 +62,11 @@ pub struct HydrologyStats {
 /// Horton's ratios.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Reflect, serde::Serialize)]
 pub struct Horton {
-    /// Bifurcation ratio R_B: streams of one order to those of the next.
+    /// Bifurcation ratio R_B: number of streams of an order, divided by that of the next higher.
     pub rb: f64,
-    /// Length ratio R_L.
+    /// Length ratio R_L: mean length of the streams of an order, divided by that of the next lower.
     pub rl: f64,
-    /// Area ratio R_A.
+    /// Area ratio R_A: mean area that streams of an order drain, divided by that of the next lower.
     pub ra: f64,
 }
 
@@ -95,7 +98,7 @@ impl HydrologyStats {
 struct LandVertices<'a> {
     mesh: &'a SphereMesh,
     vertices: Vec<u32>,
-    /// In steradians.
+    /// Their area in steradians.
     area: f64,
 }
 
@@ -147,6 +150,7 @@ impl Upstream {
             order: Vec::new(),
         };
         upstream.add_up(mesh, drainage);
+        // Counts first: they tell channels, and orders are counted along channels alone.
         let is_channel = |i: u32| upstream.count[i as usize] >= CHANNEL_SUPPORT;
         upstream.order = order::strahler_of(&drainage.routes, is_channel);
         upstream.follow_streams(mesh, drainage);
@@ -170,8 +174,8 @@ impl Upstream {
         }
     }
 
-    /// Lengths of streams: each goes on as long as its order does, and ends with the edge to the
-    /// next.
+    /// Lengths of streams. A stream goes on as long as its order does; the edge from its last
+    /// vertex to the next stream is part of it.
     fn follow_streams(&mut self, mesh: &SphereMesh, drainage: &Drainage) {
         for &i in drainage.routes.order.iter().rev() {
             let k = i as usize;
@@ -198,7 +202,7 @@ impl Upstream {
         order > 0 && (receiver == NO_VERTEX || self.order[receiver as usize] != order)
     }
 
-    /// The highest order within the basin of every coast and sink.
+    /// The highest order in the basin that ends at each vertex, a coast or a sink; 0 at others.
     fn highest_orders(&self, drainage: &Drainage) -> Vec<u8> {
         let mut highest = vec![0; self.order.len()];
         for i in self.mouths(drainage) {
@@ -219,6 +223,7 @@ impl Upstream {
             }
         }
         Horton {
+            // Numbers of streams fall from order to order: their inverse grows by R_B.
             rb: ratio(&orders, |sums| 1.0 / sums.count),
             rl: ratio(&orders, |sums| sums.length / sums.count),
             ra: ratio(&orders, |sums| sums.area / sums.count),
@@ -240,10 +245,11 @@ impl Upstream {
 /// The streams of one order.
 #[derive(Clone, Copy, Default)]
 struct StreamSums {
+    /// Number of streams.
     count: f64,
-    /// In radians.
+    /// Sum of their lengths in radians.
     length: f64,
-    /// In steradians.
+    /// Sum of the areas that they drain, in steradians.
     area: f64,
 }
 
@@ -268,7 +274,7 @@ fn ratio(orders: &[StreamSums; 256], value: impl Fn(StreamSums) -> f64) -> f64 {
     slope(&points).map_or(0.0, math::exp)
 }
 
-/// Slope of the straight line that fits points best; `None` for fewer than two different ones.
+/// Slope of the straight line that fits points (x, y) best; `None` where all have one x.
 fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let n = points.len() as f64;
     let (mut mean_x, mut mean_y) = (0.0, 0.0);
@@ -276,6 +282,7 @@ fn slope(points: &[(f64, f64)]) -> Option<f64> {
         mean_x += x / n;
         mean_y += y / n;
     }
+    // About the means: sums of plain squares would lose digits to each other.
     let (mut variance, mut covariance) = (0.0, 0.0);
     for (x, y) in points {
         variance += (x - mean_x) * (x - mean_x);

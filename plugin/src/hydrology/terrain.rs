@@ -83,6 +83,7 @@ impl TerrainMaps {
         let elevation = self.crust.at(p);
         let age = self.age.as_ref().map(|age| age.at(p).max(0.0));
         let folded = match age {
+            // Whoever gives ages gives them for all ground.
             Some(_) => 1.0,
             None => {
                 math::smoothstep(f64::from((elevation - FOLDED_FROM_KM) / FOLDED_WITHIN_KM)) as f32

@@ -98,8 +98,8 @@ fn backdrop(bake: &Bake, at: &Location) -> Rgba {
     }
 }
 
-/// Discharge spans decades between a river and its banks: the mean is one of positions on the
-/// ramp, not of m³.
+/// The colour of the discharge at a place of the base mesh. Between a river and its banks discharge
+/// differs by powers of ten, so positions on the ramp are averaged, not m³/s.
 fn discharge_at(bake: &Bake, at: &Location) -> Rgba {
     if is_sea(bake, at) {
         return classes::SEA;
@@ -109,7 +109,8 @@ fn discharge_at(bake: &Bake, at: &Location) -> Rgba {
     palette::DISCHARGE.at(position as f32)
 }
 
-/// A colour per mouth.
+/// The colour of the basin at a place of the base mesh, drawn by the number of its mouth; darker
+/// where its water does not reach the sea.
 fn basin_at(bake: &Bake, at: &Location) -> Rgba {
     let i = at.nearest as usize;
     let basin = bake.drainage.basin[i];

@@ -34,12 +34,14 @@ pub enum LegendEntries {
 /// Names and colours of classes.
 type ClassTable = [(&'static str, Rgba)];
 
+/// Kinds of crust.
 const CRUST_TYPES: &ClassTable = &[
     ("oceanic", colors::OCEANIC_CRUST),
     ("continental, land", colors::CONTINENT),
     ("continental, under water", colors::SHELF),
 ];
 
+/// Kinds of mountain building.
 const OROGENIES: &ClassTable = &[
     ("Andean: above a subduction zone", colors::ANDEAN),
     ("Himalayan: continental collision", colors::HIMALAYAN),
@@ -47,12 +49,14 @@ const OROGENIES: &ClassTable = &[
     ("unfolded ocean floor", colors::NO_VALUE_OCEAN),
 ];
 
+/// The channels of the border noise.
 const NOISE_AXES: &ClassTable = &[
     ("x of the warp", [230, 128, 128, 255]),
     ("y of the warp", [128, 230, 128, 255]),
     ("z of the warp", [128, 128, 230, 255]),
 ];
 
+/// Classes behind the basins, whose own colours are too many to list.
 const BASINS: &ClassTable = &[
     (
         "one colour per mouth; reddish: never reaches the sea",
@@ -61,6 +65,7 @@ const BASINS: &ClassTable = &[
     ("sea", colors::SEA),
 ];
 
+/// Kinds of lakes, and the land and sea behind them.
 const LAKES: &ClassTable = &[
     ("lake that drains to the sea", colors::LAKES[0]),
     (
@@ -71,6 +76,7 @@ const LAKES: &ClassTable = &[
     ("sea", colors::SEA),
 ];
 
+/// The one entry of the mesh, whose shades tell samples apart.
 const SAMPLES: &ClassTable = &[("one shade per sample", colors::GREY)];
 
 impl Overlay {

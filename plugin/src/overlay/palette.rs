@@ -23,7 +23,7 @@ impl Ramp {
     pub fn at(&self, x: f32) -> Rgba {
         let stops = self.0;
         let after = stops.partition_point(|&(position, _)| position <= x);
-        // NaN is beyond no stop.
+        // NaN compares with no stop, and counts as the start.
         if after == 0 || x.is_nan() {
             return opaque(stops[0].1);
         }

@@ -90,7 +90,7 @@ fn class(input: &OverlayInput, color: impl Fn(usize) -> Rgba + Sync + Send) -> O
     OverlayField::Classes(parallel::map(input.mesh.len(), |i| color(i as usize)))
 }
 
-/// The ramp of heights is in km itself, so 1 stands for 1 km.
+/// Elevation in km; so are the positions of its ramp.
 fn elevation(input: &OverlayInput) -> OverlayField {
     scalar(input, palette::HYPSOMETRIC, 1.0, |i| {
         input.surface.elevation(i)
@@ -122,7 +122,7 @@ fn crust_types(input: &OverlayInput) -> OverlayField {
     })
 }
 
-/// Continents have no ocean age.
+/// Age of the ocean floor in My; none on continents.
 fn ocean_age(input: &OverlayInput) -> OverlayField {
     let crust = &input.surface.crust;
     scalar(input, palette::AGE, OCEAN_AGE_MAX, |i| {

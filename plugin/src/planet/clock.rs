@@ -1,4 +1,5 @@
-//! Geological time: how much has passed, how fast it shall pass, and which numbers it has used up.
+//! Geological time: how much has passed, how fast it shall pass, and which plate numbers are used
+//! up.
 
 use crate::ids::PlateId;
 use bevy::prelude::*;

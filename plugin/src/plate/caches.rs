@@ -20,6 +20,7 @@ use super::{PlateRow, PlateStats, plate_table};
 use crate::crust::{Crust, Frames};
 use crate::events::PlateConsumed;
 use crate::ids::{FrameId, PlateId};
+use crate::sphere::SphereMesh;
 use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 
@@ -125,6 +126,7 @@ fn recompute_frames(world: &mut World, planet: Entity, moved: Option<&MovedSampl
         .copied()
         .filter(|row| affected.contains(row.id) && stats_of(&stats, row.id).is_none())
         .collect();
+    // Numbers are not given twice: nobody would ask for these segments again.
     if let Some(mut polarity) = world.get_mut::<PolarityMemory>(planet) {
         polarity.retain(|id| consumed.iter().all(|row| row.id != id));
     }
@@ -153,23 +155,37 @@ fn recompute_columns(
     let (state, (mut rim, mut overlap, mut contacts)) = query.get_mut(world, planet).ok()?;
     let (body, crust, frames) = state;
     let PlanetView { mesh, radius, .. } = body.view();
+    // Contacts are parallel to the rim as it was.
     let old_rim = rim.samples.clone();
-    let affected = match moved.filter(|_| !rim.index.is_empty()) {
-        Some(moved) => {
-            rim.update(mesh, &crust.frame, frames, &moved.samples);
-            Affected::Only(moved.frames.iter().map(|&id| frames.plate(id)).collect())
-        }
-        None => {
-            *rim = Rim::new(mesh, &crust.frame, frames);
-            Affected::All
-        }
-    };
+    let affected = update_rim(&mut rim, mesh, &crust.frame, frames, moved);
     overlap.update(mesh, &crust.frame, frames);
     contacts.0 = kept_contacts(&old_rim, &contacts.0, &rim.samples);
     let stats = plate_stats(mesh, crust, frames, radius, |plate| {
         affected.contains(plate)
     });
     Some((affected, stats))
+}
+
+/// Updates the rims after samples have moved, or finds them anew. Returns the plates that lost or
+/// gained samples.
+fn update_rim(
+    rim: &mut Rim,
+    mesh: &SphereMesh,
+    frame: &[FrameId],
+    frames: &Frames,
+    moved: Option<&MovedSamples>,
+) -> Affected {
+    // A rim that was never found has no index to update.
+    match moved.filter(|_| !rim.index.is_empty()) {
+        Some(moved) => {
+            rim.update(mesh, frame, frames, &moved.samples);
+            Affected::Only(moved.frames.iter().map(|&id| frames.plate(id)).collect())
+        }
+        None => {
+            *rim = Rim::new(mesh, frame, frames);
+            Affected::All
+        }
+    }
 }
 
 /// The statistics of a plate, if it has samples.

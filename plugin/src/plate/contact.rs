@@ -170,6 +170,7 @@ impl ContactInput<'_> {
         let spin = spins[usize::from(id)] - spins[usize::from(hit.frame)];
         // The motion of the own plate as seen from the other one, in the frame of the own lattice.
         let relative = self.overlap.to_lattice(id, spin);
+        // ω × p along the outward normal: positive where the own plate advances on the other.
         let approach = relative.cross(local).dot(normal) * self.radius;
         let met = hit.sample as usize;
         Contact {
@@ -199,7 +200,7 @@ impl ContactInput<'_> {
         (local + normal * reach) * (1.0 / (1.0 + reach * reach).sqrt())
     }
 
-    /// Ages of ocean floors that meet, by pair and segment, summed in the order of the rim.
+    /// Evidence of this step for the polarity of every segment, summed in the order of the rim.
     fn evidence(&self, rim: &Rim, contacts: &[Contact]) -> Vec<(FrontKey, Evidence)> {
         let seen = parallel::map_chunks(contacts.len(), |range| {
             range
@@ -223,6 +224,7 @@ impl ContactInput<'_> {
         let frame = self.frame_of(sample);
         let (pair, swapped) = pair(frame.plate, contact.other);
         let mut ages = match (self.crust.is_continental(i), contact.other_continental) {
+            // Continents speak for neither: the segment keeps its decision.
             (true, true) => [0.0; 2],
             (true, false) => [0.0, OCEAN_UNDER_CONTINENT],
             (false, true) => [OCEAN_UNDER_CONTINENT, 0.0],
@@ -235,9 +237,10 @@ impl ContactInput<'_> {
         ((pair, bin), ages)
     }
 
-    /// Whether the plate of a rim sample goes under that which it converges with.
+    /// Whether the plate of a rim sample goes under the plate that it converges with.
     fn goes_under(&self, polarity: &PolarityMemory, sample: u32, contact: &Contact) -> bool {
         let own_continental = self.crust.is_continental(sample as usize);
+        // An ocean goes under a continent, whatever the segment remembers.
         if own_continental != contact.other_continental {
             return contact.other_continental;
         }

@@ -1,10 +1,11 @@
 //! Distance to the subduction front on every overriding plate.
 //!
-//! The front is the rim of the overriding plate, so in that plate's frame it stands still. What a
-//! step changes is which samples of the rim override: one that left the front is forgotten by all
-//! that it was nearest to, and they hear from their neighbours again; one that is new hands its
-//! position on. So a step costs what has changed, and the field remembers: it is state. It is found
-//! anew on frames that gained or lost samples, and after a resample.
+//! The front is the rim of the overriding plate, so it stands still in that plate's frame. From one
+//! step to the next only a few samples of the rim join it or leave it, and the work of a step is
+//! that of these changes. Where a sample has left, those that it was nearest to forget it, and the
+//! search goes on from their neighbours that know another; where a sample has joined, the search
+//! goes on from it. So the field depends on earlier steps and is saved with the state. It is found
+//! anew on frames that gained or lost samples, and everywhere after a resample.
 //!
 //! Policies: distance is measured within one frame, around gaps but not across them. A sample that
 //! overrides no more stays on the front for [`STEPS_ON_FRONT`] steps, without any uplift: what
@@ -88,8 +89,8 @@ impl FrontField {
         });
     }
 
-    /// Takes in which samples of the rim override now. Ends early where it should `stop`; called
-    /// again in the same step it goes on. Returns whether it is done.
+    /// Updates the field to the samples of the rim that override now. Returns early, with false,
+    /// where `stop` says so; the next call of the same step goes on. True when it is done.
     pub fn refresh(&mut self, input: &FrontInput, stop: impl Fn() -> bool) -> bool {
         let mut pending = match self.pending.take() {
             Some(pending) => pending,
@@ -98,6 +99,7 @@ impl FrontField {
         let field = &self.nearest;
         while !pending.is_empty() {
             let rest = pending.len().saturating_sub(FRAMES_PER_LOOK);
+            // Frames differ much in size: each is a task of its own.
             let batch = pending.par_drain(rest..).with_max_len(1);
             batch.for_each(|start| input.search(field, &start));
             // Each call does some of the work, or one that is late would never end.
@@ -120,6 +122,7 @@ impl FrontField {
         let gone = self.advance(input.rim, input.contacts);
         let mut start = self.forget_gone(input, &gone);
         let front = self.front.iter().map(|&(i, _)| i);
+        // A sample that has been on the front for a while is its own nearest.
         let new = front.filter(|&i| self.nearest.source(i) != i);
         start.extend(new.map(|i| (i, i)));
         // Frames do not touch each other's samples: each is searched on its own.
@@ -128,11 +131,13 @@ impl FrontField {
         start.dedup();
         let by_frame = start.chunk_by(|a, b| frame_of(a.0) == frame_of(b.0));
         let mut by_frame: Vec<_> = by_frame.map(<[_]>::to_vec).collect();
+        // Batches are taken from the end: the largest first, so that no thread waits for one at
+        // last.
         by_frame.sort_by_key(Vec::len);
         by_frame
     }
 
-    /// Takes in which samples override now. Returns those that have left the front.
+    /// Updates the front to the samples that override now. Returns those that have left it.
     fn advance(&mut self, rim: &Rim, contacts: &Contacts) -> Vec<u32> {
         let mut gone = Vec::new();
         let mut front = Vec::with_capacity(self.front.len());
@@ -163,8 +168,8 @@ impl FrontField {
         }
     }
 
-    /// Forgets what is nearest to the samples that are `gone`. Returns the samples around, from
-    /// which what they hold goes on.
+    /// Forgets the samples `gone` wherever they are nearest. Returns the samples around the places
+    /// that forgot, each with the source that it knows, to search on from.
     fn forget_gone(&self, input: &FrontInput, gone: &[u32]) -> Vec<Start> {
         if gone.is_empty() {
             return Vec::new();
@@ -211,7 +216,7 @@ impl FrontInput<'_> {
         );
     }
 
-    /// The neighbours of sample `i` on its frame that hold a source, with that.
+    /// The neighbours of sample `i` on its frame that know a source, each with that source.
     fn known_around(&self, field: &SourceField, i: u32) -> impl Iterator<Item = Start> {
         let ring = self.mesh.ring(i).iter().copied();
         ring.filter(move |&j| self.together(i, j))

@@ -119,6 +119,7 @@ impl OverlapIndex {
         for cell in start..(start + BINS_PER_TASK).min(bins.len()) {
             let (center, reach) = bins.shape(cell);
             for id in members(&self.lattice[cell * self.words..(cell + 1) * self.words]) {
+                // Bins are turned instead of samples: a circle is a circle in every frame.
                 let p = frames[id].to_world(center);
                 let near = |at| found.push((at as u32, id as u32));
                 bins.grid().visit_near(p, reach, near);
@@ -148,6 +149,7 @@ impl OverlapIndex {
         // can.
         let local = *self.to_lattice.get(usize::from(id))? * p;
         let cell = self.fine.grid().cell(local);
+        // The fine table says whether the frame has samples anywhere near.
         let word = self.near[cell * self.words + usize::from(id) / 64];
         // Most candidates end here, without a search.
         if word >> (id % 64) & 1 == 0 {

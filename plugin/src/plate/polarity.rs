@@ -68,8 +68,10 @@ impl Evidence {
 }
 
 impl FrontSegment {
-    /// Hears evidence of one more step, and turns over if that speaks clearly against the decision.
+    /// Weighs the evidence of one more step, and turns over if it speaks clearly against the
+    /// decision. Ages are in My.
     fn hear(&mut self, excess: f64, hysteresis: f64) {
+        // Only steps with evidence count: a front at rest does not grow ripe for a turn.
         self.held = self.held.saturating_add(1);
         let against = if self.first_under { -excess } else { excess };
         if against > hysteresis && self.held >= LEAST_STEPS_BETWEEN_TURNS {
@@ -111,7 +113,7 @@ impl PolarityMemory {
         self.0.binary_search_by_key(&(pair, bin), key).ok()
     }
 
-    /// The decision of most segments of a pair; a tie goes to the first plate.
+    /// The decision of most segments of a pair; in a tie the first plate goes under.
     fn majority(&self, pair: Pair) -> Option<bool> {
         let start = self.0.partition_point(|s| s.pair < pair);
         let mut count = [0; 2];
@@ -121,8 +123,8 @@ impl PolarityMemory {
         (count != [0; 2]).then_some(count[1] >= count[0])
     }
 
-    /// Takes in the evidence of one step, ordered by pair and bin. `hysteresis` is the difference
-    /// of mean ages in My that turns a decision over.
+    /// Decides by the evidence of one step, which is ordered by pair and bin. `hysteresis` is the
+    /// difference of mean ages in My that turns a decision over.
     pub fn update(&mut self, evidence: &[(FrontKey, Evidence)], hysteresis: f64) {
         let mut fresh = Vec::new();
         for &((pair, bin), seen) in evidence {

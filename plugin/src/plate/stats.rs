@@ -48,6 +48,7 @@ impl PlateSums {
     /// The sums of a frame in world coordinates.
     fn in_world(self, frame: &Frame) -> Self {
         Self {
+            // Areas and ages are the same in every frame; only directions turn.
             moment: frame.to_world(self.moment),
             ..self
         }
@@ -61,6 +62,7 @@ impl PlateSums {
             area: self.area * radius * radius,
             continental: ratio(self.continental, self.area, 0.0),
             ocean_age: ratio(self.ocean_age, ocean, LEAST_OCEAN),
+            // Crust all round the sphere has no centroid: any direction serves.
             centroid: self.moment.try_normalize().unwrap_or(DVec3::Z),
         }
     }

@@ -1,4 +1,5 @@
-//! Contact: where plates meet, and which goes under (paper 000 §6); the geometry is in [`crate::plate::contact`].
+//! Contact: where plates meet, and which goes under (paper 000 §6); the geometry is in
+//! [`crate::plate::contact`].
 //!
 //! Reads: frames, crust, motions. Writes: candidate tables, contacts, polarity.
 
@@ -38,6 +39,7 @@ pub fn contact(
     };
     let (planet, crust, frames, rim) = state;
     let view = planet.view();
+    // Drift has turned the frames since the table of the world was made.
     overlap.turn(frames);
     let table = plates.table();
     let input = ContactInput {

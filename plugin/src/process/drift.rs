@@ -65,9 +65,11 @@ pub fn rotate_frame(frame: &mut Frame, plates: &PlateTable, dt: f64) {
     let Some(plate) = plates.get(frame.plate) else {
         return;
     };
+    // A frame at rest keeps its bits: projections copy crust where they see them.
     if plate.motion.speed == 0.0 {
         return;
     }
+    // The unit length is restored in every step, or rounding would add up over thousands.
     let turn = rotation(plate.motion.axis, plate.motion.speed * dt);
     frame.rotation = (turn * frame.rotation).normalize();
 }

@@ -11,6 +11,7 @@ use crate::params::TectonicParams;
 
 /// Share of its elevation that land loses in one step.
 pub fn wear(params: &TectonicParams) -> f32 {
+    // However long the step, land loses no more than its elevation.
     (params.erosion / params.summit_elevation * params.time_step).min(1.0) as f32
 }
 

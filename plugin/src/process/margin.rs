@@ -2,7 +2,7 @@
 //! sediment accretion; the paper names passive margins as missing, §7.5).
 //!
 //! ```text
-//! z' = min(z + eps_t dt, max over neighbours j of z_j - s |p - p_j|)      where that is higher than z
+//! z' = min(z + eps_t dt, max over neighbours j of z_j - s |p - p_j|)    where that exceeds z
 //! ```
 //!
 //! s is the slope that falls from the sea to the abyss within the margin's width. Subsidence works
@@ -47,28 +47,37 @@ pub fn margin(
         return;
     };
     let view = planet.view();
+    // A stage that holds runs this system in each of its time slices; the crust is filled in the
+    // last.
     let due = !cursor.is_held() && clock.step.is_multiple_of(STEPS_BETWEEN_FILLINGS);
     if view.params.processes.sediment && due && view.params.margin_width > 0.0 {
         fill(view.mesh, &mut crust, view.params, view.radius);
     }
 }
 
-/// Fills what lies below the slope of its neighbours, as much as [`STEPS_BETWEEN_FILLINGS`] steps allow.
+/// Fills what lies below the slope of its neighbours, as much as [`STEPS_BETWEEN_FILLINGS`] steps
+/// allow.
 fn fill(mesh: &SphereMesh, crust: &mut Crust, params: &TectonicParams, radius: f64) {
     let slope = -params.abyss_elevation / params.margin_width;
+    // Neighbours are taken to be a spacing apart.
     let drop = (slope * mesh.spacing() * radius) as f32;
     let most = (params.sediment * params.time_step * STEPS_BETWEEN_FILLINGS as f64) as f32;
-    let raised = |i: usize| {
-        let z = crust.elevation[i];
-        let target = highest_neighbour(mesh, crust, i) - drop;
-        (!crust.is_continental(i) && z < target).then(|| (i, z + (target - z).min(most)))
-    };
+    let raised = |i: usize| Some((i, raised(mesh, crust, i, drop, most)?));
+    // All rises are found before one is written: the order of samples decides nothing.
     let filled = parallel::map_chunks(crust.len(), |range| {
         range.filter_map(raised).collect::<Vec<_>>()
     });
     for (i, z) in filled.into_iter().flatten() {
         crust.elevation[i] = z;
     }
+}
+
+/// Elevation in km of sample `i` once sediment has raised it up to `drop` km below its highest
+/// neighbour, by at most `most` km; `None` for continents, and where it lies as high already.
+fn raised(mesh: &SphereMesh, crust: &Crust, i: usize, drop: f32, most: f32) -> Option<f32> {
+    let z = crust.elevation[i];
+    let target = highest_neighbour(mesh, crust, i) - drop;
+    (!crust.is_continental(i) && z < target).then(|| z + (target - z).min(most))
 }
 
 /// Elevation in km of the highest neighbour on the same frame, at most sea level: sediment lies

@@ -60,6 +60,7 @@ pub fn saturating_rise(z: f32, dz: f32, ceiling: f32) -> f32 {
     } else if room <= 0.0 {
         z
     } else {
+        // Half the harmonic mean of both: less than either.
         z + dz * room / (dz + room)
     }
 }

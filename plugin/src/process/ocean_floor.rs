@@ -13,7 +13,9 @@ use crate::params::{OceanFloor, TectonicParams};
 #[derive(Clone, Copy, Debug)]
 pub struct Subsidence {
     form: OceanFloor,
+    /// Whether floor sinks.
     subside: bool,
+    /// Whether sediment fills.
     fill: bool,
     /// Share of the height above balance that is lost in a step.
     sinking: f32,
@@ -21,7 +23,9 @@ pub struct Subsidence {
     sediment: f32,
     /// Dampening in a step at elevation 0, in km.
     damping: f32,
+    /// z_t in km.
     trench: f32,
+    /// z_a in km.
     abyss: f32,
 }
 
@@ -65,6 +69,7 @@ impl Subsidence {
                 } else {
                     z
                 };
+                // Sediment fills trenches up to the abyss, and no higher.
                 let deep = self.fill && sunk < self.abyss;
                 if deep {
                     (sunk + self.sediment).min(self.abyss)

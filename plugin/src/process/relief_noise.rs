@@ -30,11 +30,12 @@ pub struct ReliefNoise {
 }
 
 impl ReliefNoise {
-    /// Evaluates the patterns, unless they are there already. Ends early where it should `stop`;
-    /// called again it goes on. Returns whether they are complete.
+    /// Evaluates the patterns, unless they are there already. Returns early, with false, where
+    /// `stop` says so; the next call goes on. True when they are complete.
     pub fn prepare(&mut self, planet: &PlanetView, stop: impl Fn() -> bool) -> bool {
         let mesh = planet.mesh;
         let wavelength = planet.params.noise_wavelength;
+        // Patterns of another wavelength or of a larger mesh are of no use.
         if self.wavelength != wavelength || self.patterns[0].len() > mesh.len() {
             *self = Self {
                 wavelength,
@@ -75,6 +76,7 @@ pub(super) fn weights(params: &TectonicParams, time: f64) -> [f32; 2] {
     if !params.processes.noise {
         return [0.0; 2];
     }
+    // Both weights sum to 0 over a period.
     let (s, c) = sin_cos(2.0 * PI * time / NOISE_PERIOD);
     let amplitude = params.noise_amplitude * params.time_step;
     [(amplitude * c) as f32, (amplitude * s) as f32]

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! L_k is the length of front that q_k stands for, so that the pull does not depend on the
-//! resolution. The speed stays. Young fragments of a rift are left alone for [`GRACE_PERIOD`] My: pulled
-//! together, they would close the rift.
+//! resolution. The speed stays. Young fragments of a rift are left alone for [`GRACE_PERIOD`] My:
+//! pulled together, they would close the rift.
 //!
 //! Reads: contacts. Writes: motions.
 
@@ -78,6 +78,7 @@ fn sinking_fronts(
     let mut fronts: BTreeMap<PlateId, Vec<DVec3>> = BTreeMap::new();
     for (&i, contact) in rim.samples.iter().zip(&contacts.0) {
         if contact.is_over_sinking_floor() {
+            // In the order of the rim, in which they are summed, too.
             let frame = &frames[usize::from(crust.frame[i as usize])];
             let place = frame.to_world(mesh.point(i));
             fronts.entry(contact.other).or_default().push(place);
@@ -90,6 +91,7 @@ fn sinking_fronts(
 pub fn pulled(axis: DVec3, centroid: DVec3, front: &[DVec3], length: f64, rate: f64) -> DVec3 {
     let pull: DVec3 = front
         .iter()
+        // A front under the centroid, or opposite to it, pulls in no direction.
         .filter_map(|q| centroid.cross(*q).try_normalize())
         .sum();
     (axis + pull * (rate * length))
@@ -117,13 +119,15 @@ mod tests {
         assert!((axis.length() - 1.0).abs() < 1e-12);
     }
 
+    /// A front of `n` points along a meridian.
+    fn line(n: i32) -> Vec<DVec3> {
+        (0..n)
+            .map(|k| direction(-20.0 + 40.0 * (f64::from(k) + 0.5) / f64::from(n), 50.0))
+            .collect()
+    }
+
     #[test]
     fn the_pull_does_not_depend_on_the_resolution() {
-        let line = |n: i32| -> Vec<_> {
-            (0..n)
-                .map(|k| direction(-20.0 + 40.0 * (f64::from(k) + 0.5) / f64::from(n), 50.0))
-                .collect()
-        };
         let coarse = pulled(DVec3::Y, DVec3::X, &line(40), 1.0 / 40.0, 0.1);
         let fine = pulled(DVec3::Y, DVec3::X, &line(400), 1.0 / 400.0, 0.1);
         assert!((coarse - fine).length() < 1e-4);

@@ -8,9 +8,9 @@
 //! by beta (s_i - s_j): here it has the opposite sign, which is the same axis, and fades with the
 //! distance from the front as the uplift does. Orogeny becomes Andean where continental crust rises
 //! faster than `orogeny_rate`, unless a collision folded it in the last [`HIMALAYAN_MEMORY`] My.
-//! Thickness follows by isostasy; on continents it is booked as subduction uplift. *Several fronts*:
-//! only the nearest lifts a sample. *Forced subduction*: where the crust going under is continental,
-//! h is large and so is the uplift.
+//! Thickness follows by isostasy; on continents it is booked as subduction uplift. *Several
+//! fronts*: only the nearest lifts a sample. *Forced subduction*: where the crust going under is
+//! continental, h is large and so is the uplift.
 //!
 //! Reads: contacts, distances to fronts. Writes: elevation, thickness, fold, orogeny type and age,
 //! ledger.
@@ -26,10 +26,11 @@ use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 use rayon::prelude::*;
 
-/// For so long a collision's belt stays Himalayan above a subduction zone, in My.
+/// Age in My up to which the belt of a collision stays Himalayan above a subduction zone.
 pub const HIMALAYAN_MEMORY: f32 = 60.0;
 
-/// Fronts reach no farther than so many radians, whatever the planet's size.
+/// Greatest distance in radians over which a front lifts: on small planets `uplift_end` would go
+/// all round.
 const FARTHEST_REACH: f64 = 2.0;
 
 /// Adds [`subduction`] to the step.
@@ -59,6 +60,7 @@ pub fn subduction(
     let (planet, rim, contacts) = input;
     let view = planet.view();
     if !view.params.processes.subduction {
+        // While it is off the front moves on unseen.
         field.stale = true;
         return;
     }
@@ -70,6 +72,7 @@ pub fn subduction(
         reach: (view.params.uplift_end() / view.radius).min(FARTHEST_REACH),
     };
     if !field.refresh(&front, || cursor.out_of_time()) {
+        // Nothing is written yet: the next time slice begins with the same crust.
         cursor.hold();
         return;
     }
@@ -87,35 +90,65 @@ fn rise(
 ) -> f64 {
     let law = Uplift::new(planet.params, planet.radius);
     let fast = FastUplift::new(&law);
-    let pushes: Vec<Option<Push>> = contacts.0.iter().map(|at| law.push(at)).collect();
+    let pushes = FrontPushes {
+        field,
+        rim,
+        pushes: contacts.0.iter().map(|at| law.push(at)).collect(),
+    };
     let n = crust.len();
     let volumes: Vec<f64> = crust
         .chunks_mut(0..n)
         .into_par_iter()
-        .map(|mut chunk| {
-            let mut volume = 0.0;
-            for k in 0..chunk.elevation.len() {
-                let i = chunk.start + k;
-                let Some((source, distance)) = field.nearest(i as u32) else {
-                    continue;
-                };
-                // A sample stays on the front for a while after it overrode.
-                let Some(Some(push)) = pushes.get(rim.index[source as usize] as usize) else {
-                    continue;
-                };
-                let n = planet.mesh.points()[i].as_vec3();
-                let (rate, drag) = fast.at(push, n, distance);
-                let thicker = lift(&mut chunk, k, rate, &fast);
-                if chunk.kind[k] == CrustKind::Continental {
-                    volume += f64::from(thicker) * planet.mesh.areas()[i];
-                    note_orogeny(&mut chunk, k, rate, &fast);
-                }
-                chunk.fold[k] = turned(chunk.fold[k], drag, n);
-            }
-            volume
-        })
+        .map(|mut chunk| rise_chunk(planet, &mut chunk, &pushes, &fast))
         .collect();
+    // Chunk by chunk, in their order: the same bits on any number of threads.
     volumes.into_iter().sum::<f64>() * planet.radius * planet.radius
+}
+
+/// The pushes of all contacts, found by the samples that they lift.
+struct FrontPushes<'a> {
+    field: &'a FrontField,
+    rim: &'a Rim,
+    /// By position on the rim; `None` for a contact that does not override.
+    pushes: Vec<Option<Push>>,
+}
+
+impl FrontPushes<'_> {
+    /// The push of the front nearest to sample `i`, and its distance in radians.
+    #[inline]
+    fn on(&self, i: usize) -> Option<(&Push, f32)> {
+        let (source, distance) = self.field.nearest(i as u32)?;
+        // A sample stays on the front for a while after it overrode: it pushes no more.
+        let place = self.rim.index[source as usize] as usize;
+        Some((self.pushes.get(place)?.as_ref()?, distance))
+    }
+}
+
+/// Raises the samples of a chunk. Returns the volume that its continents gained, in km times
+/// steradians.
+fn rise_chunk(
+    planet: &PlanetView,
+    chunk: &mut CrustChunk,
+    pushes: &FrontPushes,
+    law: &FastUplift,
+) -> f64 {
+    let mut volume = 0.0;
+    for k in 0..chunk.elevation.len() {
+        let i = chunk.start + k;
+        let Some((push, distance)) = pushes.on(i) else {
+            continue;
+        };
+        let n = planet.mesh.points()[i].as_vec3();
+        let (rate, drag) = law.at(push, n, distance);
+        let thicker = lift(chunk, k, rate, law);
+        // Ocean floor that rises is booked when it becomes land.
+        if chunk.kind[k] == CrustKind::Continental {
+            volume += f64::from(thicker) * planet.mesh.areas()[i];
+            note_orogeny(chunk, k, rate, law);
+        }
+        chunk.fold[k] = turned(chunk.fold[k], drag, n);
+    }
+    volume
 }
 
 /// Raises the chunk's sample `k` at `rate` km/My for one step. Returns by how many km its crust
@@ -127,6 +160,7 @@ fn lift(chunk: &mut CrustChunk, k: usize, rate: f32, law: &FastUplift) -> f32 {
     let thicker = before + law.isostasy.thickening(z, raised - z);
     chunk.elevation[k] = raised;
     chunk.thickness[k] = thicker;
+    // The difference of what is stored, its rounding included: the ledger must agree with it.
     thicker - before
 }
 

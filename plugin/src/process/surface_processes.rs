@@ -68,7 +68,9 @@ struct Changes {
     arc_area: f64,
     /// Its volume; all volumes are in km times steradians.
     arc_volume: f64,
+    /// Volume that eroded, negative.
     erosion: f64,
+    /// Volume that the noise added or took.
     noise: f64,
 }
 
@@ -95,6 +97,7 @@ impl Changes {
 
 /// Everything that a sweep needs to know, for one time.
 struct SurfaceLaw {
+    /// Time step in My.
     dt: f32,
     /// Share of its elevation that land loses; `None` where nothing erodes.
     wear: Option<f32>,
@@ -121,8 +124,8 @@ impl SurfaceLaw {
         }
     }
 
-    /// Moves the elevation `z` and thickness `e` in km of continental crust on by one step. `wave`
-    /// is what the noise raises.
+    /// Moves the elevation `z` and thickness `e` in km of continental crust on by one step. The
+    /// noise raises it by `wave` km; `area` is in steradians.
     #[inline]
     fn continent(&self, z: &mut f32, e: &mut f32, wave: f32, area: f64, changes: &mut Changes) {
         let before = *e;
@@ -136,6 +139,7 @@ impl SurfaceLaw {
         }
         changes.noise += f64::from(after_noise - before) * area;
         changes.erosion += f64::from(*e - after_noise) * area;
+        // Noise and erosion took the thickness along; floating moves the elevation alone.
         *z += (self.isostasy.elevation(*e) - *z) * self.adjustment;
         *z = z.min(self.ceiling);
     }
@@ -170,6 +174,7 @@ fn sweep_chunk(
     let samples = chunk.start..chunk.start + chunk.kind.len();
     let areas = &mesh.areas()[samples.clone()];
     let silent = law.noise == [0.0; 2];
+    // Switched off, the patterns were not prepared, or are of another wavelength.
     let patterns = noise.patterns(samples).filter(|_| !silent);
     for (k, &area) in areas.iter().enumerate() {
         chunk.orogeny_age[k] += law.dt;
@@ -178,13 +183,18 @@ fn sweep_chunk(
             let (z, e) = (&mut chunk.elevation[k], &mut chunk.thickness[k]);
             law.continent(z, e, wave, area, &mut changes);
         } else if law.ocean_floor(&mut chunk, k) {
-            chunk.kind[k] = CrustKind::Continental;
-            chunk.orogeny[k] = Orogeny::Andean;
-            chunk.orogeny_age[k] = 0.0;
+            become_land(&mut chunk, k);
             changes.arcs.push((chunk.start + k) as u32);
             changes.arc_area += area;
             changes.arc_volume += f64::from(chunk.thickness[k]) * area;
         }
     }
     changes
+}
+
+/// Makes the chunk's sample `k` the land of a young arc.
+fn become_land(chunk: &mut CrustChunk, k: usize) {
+    chunk.kind[k] = CrustKind::Continental;
+    chunk.orogeny[k] = Orogeny::Andean;
+    chunk.orogeny_age[k] = 0.0;
 }

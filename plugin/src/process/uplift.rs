@@ -34,6 +34,7 @@ impl<'a> Uplift<'a> {
         if d < peak {
             smoothstep(d / peak)
         } else {
+            // At least a kilometre: an end at the peak must not divide by 0.
             smoothstep((end - d) / (end - peak).max(1.0))
         }
     }
@@ -94,6 +95,7 @@ struct Linear {
 impl Linear {
     fn new(weight: f64, slope: f64) -> Self {
         Self {
+            // 1 + w (x - 1), with the slope times x for its x.
             offset: (1.0 - weight) as f32,
             slope: (weight * slope) as f32,
         }
@@ -129,6 +131,7 @@ pub(super) struct FastUplift {
     pub dt: f32,
     /// Elevation in km that summits approach.
     pub ceiling: f32,
+    /// How thick crust must be to float as high as it rises.
     pub isostasy: Isostasy,
 }
 
@@ -139,6 +142,7 @@ impl FastUplift {
             radius: law.radius as f32,
             peak: p.uplift_peak as f32,
             end: p.uplift_end() as f32,
+            // A peak at the front itself, or an end at the peak, must not divide by 0.
             rising: (1.0 / p.uplift_peak.max(1e-3)) as f32,
             falling: (1.0 / (p.uplift_end() - p.uplift_peak).max(1.0)) as f32,
             distance: Linear::new(p.weight_distance, 1.0),
@@ -162,6 +166,7 @@ impl FastUplift {
             (self.end - d) * self.falling
         };
         let x = x.clamp(0.0, 1.0);
+        // x runs from 0 to 1 at the peak and back: one smoothstep serves both pieces of f.
         let profile = x * x * (3.0 - 2.0 * x);
         let velocity = push.spin.cross(n);
         let near = self.distance.at(profile);

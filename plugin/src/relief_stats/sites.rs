@@ -71,8 +71,8 @@ impl ReliefClass {
         }
     }
 
-    /// Does crust of this elevation in km, orogeny, and age of the orogeny in My belong to the
-    /// class?
+    /// Whether crust of this elevation in km, orogeny, and age of the orogeny in My belongs to the
+    /// class.
     pub fn holds(self, elevation: f32, orogeny: Orogeny, age: f32) -> bool {
         let is_young = age < YOUNG_MY && elevation > YOUNG_BELT_KM;
         match self {

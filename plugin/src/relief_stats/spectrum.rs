@@ -34,11 +34,7 @@ pub(super) fn spectral_exponent(tile: &HeightGrid) -> Option<f64> {
         highest_wave(size[1], tile.height),
     ];
     // Rows first, then columns: a transform of two dimensions.
-    let plane = Plane::fitted(tile);
-    let rows: Vec<Vec<Complex>> = (0..tile.height)
-        .into_par_iter()
-        .map(|y| row_transform(tile, y, &plane, waves[0]))
-        .collect();
+    let rows = row_transforms(tile, waves[0]);
     let mut spectrum = RadialSpectrum::default();
     let roots = RootsOfUnity::new(tile.height);
     for kx in 0..=waves[0] {
@@ -58,6 +54,15 @@ pub(super) fn spectral_exponent(tile: &HeightGrid) -> Option<f64> {
 
 /// Real and imaginary part.
 type Complex = [f64; 2];
+
+/// The transforms of all rows up to the wave number `highest`.
+fn row_transforms(tile: &HeightGrid, highest: usize) -> Vec<Vec<Complex>> {
+    let plane = Plane::fitted(tile);
+    (0..tile.height)
+        .into_par_iter()
+        .map(|y| row_transform(tile, y, &plane, highest))
+        .collect()
+}
 
 /// The highest wave number of interest that a side has and its pixels resolve.
 fn highest_wave(side_m: f64, pixels: usize) -> usize {

@@ -37,6 +37,15 @@ fn sine_of_sum((sin_a, cos_a): (f64, f64), (sin_b, cos_b): (f64, f64)) -> (f64, 
     (sin_a * cos_b + cos_a * sin_b, cos_a * cos_b - sin_a * sin_b)
 }
 
+/// The sum of all waves, from the sines and cosines of their angles in both axes.
+fn sum_of_waves(column: &[(f64, f64)], row: &[(f64, f64)], waves: &[Wave]) -> f32 {
+    let parts = column.iter().zip(row).zip(waves);
+    let sum: f64 = parts
+        .map(|((&x, &y), wave)| wave.amplitude * sine_of_sum(x, y).0)
+        .sum();
+    sum as f32
+}
+
 /// A surface of many random waves whose power falls as k^-β.
 fn fractal(beta: f64, pixel_m: [f64; 2], seed: u64) -> HeightGrid {
     let (width, height) = (500, 400);
@@ -54,12 +63,10 @@ fn fractal(beta: f64, pixel_m: [f64; 2], seed: u64) -> HeightGrid {
         let shifted: Vec<(f64, f64)> = row
             .map(|(angle, wave)| sine_of_sum(angle, wave.phase))
             .collect();
-        values.extend(columns.iter().map(|column| {
-            let parts = column.iter().zip(&shifted).zip(&waves);
-            parts
-                .map(|((&x, &y), wave)| wave.amplitude * sine_of_sum(x, y).0)
-                .sum::<f64>() as f32
-        }));
+        let heights = columns
+            .iter()
+            .map(|column| sum_of_waves(column, &shifted, &waves));
+        values.extend(heights);
     }
     HeightGrid {
         width,

@@ -1,8 +1,8 @@
-//! Is there a GPU to draw with?
+//! Whether there is a GPU to draw with.
 //!
-//! Bevy's renderer panics where it finds none. A program that wants to say so calmly asks here
-//! first, and hands what it gets to [`RenderPlugin`](bevy::render::RenderPlugin), so nothing is
-//! opened twice.
+//! Bevy's renderer panics where it finds none. A program that would rather tell its user asks
+//! here first, and hands what it gets to [`RenderPlugin`](bevy::render::RenderPlugin), so nothing
+//! is opened twice.
 
 use bevy::render::renderer::initialize_renderer;
 use bevy::render::settings::{RenderCreation, WgpuSettings};

@@ -29,8 +29,9 @@
 //! - Builds run on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), one at a time per
 //!   planet; a build that is out of date when it is ready is shown and the next one begun. The main
 //!   thread only hands over the surface and takes finished buffers.
-//! - The globe hides the lattice: relief is drawn a little smoothed, coasts ragged below the spacing
-//!   of samples. Numbers are never read from the globe; ask [`Surface`](crate::crust::Surface).
+//! - The globe hides the lattice: relief is drawn a little smoothed, coasts ragged below the
+//!   spacing of samples. Numbers are never read from the globe; ask
+//!   [`Surface`](crate::crust::Surface).
 //! - The light is the globe's own ([`Globe::sun`]); lights of the scene do not touch it.
 //! - Meshes, materials and children go when the planet is despawned or its [`Globe`] is removed.
 

@@ -122,32 +122,34 @@ pub(super) fn spawn_parts(
         let samples = assets.buffers.add(samples);
         let uniforms = GlobeUniforms::new(globe, planet.radius, lattice.spacing());
         let materials = GlobeMaterials::new(uniforms, &samples, &mut assets);
-        let patches = spawn_patches(
-            &mut commands,
-            entity,
-            patches,
-            &materials,
-            &mut assets.meshes,
-        );
-        let lines = (
-            part("lines", entity),
-            MeshMaterial3d(materials.lines.clone()),
-        );
-        let air = (
-            part("air", entity),
-            Mesh3d(shell.0.clone()),
-            MeshMaterial3d(materials.air.clone()),
-        );
+        let meshes = &mut assets.meshes;
+        let patches = spawn_patches(&mut commands, entity, patches, &materials, meshes);
         let parts = GlobeParts {
             patches,
-            lines: commands.spawn(lines).id(),
-            air: commands.spawn(air).id(),
+            lines: spawn_lines(&mut commands, entity, &materials),
+            air: spawn_air(&mut commands, entity, &materials, &shell),
             edges: None,
             materials,
             samples,
         };
         commands.entity(entity).try_insert(parts);
     }
+}
+
+fn spawn_lines(commands: &mut Commands, planet: Entity, materials: &GlobeMaterials) -> Entity {
+    let material = MeshMaterial3d(materials.lines.clone());
+    commands.spawn((part("lines", planet), material)).id()
+}
+
+fn spawn_air(
+    commands: &mut Commands,
+    planet: Entity,
+    materials: &GlobeMaterials,
+    shell: &AirShell,
+) -> Entity {
+    let mesh = Mesh3d(shell.0.clone());
+    let material = MeshMaterial3d(materials.air.clone());
+    commands.spawn((part("air", planet), mesh, material)).id()
 }
 
 fn spawn_patches(

@@ -213,6 +213,7 @@ fn run_box(mesh: &SphereMesh, radii: &[f32], run: &[[u32; 3]]) -> RunBox {
 /// Distance at which the ray enters the sphere of this radius about the origin; 0 from inside.
 fn entry(origin: DVec3, direction: DVec3, radius: f64) -> Option<f64> {
     let along = -origin.dot(direction);
+    // The point of the line that is nearest to the centre; both crossings lie `half` from it.
     let nearest = (origin + along * direction).length_squared();
     let half = (radius * radius - nearest).max(0.0).sqrt();
     (nearest <= radius * radius && along + half >= 0.0).then(|| (along - half).max(0.0))

@@ -88,7 +88,8 @@ fn one_side(
             sum += raw[j as usize];
             count += 1.0;
         }
-        // Own side: half smoothed, which hides the lattice and keeps the relief. Other side: continued.
+        // Own side: half smoothed, which hides the lattice and keeps the relief. Other side:
+        // continued.
         match (inside(i), count > 0.0) {
             (true, true) => 0.5 * (raw[i as usize] + sum / count),
             (true, false) => raw[i as usize],

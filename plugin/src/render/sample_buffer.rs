@@ -91,17 +91,21 @@ mod tests {
         }
     }
 
+    /// A surface of `n` samples 4 km below the sea.
+    fn deep_sea(n: usize) -> Surface {
+        let mut crust = Crust::ocean(n, &TectonicParams::default());
+        crust.elevation.fill(-4.0);
+        Surface {
+            crust,
+            trench: vec![0.0; n],
+            ..Default::default()
+        }
+    }
+
     #[test]
     fn samples_take_sixteen_bytes_in_order() {
         let mesh = SphereMesh::fibonacci(2000).unwrap();
-        let mut crust = Crust::ocean(mesh.len(), &TectonicParams::default());
-        crust.elevation.fill(-4.0);
-        let surface = Surface {
-            crust,
-            trench: vec![0.0; mesh.len()],
-            ..Default::default()
-        };
-        let relief = DrawnRelief::new(&mesh, &surface, true);
+        let relief = DrawnRelief::new(&mesh, &deep_sea(mesh.len()), true);
         let colors: Vec<_> = (0..100).map(|i| [i, 2, 3, 255]).collect();
         let bytes = pack(&mesh, &relief, &colors, |i| i == 7);
         assert_eq!(bytes.len(), mesh.len() * STRIDE);

@@ -25,11 +25,13 @@ pub(super) fn sample_frame(
     let nearest = hit.sample as usize;
     let wanted = kind.unwrap_or(crust.kind[nearest]);
     if frame.is_at_rest() && wanted == crust.kind[nearest] && mesh.points()[nearest] == hit.local {
+        // On the sample itself there is nothing to blend, and a copy keeps its bits.
         let share = f32::from(u8::from(crust.is_continental(nearest)));
         return (crust.row(nearest), share);
     }
     let at = mesh.locate_from(hit.local, hit.sample);
     let share = continental_share(crust, &at, hit.frame);
+    // At the rim of a frame the triangle may have no corner of that kind.
     let row = blend(crust, &at, hit.frame, wanted).unwrap_or_else(|| crust.row(nearest));
     (to_world(row, frame.rotation), share as f32)
 }
@@ -46,7 +48,7 @@ fn continental_share(crust: &Crust, at: &Location, frame: FrameId) -> f64 {
     if sum > 0.0 { weight[1] / sum } else { 0.0 }
 }
 
-/// BlendSums over the corners of a triangle, each times its weight.
+/// Sums over the corners of a triangle, each times its weight.
 #[derive(Default)]
 struct BlendSums {
     weight: f64,
@@ -105,7 +107,9 @@ fn blend(crust: &Crust, at: &Location, frame: FrameId, kind: CrustKind) -> Optio
         ocean_age: sums.mean(sums.ocean_age),
         ridge: sums.ridge.normalize_or_zero().as_vec3(),
         orogeny_age: sums.mean(sums.orogeny_age),
+        // Where no corner is of that kind the means are 0 / 0, and the whole row is dropped here.
         orogeny: crust.orogeny[nearest?],
+        // A mean, not a direction: the length says how strongly crust is folded.
         fold: (sums.fold / sums.weight).as_vec3(),
     })
 }

@@ -21,7 +21,7 @@ use crate::sphere::SphereMesh;
 use crate::view::PlanetView;
 use rayon::prelude::*;
 
-/// Samples of the coast with a smaller share of corners of the other kind never change.
+/// Share of corners of the other kind, by weight, up to which a sample of the coast never changes.
 const LEAST_SHARE: f32 = 0.02;
 
 /// Books what was buried and brings the projected crust to the area and the volume that the ledger
@@ -41,6 +41,8 @@ pub(super) fn conserve(
     ledger.book(Cause::Stacking, -stacked * square, 0.0);
     ledger.book(Cause::ForcedSubduction, -forced * square, 0.0);
     ledger.book(Cause::Rifting, stretched * square, 0.0);
+    // Coasts first: what is buried thickens whatever is continental then. Scaling comes last and
+    // makes up for the rounding of all.
     let target = before.area + (stretched - stacked - forced) * square + ledger.carried_area;
     change_coast(input, surface, notes, target / square);
     let shed = stack(planet.params, &mut surface.crust, mesh, notes) * square;
@@ -55,6 +57,7 @@ pub(super) fn conserve(
 /// sample counts once for every layer below it.
 fn buried_area(mesh: &SphereMesh, notes: &ProjectNotes) -> [f64; 2] {
     let mut area = [0.0; 2];
+    // Found by many threads, but summed in order: the same bits on any number of them.
     for i in samples_where(notes.layers.len(), |i| notes.layers[i] != [0; 2]) {
         for (area, &layers) in area.iter_mut().zip(&notes.layers[i]) {
             *area += f64::from(layers) * mesh.areas()[i];
@@ -66,6 +69,7 @@ fn buried_area(mesh: &SphereMesh, notes: &ProjectNotes) -> [f64; 2] {
 /// Steradians of cracks that continental crust fills.
 fn stretched_area(mesh: &SphereMesh, surface: &Surface, notes: &ProjectNotes) -> f64 {
     samples_where(surface.len(), |i| {
+        // A negative weight: no frame covered the sample.
         notes.weight[i] < 0.0 && surface.crust.is_continental(i)
     })
     .into_iter()
@@ -113,6 +117,7 @@ fn ranked_coast(surface: &Surface, notes: &ProjectNotes, to: CrustKind) -> Vec<u
         notes.weight[i] >= 0.0 && share(i) > LEAST_SHARE && surface.crust.kind[i] != to
     });
     let mut ranked: Vec<(f32, u32)> = coast.into_iter().map(|i| (-share(i), i as u32)).collect();
+    // The largest share first; of equals the lower number, or the sort would be free to choose.
     ranked.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     ranked.into_iter().map(|(_, i)| i).collect()
 }
@@ -157,6 +162,7 @@ fn stack(
     let above = samples_where(crust.len(), |i| {
         notes.below[i] > 0.0 && crust.is_continental(i)
     });
+    // Where the coast has moved off, what is buried thickens nothing; the scaling spreads it.
     for i in above {
         crust.thickness[i] += notes.below[i];
         if crust.thickness[i] > thickest {

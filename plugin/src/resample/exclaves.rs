@@ -37,6 +37,7 @@ fn main_neighbour(
     piece: &[u32],
 ) -> Option<(PlateId, FrameId)> {
     let own = surface.plate[piece[0] as usize];
+    // Every edge across the border counts once: their number stands for its length.
     let mut border: Vec<(PlateId, FrameId, usize)> = Vec::new();
     for &j in piece.iter().flat_map(|&i| mesh.ring(i)) {
         let (plate, frame) = (surface.plate[j as usize], surface.crust.frame[j as usize]);

@@ -113,6 +113,7 @@ fn find_rims(
     for &i in gaps {
         of_piece[pieces.of[i as usize] as usize].push(i);
     }
+    // So that no thread waits for a large one at last.
     of_piece.sort_by_key(|gap| core::cmp::Reverse(gap.len()));
     of_piece.par_iter().with_max_len(1).for_each(|gap| {
         let piece = pieces.of[gap[0] as usize];
@@ -182,6 +183,7 @@ fn fill(input: &GapInput, surface: &Surface, rims: &GapRims, i: u32) -> Option<(
         near: rims.first.source(i),
         far: rims.second.source(i),
     };
+    // Beyond the reach of the search: it keeps the crust that the projection left there.
     if between.near == UNREACHED {
         return None;
     }
@@ -209,10 +211,12 @@ fn fill(input: &GapInput, surface: &Surface, rims: &GapRims, i: u32) -> Option<(
 /// Crust of a gap that is not opening.
 fn closing_row(input: &GapInput, surface: &Surface, between: &Between) -> CrustRow {
     let own = surface.crust.row(between.near as usize);
+    // A hole within one plate, or the nearer rim is ocean floor: that goes on.
     if between.far == UNREACHED || own.kind == CrustKind::Oceanic {
         return own;
     }
     let across = surface.crust.row(between.far as usize);
+    // Ocean floor from the other side, but on the own plate: continents do not grow into gaps.
     if across.kind == CrustKind::Oceanic {
         return CrustRow {
             frame: own.frame,

@@ -6,7 +6,7 @@
 use super::blend::sample_frame;
 use super::input::ProjectInput;
 use crate::crust::surface::Cover;
-use crate::crust::{Crust, CrustRow, Frame, Surface};
+use crate::crust::{Crust, CrustChunk, CrustRow, Frame, Surface};
 use crate::ids::PlateId;
 use crate::parallel::CHUNK;
 use crate::params::TectonicParams;
@@ -78,21 +78,46 @@ pub(super) fn project_chunks(
     );
     (of_surface.into_par_iter(), of_notes.into_par_iter())
         .into_par_iter()
-        .for_each(
-            |((mut crust, plate, cover, trench), (weight, below, layers))| {
-                for k in 0..plate.len() {
-                    let found = project_sample(input, at_rest, crust.start + k);
-                    crust.set_row(k, &found.row);
-                    plate[k] = found.plate;
-                    cover[k] = found.cover;
-                    trench[k] = 0.0;
-                    weight[k] = found.weight;
-                    below[k] = found.below;
-                    layers[k] = found.layers;
-                }
-            },
-        );
+        .for_each(|((crust, plate, cover, trench), (weight, below, layers))| {
+            let mut chunk = ProjectedChunk {
+                crust,
+                plate,
+                cover,
+                trench,
+                weight,
+                below,
+                layers,
+            };
+            chunk.project(input, at_rest);
+        });
     end
+}
+
+/// The columns of a projection over one chunk of samples.
+struct ProjectedChunk<'a> {
+    crust: CrustChunk<'a>,
+    plate: &'a mut [PlateId],
+    cover: &'a mut [Cover],
+    trench: &'a mut [f32],
+    weight: &'a mut [f32],
+    below: &'a mut [f32],
+    layers: &'a mut [[u8; 2]],
+}
+
+impl ProjectedChunk<'_> {
+    fn project(&mut self, input: &ProjectInput, at_rest: bool) {
+        for k in 0..self.plate.len() {
+            let found = project_sample(input, at_rest, self.crust.start + k);
+            self.crust.set_row(k, &found.row);
+            self.plate[k] = found.plate;
+            self.cover[k] = found.cover;
+            // Trenches are bent anew once the projection is complete.
+            self.trench[k] = 0.0;
+            self.weight[k] = found.weight;
+            self.below[k] = found.below;
+            self.layers[k] = found.layers;
+        }
+    }
 }
 
 fn project_sample(input: &ProjectInput, at_rest: bool, i: usize) -> ProjectedSample {

@@ -43,6 +43,17 @@ pub(super) enum Opening {
     Past,
 }
 
+impl Opening {
+    /// Speed in km/My at which the gap opens in the direction `across`.
+    fn rate(self, input: &GapInput, surface: &Surface, between: &Between, across: DVec3) -> f64 {
+        match self {
+            // The reference rate is that of one flank.
+            Self::Past => 2.0 * REFERENCE_RATE,
+            Self::Measured => parting_rate(input, surface, between, across),
+        }
+    }
+}
+
 /// New ocean crust between two rims; `None` where the plates do not part, or where both rims lie in
 /// one direction.
 pub(super) fn ridge_row(
@@ -55,19 +66,11 @@ pub(super) fn ridge_row(
     let p = mesh.point(between.sample);
     let across = mesh.point(between.far) - mesh.point(between.near);
     let across = (across - p * across.dot(p)).try_normalize()?;
-    let rate = match opening {
-        Opening::Past => 2.0 * REFERENCE_RATE,
-        Opening::Measured => parting_rate(input, surface, between, across),
-    };
+    let rate = opening.rate(input, surface, between, across);
     if rate <= 0.0 {
         return None;
     }
-    let distance = |rim: u32| angle_of_chord(p.distance(mesh.point(rim))) * input.planet.radius;
-    let floor = NewFloor {
-        to_near: distance(between.near),
-        to_far: distance(between.far),
-        rate,
-    };
+    let floor = NewFloor::between(input, between, rate);
     let elevation = |rim: u32| f64::from(surface.crust.elevation[rim as usize]);
     let (near, far) = (elevation(between.near), elevation(between.far));
     Some(CrustRow {
@@ -91,11 +94,24 @@ struct NewFloor {
 }
 
 impl NewFloor {
+    /// The place of a sample between two rims that part at `rate` km/My.
+    fn between(input: &GapInput, between: &Between, rate: f64) -> Self {
+        let mesh = input.planet.mesh;
+        let p = mesh.point(between.sample);
+        let distance = |rim: u32| angle_of_chord(p.distance(mesh.point(rim))) * input.planet.radius;
+        Self {
+            to_near: distance(between.near),
+            to_far: distance(between.far),
+            rate,
+        }
+    }
+
     /// Half of the way from rim to rim in km.
     fn half(&self) -> f64 {
         0.5 * (self.to_near + self.to_far)
     }
 
+    /// d_G in km.
     fn to_ridge(&self) -> f64 {
         (self.half() - self.to_near).max(0.0)
     }
@@ -107,6 +123,7 @@ impl NewFloor {
 
     /// Elevation of the new floor in km, between rims at `near` and `far` km.
     fn elevation(&self, params: &TectonicParams, near: f64, far: f64) -> f64 {
+        // z_mean: each rim counts the more the nearer it is.
         let mean = (near * self.to_far + far * self.to_near) / (self.to_near + self.to_far);
         let alpha = self.alpha();
         let ridge = ridge_profile(params, self.to_ridge(), 0.5 * self.rate);
@@ -130,6 +147,7 @@ fn parting_rate(input: &GapInput, surface: &Surface, between: &Between, across: 
 
 /// Template z_G of the floor at `d` km from a ridge that spreads at `rate` km/My to either side.
 pub fn ridge_profile(params: &TectonicParams, d: f64, rate: f64) -> f64 {
+    // The slowest ridges keep a tenth of the width, or they would be walls.
     let sigma = params.ridge_width * (rate / REFERENCE_RATE).max(0.1);
     params.abyss_elevation + (params.ridge_elevation - params.abyss_elevation) * exp2(-d / sigma)
 }

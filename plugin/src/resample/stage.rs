@@ -66,6 +66,7 @@ pub fn due(
         .iter()
         .map(|row| row.motion.speed * radius)
         .fold(0.0, f64::max);
+    // The clock ticks later: the present step counts too.
     let due = clock.since_resample + 1 >= interval(params, fastest);
     clock.resample_requested || frames > MOST_FRAMES || (params.processes.resample && due)
 }
@@ -77,6 +78,7 @@ fn resample(world: &mut World) {
     };
     if cursor.progress == 0 {
         if let Some(mut resampling) = world.get_mut::<Resampling>(planet) {
+            // The first time slice of the stage: of this step nothing is done yet.
             resampling.done = false;
         }
         if !is_due(world, planet) {
@@ -123,6 +125,7 @@ pub fn project_now(world: &mut World, planet: Entity) {
     }
     if let Some(mut cursor) = world.get_mut::<StepCursor>(planet) {
         cursor.progress = 0;
+        // From the first chunk to the last in one go.
         cursor.deadline = None;
     }
     advance(world, planet, Aim::Look);

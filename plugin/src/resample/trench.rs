@@ -4,7 +4,7 @@
 //! crust that is not bent, or the Andes would vanish. No profile is given in the papers; this one
 //! is level at the front and at its end.
 
-use crate::crust::{Crust, CrustKind, Frames, Surface};
+use crate::crust::{Crust, CrustKind, Frame, Frames, Surface};
 use crate::ids::PlateId;
 use crate::math::smoothstep;
 use crate::plate::boundary::Rim;
@@ -13,7 +13,7 @@ use crate::sphere::nearest_source::{SourceScratch, nearest_sources};
 use crate::view::PlanetView;
 use bevy::math::DVec3;
 
-/// Plates that converge at this speed in km/My or faster have the deepest trenches.
+/// Speed of approach in km/My from which on a trench has its full depth.
 const FULL_DEPTH_SPEED: f64 = 20.0;
 
 /// The state from which trenches follow.
@@ -30,6 +30,16 @@ pub(super) struct TrenchInput<'a> {
     pub contacts: &'a Contacts,
 }
 
+impl TrenchInput<'_> {
+    /// Offset in km, not positive, of floor at `z` km that is bent by the share `depth` of its way
+    /// to z_t.
+    fn offset(&self, z: f32, depth: f64) -> f32 {
+        let room = self.planet.params.trench_elevation as f32 - z;
+        // Floor below z_t already is not lifted.
+        (room * depth as f32).min(0.0)
+    }
+}
+
 /// A place of a front under which ocean floor sinks.
 struct SinkingFront {
     /// The plate that goes under.
@@ -38,35 +48,48 @@ struct SinkingFront {
     approach: f64,
 }
 
+impl SinkingFront {
+    /// Share of the way to z_t that floor is bent, at `x` widths from the front.
+    fn depth(&self, x: f64) -> f64 {
+        let fast = (self.approach / FULL_DEPTH_SPEED).min(1.0);
+        profile(x) * fast
+    }
+}
+
 /// Bends the oceanic crust of `surface` that goes under.
 pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut SourceScratch) {
     let mesh = input.planet.mesh;
     let (fronts, seeds) = sinking_fronts(input);
-    let goes_under: Vec<bool> = input
-        .frames
-        .iter()
-        .map(|frame| fronts.iter().any(|front| front.plate == frame.plate))
-        .collect();
     // Front samples belong to the overriding plate, on average half a spacing behind the front.
     let behind = 0.5 * mesh.spacing();
     let width = input.planet.params.trench_width / input.planet.radius;
-    let (kind, top) = (&surface.crust.kind, &surface.crust.frame);
+    let goes_under = frames_going_under(input.frames, &fronts);
     let reached = nearest_sources(mesh, scratch, &seeds, width + behind, |_, to| {
-        kind[to as usize] == CrustKind::Oceanic
-            && goes_under.get(usize::from(top[to as usize])) == Some(&true)
+        is_sinking_floor(&surface.crust, &goes_under, to as usize)
     });
     let nearest = reached.source.iter().zip(&reached.distance);
     for (&i, (&source, &d)) in reached.samples.iter().zip(nearest) {
         let i = i as usize;
         let front = &fronts[source as usize];
+        // The search runs over all plates that go under; each bends at its own fronts alone.
         if surface.plate[i] != front.plate || surface.crust.kind[i] == CrustKind::Continental {
             continue;
         }
-        let fast = (front.approach / FULL_DEPTH_SPEED).min(1.0);
-        let depth = profile((f64::from(d) - behind) / width) * fast;
-        let room = input.planet.params.trench_elevation as f32 - surface.crust.elevation[i];
-        surface.trench[i] = (room * depth as f32).min(0.0);
+        let depth = front.depth((f64::from(d) - behind) / width);
+        surface.trench[i] = input.offset(surface.crust.elevation[i], depth);
     }
+}
+
+/// Whether each frame belongs to a plate that goes under somewhere.
+fn frames_going_under(frames: &Frames, fronts: &[SinkingFront]) -> Vec<bool> {
+    let goes_under = |frame: &Frame| fronts.iter().any(|front| front.plate == frame.plate);
+    frames.iter().map(goes_under).collect()
+}
+
+/// Whether sample `i` is ocean floor on one of the frames that go under.
+fn is_sinking_floor(crust: &Crust, goes_under: &[bool], i: usize) -> bool {
+    crust.kind[i] == CrustKind::Oceanic
+        && goes_under.get(usize::from(crust.frame[i])) == Some(&true)
 }
 
 /// Places where ocean floor goes under, and the samples below them with their exact directions.
@@ -89,7 +112,7 @@ fn sinking_fronts(input: &TrenchInput) -> (Vec<SinkingFront>, Vec<(u32, DVec3)>)
     (fronts, seeds)
 }
 
-/// Share of the way to z_t, at `x` widths from the front.
+/// Share of the way to z_t at `x` widths from a fast front.
 fn profile(x: f64) -> f64 {
     1.0 - smoothstep(x)
 }

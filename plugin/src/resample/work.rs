@@ -21,7 +21,7 @@ use crate::plate::polarity::PolarityMemory;
 use crate::plate::{PlateTable, plate_table};
 use crate::schedule::StepCursor;
 use crate::sphere::nearest_source::SourceScratch;
-use crate::view::PlanetQuery;
+use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -56,6 +56,7 @@ enum WorkPart {
     Trenches,
 }
 
+/// The parts in their order.
 const PARTS: [WorkPart; 3] = [WorkPart::Gaps, WorkPart::Conservation, WorkPart::Trenches];
 
 /// Works on the projection until the time slice is up; then the stage holds. Returns whether the
@@ -65,6 +66,7 @@ pub(super) fn advance(world: &mut World, planet: Entity, aim: Aim) -> bool {
     let Some(mut resampling) = world.get_mut::<Resampling>(planet) else {
         return true;
     };
+    // Taken out of the world, which the work borrows as a whole.
     let mut work = core::mem::take(&mut *resampling);
     let complete = advance_work(world, planet, &plates, &mut work, aim);
     if complete {
@@ -85,6 +87,7 @@ struct WorkInput<'a> {
     trenches: TrenchInput<'a>,
 }
 
+/// Does parts of the work until the time slice is up. Returns whether all are done.
 fn advance_work(
     world: &mut World,
     planet: Entity,
@@ -110,6 +113,7 @@ fn advance_work(
         overlap.turn(frames);
         prepare(&mut work.next, &mut work.notes, planet.mesh.len());
     }
+    // A resample belongs to the end of its step, for which the clock has not ticked yet.
     let now = match aim {
         Aim::Resample => clock.time + planet.params.time_step,
         Aim::Look => clock.time,
@@ -136,16 +140,21 @@ fn advance_work(
             contacts,
         },
     };
-    while work.next_part(&input, &mut ledger, &mut cursor.progress) {
-        if cursor.out_of_time() {
-            cursor.hold();
-            return false;
-        }
-    }
-    true
+    work.run(&input, &mut ledger, &mut cursor)
 }
 
 impl Resampling {
+    /// Does part after part until the time slice is up, one at least. Returns whether all are done.
+    fn run(&mut self, input: &WorkInput, ledger: &mut Ledger, cursor: &mut StepCursor) -> bool {
+        while self.next_part(input, ledger, &mut cursor.progress) {
+            if cursor.out_of_time() {
+                cursor.hold();
+                return false;
+            }
+        }
+        true
+    }
+
     /// Does the part of the work that `progress` stands at, and moves it on; `false` when all is
     /// done.
     fn next_part(&mut self, input: &WorkInput, ledger: &mut Ledger, progress: &mut usize) -> bool {
@@ -161,6 +170,7 @@ impl Resampling {
                 self.new_ocean = fill_gaps(&input.gaps, next, &self.notes, &mut self.rims);
             }
             Some(WorkPart::Conservation) => {
+                // Who only looks changes no ledger.
                 if input.aim == Aim::Resample {
                     conserve(&input.project, planet, next, &self.notes, ledger);
                     merge_exclaves(planet.mesh, next);
@@ -171,6 +181,22 @@ impl Resampling {
         }
         *progress += 1;
         true
+    }
+}
+
+impl Resampling {
+    /// Hands the projection to its readers, and takes the last one back as memory for the next,
+    /// unless somebody still looks at it.
+    fn swap(&mut self, surface: &mut PlanetSurface) {
+        let next = Arc::new(core::mem::take(&mut self.next));
+        let last = core::mem::replace(&mut surface.0, next);
+        self.next = Arc::try_unwrap(last).unwrap_or_default();
+    }
+
+    /// Area of new ocean floor in km².
+    fn new_ocean_area(&self, planet: &PlanetView) -> f64 {
+        let share = self.new_ocean as f64 / planet.mesh.len() as f64;
+        share * 4.0 * PI * planet.radius * planet.radius
     }
 }
 
@@ -197,16 +223,13 @@ fn publish(
     if aim == Aim::Resample {
         renumber(&mut work.next, plates, &mut frames);
         crust.copy_from(&work.next.crust);
+        // The clock ticks later, in the stage Commit.
         clock.last_resample = clock.time + view.params.time_step;
         clock.resample_requested = false;
         work.next.time = clock.last_resample;
     }
-    let next = Arc::new(core::mem::take(&mut work.next));
-    let last = core::mem::replace(&mut surface.0, next);
-    // Its memory serves the next projection, unless somebody still looks at it.
-    work.next = Arc::try_unwrap(last).unwrap_or_default();
-    let share = work.new_ocean as f64 / view.mesh.len() as f64;
-    let new_ocean = share * 4.0 * PI * view.radius * view.radius;
+    work.swap(&mut surface);
+    let new_ocean = work.new_ocean_area(&view);
     if aim == Aim::Resample {
         recompute(world, planet);
         forget_contacts(world, planet);
@@ -222,20 +245,27 @@ fn forget_contacts(world: &mut World, planet: Entity) {
     }
 }
 
-/// One frame at rest for every plate that has samples, in the order of plate numbers.
-fn renumber(surface: &mut Surface, plates: &PlateTable, frames: &mut Frames) {
-    let index = |id: PlateId| plates.index(id).unwrap_or(0);
-    let used = parallel::map_chunks(surface.len(), |range| {
+/// Whether each plate of the table has samples.
+fn used_plates(surface: &Surface, plates: &PlateTable) -> Vec<bool> {
+    let parts = parallel::map_chunks(surface.len(), |range| {
         let mut used = vec![false; plates.rows().len()];
         for run in surface.plate[range].chunk_by(|a, b| a == b) {
-            used[index(run[0])] = true;
+            used[plates.index(run[0]).unwrap_or(0)] = true;
         }
         used
     });
+    let is_used = |k: usize| parts.iter().any(|part| part[k]);
+    (0..plates.rows().len()).map(is_used).collect()
+}
+
+/// One frame at rest for every plate that has samples, in the order of plate numbers.
+fn renumber(surface: &mut Surface, plates: &PlateTable, frames: &mut Frames) {
+    let index = |id: PlateId| plates.index(id).unwrap_or(0);
+    let used = used_plates(surface, plates);
     let mut number = vec![0 as FrameId; plates.rows().len()];
     frames.0.clear();
     for (k, row) in plates.rows().iter().enumerate() {
-        if used.iter().any(|part| part[k]) {
+        if used[k] {
             number[k] = frames.len() as FrameId;
             frames.0.push(Frame::at_rest(row.id));
         }

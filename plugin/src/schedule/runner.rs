@@ -85,6 +85,8 @@ pub(super) fn run_planets(world: &mut World) {
         .query_filtered::<Entity, With<Planet>>()
         .iter(world)
         .collect();
+    // The order of a query depends on what else the world holds; entities have an order of their
+    // own.
     planets.sort();
     for planet in planets {
         run_planet(world, planet, delta);
@@ -104,6 +106,7 @@ fn run_planet(world: &mut World, planet: Entity, delta: f64) {
         .is_some_and(StepCursor::at_boundary);
     if at_boundary && !wants_step {
         world.insert_resource(CurrentPlanet(planet));
+        // At rest between two steps: what waits for a boundary has its turn.
         world.run_schedule(BetweenSteps);
         return;
     }
@@ -113,6 +116,7 @@ fn run_planet(world: &mut World, planet: Entity, delta: f64) {
             finish_step(world, planet, step);
             return;
         }
+        // At least one time slice runs, however small the budget.
         if Instant::now() >= deadline {
             return;
         }
@@ -126,6 +130,7 @@ fn tick(world: &mut World, planet: Entity, delta: f64, step: f64) -> Option<(Clo
     if !controls.paused {
         debt.grow(delta * controls.speed, step);
     }
+    // A paused clock keeps what it owes.
     let due = !controls.paused && debt.0 >= step;
     let wants_step = due || controls.single_steps > 0;
     Some((controls, wants_step))

@@ -34,7 +34,7 @@ impl StageTimings {
         without_events(&self.total_ms) / self.steps.max(1) as f64
     }
 
-    /// Takes the time of one set; a stage ends with its second.
+    /// Adds the time of one set to its stage, whose time is complete with its second set.
     pub(super) fn take(&mut self, set: TectonicSystems, spent: Duration) {
         let ms = spent.as_secs_f64() * 1e3;
         match set {

@@ -22,7 +22,8 @@ pub struct PlanetReady {
     pub planet: Entity,
 }
 
-/// A recipe is refused. It stays on the entity, which is no planet, or still the planet that it was.
+/// A recipe is refused. It stays on the entity, which is no planet, or still the planet that it
+/// was.
 #[derive(EntityEvent, Clone, Debug, PartialEq)]
 pub struct PlanetFailed {
     /// The entity with the recipe.

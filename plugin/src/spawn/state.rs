@@ -25,8 +25,8 @@ pub struct PlanetState {
     pub frames: Frames,
     /// Plates in order of their numbers: number, motion, time of birth in My.
     pub plates: Vec<(PlateId, PlateMotion, f64)>,
-    /// Sizes and shares of the plates, in the same order, as they were found when frames last gained
-    /// or lost samples: rifting and slab pull go by them until the next time.
+    /// Sizes and shares of the plates, in the same order, as they were found when frames last
+    /// gained or lost samples: rifting and slab pull go by them until the next time.
     pub stats: Vec<PlateStats>,
     /// The clock.
     pub clock: GeologicClock,
@@ -73,11 +73,7 @@ impl PlanetState {
         let (motions, owner) = initial_plates(recipe, &mesh);
         let mut crust = initial_crust(recipe, &mesh, &owner);
         crust.frame.clone_from(&owner);
-        let mut numbers = PlateNumbers::default();
-        let plates: Vec<_> = motions
-            .into_iter()
-            .map(|motion| (numbers.issue(), motion, 0.0))
-            .collect();
+        let (numbers, plates) = numbered(motions);
         let frames = Frames(plates.iter().map(|&(id, ..)| Frame::at_rest(id)).collect());
         let stats = stats::plate_stats(&mesh, &crust, &frames, recipe.radius, |_| true);
         Ok(Self {
@@ -103,4 +99,14 @@ impl PlanetState {
             polarity: PolarityMemory::default(),
         })
     }
+}
+
+/// Numbers for new plates, and the plates: their numbers, motions and times of birth.
+fn numbered(motions: Vec<PlateMotion>) -> (PlateNumbers, Vec<(PlateId, PlateMotion, f64)>) {
+    let mut numbers = PlateNumbers::default();
+    let plates = motions
+        .into_iter()
+        .map(|motion| (numbers.issue(), motion, 0.0))
+        .collect();
+    (numbers, plates)
 }

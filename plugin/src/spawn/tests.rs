@@ -57,6 +57,14 @@ fn digest(app: &App, planet: Entity) -> String {
     io::digest(&io::capture(app.world(), planet).unwrap())
 }
 
+/// The digest of the planet of a recipe, which is spawned for it and despawned again.
+fn digest_of(app: &mut App, recipe: &PlanetRecipe) -> String {
+    let planet = PlanetState::new(recipe).unwrap().spawn(app.world_mut());
+    let digest = digest(app, planet);
+    app.world_mut().despawn(planet);
+    digest
+}
+
 /// A planet that stands still, so that a test may look at it.
 fn still() -> ClockControls {
     ClockControls {
@@ -67,6 +75,10 @@ fn still() -> ClockControls {
 
 fn count<C: Component>(app: &mut App) -> usize {
     app.world_mut().query::<&C>().iter(app.world()).count()
+}
+
+fn surface(app: &App, planet: Entity) -> &PlanetSurface {
+    app.world().get::<PlanetSurface>(planet).unwrap()
 }
 
 #[test]
@@ -83,8 +95,7 @@ fn a_spawned_recipe_becomes_the_planet_of_its_state() {
     let state = PlanetState::new(&recipe(3)).unwrap();
     let other = state.spawn(app.world_mut());
     assert_eq!(digest(&app, planet), digest(&app, other));
-    let surface = |planet| app.world().get::<PlanetSurface>(planet).unwrap().0.clone();
-    assert!(*surface(planet) == *surface(other));
+    assert!(*surface(&app, planet).0 == *surface(&app, other).0);
     run_steps(app.world_mut(), planet, 12);
     run_steps(app.world_mut(), other, 12);
     assert_eq!(digest(&app, planet), digest(&app, other));
@@ -134,7 +145,7 @@ fn another_recipe_replaces_the_planet_when_it_is_there() {
     let planet = app.world_mut().spawn((recipe(5), still())).id();
     wait(&mut app, 1, 0);
     run_steps(app.world_mut(), planet, 4);
-    let version = app.world().get::<PlanetSurface>(planet).unwrap().version;
+    let version = surface(&app, planet).version;
 
     let bad = PlanetRecipe {
         samples: 1,
@@ -147,10 +158,8 @@ fn another_recipe_replaces_the_planet_when_it_is_there() {
     app.world_mut().entity_mut(planet).insert(recipe(6));
     assert_eq!(app.world().get::<Planet>(planet).unwrap().seed, 5);
     wait(&mut app, 2, 1);
-    let other = PlanetState::new(&recipe(6)).unwrap().spawn(app.world_mut());
-    assert_eq!(digest(&app, planet), digest(&app, other));
-    assert!(app.world().get::<PlanetSurface>(planet).unwrap().version > version);
-    app.world_mut().despawn(other);
+    assert_eq!(digest(&app, planet), digest_of(&mut app, &recipe(6)));
+    assert!(surface(&app, planet).version > version);
     let plates = app.world().get::<Plates>(planet).unwrap().iter().count();
     assert_eq!((plates, count::<Plate>(&mut app)), (8, 8));
 }

@@ -138,6 +138,7 @@ pub(crate) fn largest_of_label<L: Ord, S: PartialOrd>(pieces: &[(L, S)]) -> Vec<
 /// Joins two trees of a forest whose first entry is the sample `start`: the lower root stays.
 fn join(parent: &mut [u32], start: u32, i: u32, j: u32) {
     let (a, b) = (root(parent, start, i), root(parent, start, j));
+    // So a root is the first sample of its tree, in whatever order trees are joined.
     parent[(a.max(b) - start) as usize] = a.min(b);
 }
 

@@ -104,6 +104,7 @@ impl RingSums {
     #[inline]
     fn plane(&self, det: f64, xs: f64, ys: f64) -> (f64, f64) {
         (
+            // Cramer's rule for the two normal equations.
             (self.yy * xs - self.xy * ys) / det,
             (self.xx * ys - self.xy * xs) / det,
         )

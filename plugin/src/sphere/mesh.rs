@@ -92,6 +92,7 @@ impl SphereMesh {
     fn build(points: Vec<DVec3>) -> Result<Self, SphereError> {
         let soup = triangulate(&points)?;
         let rings = NeighbourRings::new(points.len(), &soup).ok_or(SphereError::EmptyHemisphere)?;
+        // Triangles follow from the rings again, in order: both at once would double the memory.
         drop(soup);
         let triangles = rings.triangles();
         if !surrounds_centre(&points, &triangles) {
@@ -152,8 +153,8 @@ impl SphereMesh {
         self.points.is_empty()
     }
 
-    /// Was this mesh made by [`fibonacci`](Self::fibonacci)? Then its number of samples says all
-    /// about it.
+    /// Whether this mesh was made by [`fibonacci`](Self::fibonacci), and so follows from its number
+    /// of samples.
     #[inline]
     pub fn is_fibonacci(&self) -> bool {
         self.is_fibonacci
@@ -223,7 +224,7 @@ fn normalised(p: DVec3) -> Option<DVec3> {
     (p.is_finite() && largest > 0.0).then(|| (p / largest).normalize())
 }
 
-/// Do all triangles face away from the centre, as those of points around it do?
+/// Whether all triangles face away from the centre, as those of points around it do.
 fn surrounds_centre(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
     triangles.par_iter().with_min_len(CHUNK).all(|t| {
         let [a, b, c] = t.map(|i| points[i as usize]);

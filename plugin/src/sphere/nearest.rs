@@ -41,6 +41,7 @@ impl Walk<'_> {
     pub(super) fn nearest(self, p: DVec3, start: u32) -> u32 {
         let mut at = start;
         let mut distance = chord_squared(p, self.points[at as usize]);
+        // Nearer than half of the closest two samples are apart, no other sample can be nearer.
         while distance >= self.clearance {
             let (mut next, mut least) = (at, f64::INFINITY);
             for &j in self.rings.of(at) {

@@ -49,6 +49,7 @@ impl NeighbourRings {
 /// Appends the edges' vertices in the order of one closed walk along them; `None` if the edges form
 /// several walks or an open one.
 fn chain(fan: &mut [[u32; 2]], ring: &mut Vec<u32>) -> Option<()> {
+    // By their first vertex, so that a walk finds each next edge by bisection.
     fan.sort_unstable();
     let first = fan.first()?[0];
     let mut at = first;

@@ -9,6 +9,7 @@ use super::fixed::{Q16, q16};
 /// ⌊a·b / 2¹⁶⌋; it must fit an i32.
 #[inline]
 pub const fn mul_q16(a: i32, b: i32) -> i32 {
+    // The shift rounds down for either sign, as WGSL's does.
     let wide = (a as i64 * b as i64) >> 16;
     debug_assert!(wide as i32 as i64 == wide);
     wide as i32
@@ -96,7 +97,8 @@ pub const fn isqrt(x: u32) -> u32 {
     // The parabola 0.51855 + 0.52601u - 0.03954u² is within 0.5 % of √u, u = y / 2³⁰ in 1..4.
     let u = y >> 16;
     let guess = 16_992 + ((u * 34_473) >> 15) - ((((u * u) >> 16) * 20_730) >> 16);
-    // One step of Newton's never ends below the root, and at most one above.
+    // One step of Newton's never ends below the root, and at most one above: it halves the square
+    // of the guess's error, which leaves less than one of 16 bits.
     let mut root = (guess + y / guess) >> 1;
     if root > 0xffff || root * root > y {
         root -= 1;
@@ -113,6 +115,7 @@ pub const fn sqrt_q16(t: i32) -> i32 {
     if t <= 0 {
         return 0;
     }
+    // √(t / 2¹⁶) in Q16 is √(t · 2¹⁶).
     isqrt((t as u32) << 16) as i32
 }
 

@@ -15,18 +15,17 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
         return (base.vertices.clone(), base.level.clone());
     }
     let reach = reach(base, view);
-    // Distances along the ground from the view's centre.
+    // Along the ground from the view's centre: an altitude makes no distance less, and `reach` has
+    // the radius.
     let ground = View {
         altitude: None,
         radius: 0,
         sides: [[0; 3]; 2],
         ..*view
     };
-    let is_near = |face: &Face| {
-        let corners = gather(&base.vertices, face.vertices);
-        ground.distance(&base.scale, corners) < reach
-    };
-    // A small disc of faces is found by flooding from its middle, a great one by looking at all.
+    let is_near = |face: &Face| is_within(base, &ground, face, reach);
+    // A small disc of faces is found by flooding from its middle, a great one by looking at all. It
+    // is small up to a quarter of the radius, in sixteenths of a metre.
     let quarter = (base.scale.radius_m * 4).min(1 << 28) as i32;
     let kept = if reach < quarter {
         flood(base, base.locate(view.direction, None), is_near)
@@ -34,6 +33,11 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
         all(base, is_near)
     };
     compact(base, &kept)
+}
+
+/// Whether a face is nearer to a view than `reach`, sixteenths of a metre.
+fn is_within(base: &Base, view: &View, face: &Face, reach: i32) -> bool {
+    view.distance(&base.scale, gather(&base.vertices, face.vertices)) < reach
 }
 
 /// Distance from a view's centre within which faces are kept, sixteenths of a metre.
@@ -61,6 +65,7 @@ fn flood(base: &Base, first: u32, is_near: impl Fn(&Face) -> bool) -> Vec<u32> {
         let face = &base.level.faces[kept[next] as usize];
         next += 1;
         for &f in face.vertices.iter().flat_map(|&v| base.faces_around(v)) {
+            // What is refused counts as seen too, so each face is measured once.
             if seen.insert(f) && is_near(&base.level.faces[f as usize]) {
                 kept.push(f);
             }
@@ -83,11 +88,11 @@ pub fn compact(base: &Base, kept: &[u32]) -> (Vec<Vertex>, Level) {
     (vertices.collect(), level)
 }
 
-/// Items of the control mesh that are kept, in ascending order.
+/// Items of the control mesh that are kept, by their numbers there, in ascending order.
 struct Kept {
     vertices: Vec<u32>,
     edges: Vec<u32>,
-    /// With their places among the kept.
+    /// Faces of the control mesh, each with its place in the list that the caller gave.
     faces: Vec<(u32, u32)>,
 }
 
@@ -108,6 +113,7 @@ impl Kept {
         let edge = &base.level.edges[edge as usize];
         Edge {
             vertices: edge.vertices.map(|v| place(&self.vertices, v)),
+            // Beyond the rim of what is kept an edge has no face.
             faces: edge.faces.map(|f| self.face_place(f)),
             ..*edge
         }
@@ -127,7 +133,7 @@ impl Kept {
     }
 }
 
-/// The place of an item among sorted ones; [`NONE`] without one.
+/// The place of an item in a sorted list; [`NONE`] for an item that is not in it.
 fn place(sorted: &[u32], item: u32) -> u32 {
     sorted.binary_search(&item).map_or(NONE, |p| p as u32)
 }
@@ -156,10 +162,7 @@ mod tests {
                 radius: 0,
                 ..View::disc(direction, 1, 17)
             };
-            let is_near = |face: &Face| {
-                let corners = gather(&base.vertices, face.vertices);
-                view.distance(&base.scale, corners) < reach
-            };
+            let is_near = |face: &Face| is_within(&base, &view, face, reach);
             let found = flood(&base, base.locate(direction, None), is_near);
             assert_eq!(found, all(&base, is_near), "{k}");
         }

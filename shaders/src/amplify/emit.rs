@@ -22,6 +22,7 @@ pub struct Triangle {
 /// Up to four triangles of a leaf face; returns how many.
 pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]; 4]) -> usize {
     let mid = face.edges.map(|e| match level.edges.get(e as usize) {
+        // Edges of the halo have a middle too, but no triangle ends there.
         Some(edge) if edge.mark == SplitMark::Split => edge.mid,
         _ => NONE,
     });
@@ -49,7 +50,8 @@ pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]
     }
 }
 
-/// The split edge after one that is whole: a fan's first; 0 if all are split.
+/// The first of the split edges, which follow one another: the edge before it is whole. 0 where
+/// all three edges are split, or none is.
 fn first_split(split: [bool; 3]) -> usize {
     (0..3)
         .find(|&k| split[k] && !split[(k + 2) % 3])
@@ -82,6 +84,7 @@ impl Turned {
     fn thirds(&self, seed: impl Fn(u32) -> u32) -> [[u32; 3]; 3] {
         let ([a, b, c], [ab, bc, _]) = (self.corners, self.mids);
         let tip = [ab, b, bc];
+        // Seeds of the middles, not indices: those hang on the view.
         if seed(ab) > seed(bc) {
             [tip, [a, ab, c], [ab, bc, c]]
         } else {

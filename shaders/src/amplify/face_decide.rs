@@ -39,6 +39,8 @@ pub fn decide(rules: &Rules, level: u32, face: &FaceContext) -> [Inner; 3] {
     [0, 1, 2].map(|k| {
         let other = (k + 2) % 3;
         let is_drained = |e: usize| face.edges[e].kind != EdgeKind::Terrain;
+        // Drainage begins between a drained edge and ground: between two of a kind there is no
+        // corner to drain, or it drains already.
         let (low, high) = match (is_drained(k), is_drained(other)) {
             (true, false) => (k, other),
             (false, true) => (other, k),
@@ -72,13 +74,14 @@ impl Corner {
             return EdgeKind::Terrain;
         }
         let (junction, tip) = (face.mids[self.low], face.mids[self.high]);
-        let (height, spring, flow) = (junction.height, tip.height, junction.flow());
+        let (height, spring) = (junction.height, tip.height);
         let seed = pcg(junction.seed ^ pcg(tip.seed));
+        // A gully has no water to share: off it only gullies branch.
         let off_gully = face.kinds[self.low] == VertexKind::Gully;
         if !off_gully
             && self.is_chosen(face)
             && self.gains_water(face)
-            && gully::is_tributary(rules, level, flow, height, spring, seed)
+            && gully::is_tributary(rules, level, junction.flow(), height, spring, seed)
         {
             EdgeKind::River
         } else if gully::is_gully(rules, level, off_gully, height, spring, seed) {
@@ -105,6 +108,7 @@ impl Corner {
     /// The way of the drained edge's water, from the corner downstream.
     fn flow(&self, face: &FaceContext) -> [i32; 3] {
         let next = (self.low + 1) % 3;
+        // The edge's two ends are corners `low` and `next`; the water comes from `k`.
         let downstream = if next == self.k { self.low } else { next };
         let [to, from] = [downstream, self.k].map(|k| face.vertices[k].direction);
         difference(to, from)
@@ -112,6 +116,8 @@ impl Corner {
 
     /// Whether the draw at the junction falls on this face rather than the one beyond the river.
     fn is_chosen(&self, face: &FaceContext) -> bool {
+        // The face beyond compares the same two draws the other way round, so one of them is
+        // chosen without either asking the other.
         let draw = |side: &Vertex| pcg(face.mids[self.low].seed ^ side.seed);
         let here = face.vertices[(self.low + 2) % 3];
         face.beyond[self.low].is_some_and(|beyond| draw(here) > draw(beyond))

@@ -19,7 +19,6 @@ pub fn halve(
     let [a, b] = edge.vertices;
     let [up, mid, down] = gather(vertices, [a, edge.mid, b]);
     [0, 1].map(|slot| {
-        // New land drains down one of its halves, the rest is inherited.
         let (kind, reversed) = half_kind(rules, level, edge.kind, slot, [up, mid, down]);
         let (end, ends) = [(a, [a, edge.mid]), (b, [edge.mid, b])][slot];
         let mut half = Edge::new(kind, ends, children_at(end, edge, faces));
@@ -27,6 +26,7 @@ pub fn halve(
             half.reverse();
         }
         if kind == EdgeKind::River {
+            // The birth bounds the width of the valley; what arrives keeps the discharge whole.
             half.birth = edge.birth;
             half.arriving = [arriving_at(mid, up), edge.arriving][slot];
         }
@@ -37,6 +37,7 @@ pub fn halve(
 /// The children that an edge's faces have at one of its ends, or [`NONE`].
 fn children_at(end: u32, edge: &Edge, faces: &[Face]) -> [u32; 2] {
     edge.faces.map(|f| match faces.get(f as usize) {
+        // Child k keeps corner k. A face of the halo has no children.
         Some(face) if face.mark == SplitMark::Split => face.child + face.corner(end) as u32,
         _ => NONE,
     })
@@ -70,6 +71,7 @@ pub fn half_kind(
 
 /// Discharge that arrives at a new river vertex from upstream: all but what its tributary brings.
 pub fn arriving_at(mid: &Vertex, up: &Vertex) -> u32 {
+    // The tributary joins at the middle itself, not on the way to it.
     mid.discharge - if mid.branched { tributary(mid, up) } else { 0 }
 }
 
@@ -78,6 +80,7 @@ pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &
     let [first, second] = gather(edges, [face.edges[k], face.edges[(k + 2) % 3]]);
     let [corner, middle] = [face.child + k as u32, face.child + 3];
     let (kind, reversed) = face.inner[k].edge();
+    // iₖ runs mₖ, mₖ₋₁ as the corner child winds, which is therefore the first of its faces.
     let mut edge = Edge::new(kind, [first.mid, second.mid], [corner, middle]);
     if reversed {
         edge.reverse();
@@ -104,6 +107,7 @@ pub fn quarter(face: &Face, index: u32, first_inner: u32, edges: &[Edge]) -> [Fa
         let edges = [half(k, v), first_inner + k as u32, half(other, v)];
         Face::new([v, mids[k], mids[other]], edges, index)
     });
+    // The middle winds m₀, m₁, m₂; mₖmₖ₊₁ is the inner edge that cuts corner k + 1 off.
     let inner = [first_inner + 1, first_inner + 2, first_inner];
     [c0, c1, c2, Face::new(mids, inner, index)]
 }

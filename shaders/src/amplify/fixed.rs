@@ -102,6 +102,7 @@ pub const fn square_q32(d: [i32; 3]) -> u32 {
     let mut i = 0;
     while i < 3 {
         let x = d[i].unsigned_abs();
+        // x · 2³² / ONE: the component in 2⁻³² of the radius.
         let x = 2 * x + mul_high(x, INVERSE_FRACTION);
         sum += mul_high(x, x);
         i += 1;
@@ -116,7 +117,8 @@ pub const fn lift(p: [i32; 3], deficit: u32) -> [i32; 3] {
     if deficit == 0 {
         return p;
     }
-    // 1/sqrt(1 - e) - 1 = e/2 + 3e²/8 + 5e³/16.
+    // 1/sqrt(1 - e) - 1 = e/2 + 3e²/8 + 5e³/16. A deficit e is below ¼, so that thrice its square
+    // fits 32 bits.
     let second = mul_high(deficit, deficit);
     let third = mul_high(second, deficit);
     let factor = deficit / 2 + second * 3 / 8 + third * 5 / 16;

@@ -15,6 +15,7 @@ const fn common_shift(u: [i32; 3], v: [i32; 3]) -> u32 {
         all |= u[i].unsigned_abs() | v[i].unsigned_abs();
         i += 1;
     }
+    // The bits of all components together have the length of the longest.
     let bits = 32 - all.leading_zeros();
     bits.saturating_sub(14)
 }
@@ -86,13 +87,15 @@ impl Stance {
         let (u, v) = (shifted(edge, shift), shifted(corner, shift));
         // Shares of the squared edge in Q12.
         let unit = product(u, u) >> 12;
+        // An edge without length must not divide by 0.
         let unit = if unit < 1 { 1 } else { unit };
-        // Twice the area: the height times the edge.
+        // Twice the area: the height times the edge. Components stay below 2²⁹, as `length` asks.
         let cross = length(
             u[1] * v[2] - u[2] * v[1],
             u[2] * v[0] - u[0] * v[2],
             u[0] * v[1] - u[1] * v[0],
         );
+        // Up to here the products of the displacement fit 32 bits.
         let most = 7 * Q12;
         Self {
             along: (product(u, v) / unit).clamp(-most, most),

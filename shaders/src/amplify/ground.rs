@@ -38,7 +38,8 @@ pub struct RefinedGround {
     pub scale: PlanetScale,
     /// Vertices of all levels.
     pub vertices: Vec<Vertex>,
-    /// Edges and faces level by level. A face of any level that is not [`SplitMark::Split`] is a leaf.
+    /// Edges and faces level by level. A face of any level that is not [`SplitMark::Split`] is a
+    /// leaf.
     pub levels: Vec<Level>,
     /// The first level whose splits were dropped because a cap was reached.
     pub capped: Option<u32>,
@@ -134,11 +135,13 @@ fn mark_faces(
         .collect();
     let mut marked = 0;
     for i in 0..level.faces.len() {
+        // All splits are known before the first mark: a mark reads its neighbours'.
         let mark = halo(&level.faces[i], i as u32, &level.edges, |f| {
             splits[f as usize]
         });
         level.faces[i].mark = mark;
         marked += usize::from(mark != SplitMark::Leaf);
     }
+    // At most a middle an edge; neighbours share theirs, so fewer are made.
     (3 * marked, splits.iter().filter(|&&s| s).count())
 }

@@ -40,6 +40,7 @@ impl Leaf {
         let s = sides(direction, [a, b, c]).map(|x| x.max(0.0));
         let sum = s[0] + s[1] + s[2];
         if sum > 0.0 {
+            // The share of corner a is the area over the edge opposite to it, bc.
             [s[1] / sum, s[2] / sum, s[0] / sum]
         } else {
             [1.0 / 3.0; 3]
@@ -105,6 +106,8 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
     /// control mesh near it, if the caller knows one. The answer depends on neither the hint nor
     /// earlier queries.
     pub fn leaf(&mut self, direction: [i32; 3], level: u32, hint: Option<u32>) -> Leaf {
+        // All at once: what is kept refers to each other. Results are the same bits when made
+        // again.
         if self.lazy.len() > MOST_KEPT {
             self.lazy.clear();
             self.path.clear();
@@ -132,18 +135,20 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
 
     /// The face of the control mesh that a face of a level descends from.
     fn base_face(&self, face: u32, level: usize) -> u32 {
+        // Past level 0 the parent is the number in the control mesh.
         let parent = |at, level| self.lazy.face(level, at).parent;
         (0..=level).rev().fold(face, parent)
     }
 
-    /// The finest face of the last answer's path that contains a direction, at most of a level;
-    /// else the face of level 0. The path from the top would lead there too: in a level, no other
-    /// face contains what one has inside.
+    /// Where the way down to a direction begins: the finest face of the last answer's path that has
+    /// it inside and is no finer than `level`, else the face of level 0. The way from the top
+    /// would lead there too: faces of a level do not overlap.
     fn start(&mut self, direction: [i32; 3], level: usize, hint: Option<u32>) -> u32 {
         self.path.truncate(level + 1);
         while let Some(&face) = self.path.last() {
             let corners = self.lazy.face(self.path.len() - 1, face).vertices;
             let inward = sides(direction, corners.map(|v| self.lazy.vertex(v)));
+            // Strictly inside: on an edge the way from the top might take the neighbour.
             if inward.iter().all(|&side| side > 0.0) {
                 return face;
             }

@@ -4,7 +4,8 @@
 use super::topology::{Face, Level, NONE, gather};
 use super::vertex::Vertex;
 
-/// Cells along an edge of the cube.
+/// Cells along an edge of the cube: 24,576 in all, for about twenty faces each of a planet's
+/// control mesh.
 const CELLS: usize = 64;
 
 /// Steps after which a walk across edges is given up: it would end in any Delaunay triangulation,
@@ -22,6 +23,7 @@ impl FaceIndex {
     pub fn new(vertices: &[Vertex], faces: &[Face]) -> Self {
         let mut starts = vec![NONE; 6 * CELLS * CELLS];
         for (i, face) in (0..).zip(faces) {
+            // Which of a cell's faces is taken does not matter: the walk ends in the same face.
             starts[cell(vertices[face.vertices[0] as usize].direction)] = i;
         }
         // A cell without a corner takes the face of the last one that has one.
@@ -95,6 +97,7 @@ fn cell(direction: [i32; 3]) -> usize {
         2
     };
     // The ray through the direction meets the side of the cube on its greatest axis.
+    // The zero direction has no side; any cell will do.
     let depth = f64::from(size[axis].max(1));
     let [row, column] = [1, 2].map(|step| {
         let share = f64::from(direction[(axis + step) % 3]) / depth * 0.5 + 0.5;
@@ -117,6 +120,7 @@ pub fn sides(direction: [i32; 3], corners: [&Vertex; 3]) -> [f64; 3] {
 /// The triple product (p × q)·d.
 #[inline]
 fn triple(p: [f64; 3], q: [f64; 3], d: [f64; 3]) -> f64 {
+    // With p and q exchanged every term is negated exactly: both faces of an edge agree.
     let n = [
         p[1] * q[2] - p[2] * q[1],
         p[2] * q[0] - p[0] * q[2],

@@ -1,10 +1,10 @@
 //! Pass: a face decides whether it is split for a view.
 //!
-//! A face of level L is split where its centre is nearer than c·ℓ_L to the camera or the disc, ℓ_L the
-//! theoretical edge. The bound halves with the level while neighbours are about ℓ_L apart, so where
-//! c is at least 6 every face within three rings of a split one exists at its level: neighbours
-//! differ by one level at most, and no pass has to spread splits. A split face's neighbours are its
-//! halo: see [`SplitMark::Halo`].
+//! A face of level L is split where its centre is nearer than c·ℓ_L to the camera or the disc, ℓ_L
+//! the theoretical edge. The bound halves with the level while neighbours are about ℓ_L apart, so
+//! where c is at least 6 every face within three rings of a split one exists at its level:
+//! neighbours differ by one level at most, and no pass has to spread splits. A split face's
+//! neighbours are its halo: see [`SplitMark::Halo`].
 
 use super::arith::{length, mul_q16};
 use super::fixed::{GRAINS, difference, mul_shift, q16};
@@ -15,8 +15,8 @@ use super::vertex::Vertex;
 /// Least and greatest [`View::sharpness`] that keep neighbours within a level: 6 and 250, Q8.
 pub const SHARPNESS: (u32, u32) = (6 << 8, 250 << 8);
 
-/// Sharpness of a disc's finest level, 1.5 in Q8: nothing finer follows, so it needs no margin but a
-/// face's own size.
+/// Sharpness of a disc's finest level, 1.5 in Q8: nothing finer follows, so it needs no margin but
+/// a face's own size.
 const RIM_SHARPNESS: u32 = 3 << 7;
 
 /// Grains in a sixteenth of a metre.
@@ -49,8 +49,8 @@ pub struct View {
     pub altitude: Option<i32>,
     /// Radius of the disc that is refined evenly, sixteenths of a metre; 0 for a camera.
     pub radius: i32,
-    /// Unit tangents, Q16: only the square in the disc whose sides run along them is refined evenly;
-    /// zero for the whole disc.
+    /// Unit tangents, Q16: only the square in the disc whose sides run along them is refined
+    /// evenly; zero for the whole disc.
     pub sides: [[i32; 3]; 2],
     /// c: distance over edge length at which a face is split, Q8; 117 gives edges of 8 pixels at
     /// 1080p.
@@ -109,8 +109,10 @@ impl View {
         // Along the ground and above it, as the legs of a right triangle.
         let ground = scale.chord(centre, self.direction);
         let above = self.above(corners);
+        // Held to 2²⁸ sixteenths, 16,777 km, so that `length` keeps its range.
         let distance = length(ground, above.clamp(-(1 << 28), 1 << 28), 0);
         let outside = distance.saturating_sub(self.radius).max(0);
+        // A square lies in its disc; the greater distance outside of the two counts.
         outside.max(self.beside(scale, centre))
     }
 
@@ -130,6 +132,7 @@ impl View {
         if self.sides == [[0; 3]; 2] {
             return 0;
         }
+        // Quarters of units, so that opposite sides of the planet keep 32 bits.
         let offset = difference(direction.map(|x| x >> 2), self.direction.map(|x| x >> 2));
         let [x, y] = self.sides.map(|side| {
             let along: i32 = (0..3).map(|i| mul_q16(offset[i], side[i])).sum();
@@ -142,6 +145,7 @@ impl View {
     /// Distance within which a face of a level is split, sixteenths of a metre.
     #[inline]
     pub fn bound(&self, scale: &PlanetScale, level: u32) -> i32 {
+        // A camera, of radius 0, refines no ground evenly.
         let finest = self.radius > 0 && level + 1 == self.level;
         let sharpness = if finest {
             RIM_SHARPNESS

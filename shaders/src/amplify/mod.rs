@@ -9,8 +9,8 @@
 //!
 //! One file is one pass: a function of one item that reads what it needs and writes that item
 //! alone, so any number of items can be done at once and in any order. All of them run on the CPU.
-//! They use no operation that WGSL's 32-bit integers lack (products of 64 bits are built from halves,
-//! see [`fixed`]), so a compute pass can have the same bits.
+//! They use no operation that WGSL's 32-bit integers lack (products of 64 bits are built from
+//! halves, see [`fixed`]), so a compute pass can have the same bits.
 //!
 //! | pass | once per | reads | writes |
 //! |---|---|---|---|
@@ -25,9 +25,9 @@
 //! | [`carve`] | vertex | itself | final ground and water |
 //! | [`emit`] | leaf, triangle | split edges; water | triangles of ground and of water |
 //!
-//! [`step`] runs the passes of one level, [`ground::refine`] all levels of a view. [`local`] answers
-//! for a single direction: [`lazy`] calls the same functions for no more vertices than the answer
-//! depends on.
+//! [`step`] runs the passes of one level, [`ground::refine`] all levels of a view. [`local`]
+//! answers for a single direction: [`lazy`] calls the same functions for no more vertices than the
+//! answer depends on.
 //!
 //! ```
 //! use pangaea_shaders::amplify::base::Base;

@@ -57,6 +57,7 @@ impl PlanetScale {
     /// metre.
     #[inline]
     pub fn chord(&self, a: [i32; 3], b: [i32; 3]) -> i32 {
+        // Opposite directions are 2·ONE apart, which an i32 does not hold.
         let d = difference(a.map(|x| x >> 2), b.map(|x| x >> 2));
         self.sixteenths(length(d[0], d[1], d[2]) as u32)
     }
@@ -70,6 +71,7 @@ impl PlanetScale {
     /// Theoretical edge of a level, grains: ℓ₀ / 2^level.
     #[inline]
     pub fn edge_grains(&self, level: u32) -> i32 {
+        // 64 grains in a sixteenth of a metre, doubled, for a shift of at least 1.
         mul_shift(self.edge, 128, 1 + level)
     }
 }

@@ -27,12 +27,15 @@ pub const fn pcg(value: u32) -> u32 {
 #[inline]
 pub const fn between(a: u32, b: u32) -> u32 {
     let (low, high) = if a < b { (a, b) } else { (b, a) };
+    // Without the inner permutation this would be linear in the seeds, as their sum is.
     pcg(low ^ pcg(high.wrapping_add(0x9e37_79b9)))
 }
 
 /// The `k`th random number of a seed, 32 bits.
 #[inline]
 pub const fn draw(seed: u32, k: u32) -> u32 {
+    // An odd factor and a permutation: no two draws of a seed are the same number of the
+    // sequence.
     pcg(seed.wrapping_add(k.wrapping_mul(0x8549_1f4d)))
 }
 

@@ -1,8 +1,8 @@
 //! One level of the subdivision: the passes in their order.
 //!
 //! The marks of the level's faces are given; the next level's vertices, edges and faces come out.
-//! Vertices of all levels share one column; those that a level makes come after those of the coarser
-//! ones, in the order of the edges.
+//! Vertices of all levels share one column; those that a level makes come after those of the
+//! coarser ones, in the order of the edges.
 
 use super::edge_split::{self, STRAIGHT_LEVEL};
 use super::face_decide::{self, FaceContext};
@@ -75,6 +75,7 @@ fn place(level: &mut Level, first_vertex: u32) -> LevelCounts {
     let has_mid = |e: &Edge| u32::from(e.mark != SplitMark::Leaf);
     let halves_of = |e: &Edge| 2 * u32::from(e.mark == SplitMark::Split);
     let children_of = |f: &Face| 4 * u32::from(f.mark == SplitMark::Split);
+    // Vertices of all levels share a column, edges and faces begin anew in each.
     let mids = scan(edges, first_vertex, has_mid, |e, place| e.mid = place);
     let halves = scan(edges, 0, halves_of, |e, place| e.child = place);
     let children = scan(faces, 0, children_of, |f, place| f.child = place);
@@ -131,6 +132,7 @@ impl LevelPasses<'_> {
     fn decide_face(&self, level: &Level, vertices: &[Vertex], f: u32) -> [Inner; 3] {
         let face = &level.faces[f as usize];
         let edges = gather(&level.edges, face.edges);
+        // Most faces have no drainage: then nothing is to be decided.
         if edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
             return [Inner::Terrain; 3];
         }
@@ -204,6 +206,7 @@ fn around_edge<'a>(level: &'a Level, vertices: &'a [Vertex], i: u32) -> VertexCo
         let k = face.edges.iter().position(|&e| e == i).unwrap_or(0);
         around.requests = around.requests.and(Requests::of(&face.inner, k));
         for j in 0..2 {
+            // The face's other two edges, in the order of its winding.
             let other = &level.edges[face.edges[(k + 1 + j) % 3] as usize];
             around.beside[side * 2 + j] = drain_beside(other, vertices);
         }
@@ -225,6 +228,7 @@ fn opposite<'a>(
 
 /// The corner beyond an edge of a face.
 fn beyond<'a>(level: &Level, vertices: &'a [Vertex], edge: u32, face: u32) -> Option<&'a Vertex> {
+    // The side of the edge that is not the face's own.
     let side = usize::from(level.edges[edge as usize].faces[0] == face);
     opposite(level, vertices, edge, side)
 }
@@ -241,6 +245,7 @@ fn drain_beside<'a>(edge: &'a Edge, vertices: &'a [Vertex]) -> Option<DrainBesid
 /// The next level's faces.
 fn grow_faces(level: &Level, counts: &LevelCounts) -> Vec<Face> {
     let mut faces = Vec::with_capacity(counts.faces);
+    // Inner edges follow the halves, three a face, as `grow_edges` lays them.
     let mut inner = counts.halves as u32;
     for (f, face) in (0..).zip(&level.faces) {
         if face.mark == SplitMark::Split {

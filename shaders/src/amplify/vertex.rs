@@ -137,6 +137,7 @@ impl Default for Vertex {
 impl Vertex {
     /// A vertex of level 0.
     pub fn from_control(control: &ControlVertex) -> Self {
+        // The square of a whole 1, 65,536, would leave 32 bits.
         let flow = control.flow.min(0xffff);
         Self {
             direction: control.direction,
@@ -182,8 +183,8 @@ impl Vertex {
     }
 }
 
-/// An edge as a vertex's rule sees it: its ends, and the vertex that halves it, which has everything
-/// but its elevation.
+/// An edge as a vertex's rule sees it: its ends, and the vertex that halves it, which has
+/// everything but its elevation.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeContext<'a> {
     /// One end; the upstream one of a river edge, the wet one of an edge between a river and land.
@@ -210,6 +211,7 @@ pub struct EdgeContext<'a> {
 /// level in common, so the level gives the number.
 const fn lake_number(control: &ControlVertex) -> u32 {
     if control.kind == VertexKind::Lake as u8 {
+        // Odd, so never the 0 of no lake.
         pcg(control.water as u32) | 1
     } else {
         0

@@ -18,7 +18,7 @@ const SEA_EXAGGERATION: f32 = 9.0;
 /// Least and greatest brightness of shaded relief.
 const BRIGHTNESS: (f32, f32) = (0.45, 1.35);
 
-/// A line between plates is drawn where no plate leads by more of the weight.
+/// Lead in weight of one plate over the others up to which a line between plates is drawn.
 const BOUNDARY_LEAD: f32 = 0.5;
 
 /// Edges of triangles.
@@ -27,8 +27,9 @@ const EDGE: Rgba = [40, 42, 48, 255];
 /// Drawn over the colours of an overlay.
 enum Decoration {
     None,
-    /// Shading. Uphill gradients per sample of the land with the sea as a plain, and of the sea
-    /// floor with the land as one: a coast is no cliff.
+    /// Shading, from the uphill gradient at every sample: that of the land, with the sea as a
+    /// plain, and that of the sea floor, with the land as a plain. So a coast is not shaded as a
+    /// cliff.
     Relief {
         land: Vec<Vec3>,
         sea: Vec<Vec3>,
@@ -109,24 +110,19 @@ impl<'a> MapColors<'a> {
 
     /// The colour in the light of the map's sun.
     fn shaded(&self, color: Rgba, place: &Barycentric, land: &[Vec3], sea: &[Vec3]) -> Rgba {
-        let corners = || {
-            place
-                .vertices
-                .into_iter()
-                .map(|v| v as usize)
-                .zip(place.weights)
-        };
-        let z: f32 = corners().map(|(v, w)| w * self.surface.elevation(v)).sum();
+        let z: f32 = corners(place)
+            .map(|(v, w)| w * self.surface.elevation(v))
+            .sum();
         let (gradients, exaggeration) = if z >= 0.0 {
             (land, LAND_EXAGGERATION)
         } else {
             (sea, SEA_EXAGGERATION)
         };
         // The normal is taken where the pixel is, or triangles would show as facets.
-        let p: Vec3 = corners()
+        let p: Vec3 = corners(place)
             .map(|(v, w)| w * self.mesh.point(v as u32).as_vec3())
             .sum();
-        let gradient: Vec3 = corners().map(|(v, w)| w * gradients[v]).sum();
+        let gradient: Vec3 = corners(place).map(|(v, w)| w * gradients[v]).sum();
         let light = shade(p.normalize_or(Vec3::Z), gradient * exaggeration);
         palette::scaled(color, light.clamp(BRIGHTNESS.0, BRIGHTNESS.1))
     }
@@ -147,4 +143,10 @@ impl<'a> MapColors<'a> {
             kind => kind.color(),
         }
     }
+}
+
+/// The samples at the corners of a place, each with its weight.
+fn corners(place: &Barycentric) -> impl Iterator<Item = (usize, f32)> {
+    let vertices = place.vertices.into_iter().map(|v| v as usize);
+    vertices.zip(place.weights)
 }

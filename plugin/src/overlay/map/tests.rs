@@ -108,20 +108,19 @@ fn maps_have_north_up_and_greenwich_in_the_middle() {
     );
 }
 
+/// All maps of a planet, looked up and drawn by so many threads.
+fn maps(small: &SmallPlanet, threads: usize) -> [Raster; Overlay::COUNT] {
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    builder.build().unwrap().install(|| {
+        let map = MapProjection::new(&small.mesh, 96, 48);
+        Overlay::ALL.map(|overlay| map.draw(overlay, &small.input()))
+    })
+}
+
 #[test]
 fn the_same_map_on_any_number_of_threads() {
     let small = small(0.01);
-    let draw = || {
-        let map = MapProjection::new(&small.mesh, 96, 48);
-        Overlay::ALL.map(|overlay| map.draw(overlay, &small.input()))
-    };
-    let pool = |n| {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(n)
-            .build()
-            .unwrap()
-    };
-    assert_eq!(pool(1).install(draw), pool(3).install(draw));
+    assert_eq!(maps(&small, 1), maps(&small, 3));
 }
 
 /// The kind of boundary at a place, or beside it.

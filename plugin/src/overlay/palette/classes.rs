@@ -28,5 +28,5 @@ pub const SEA: Rgba = [38, 48, 66, 255];
 pub const LAND: Rgba = [206, 202, 190, 255];
 /// Basins whose water never reaches the sea darken towards this.
 pub const ENDORHEIC: Rgba = [96, 40, 40, 255];
-/// A colour that stands for any.
+/// Stands for a colour that is not known, and for many at once in a legend.
 pub const GREY: Rgba = [150, 150, 150, 255];

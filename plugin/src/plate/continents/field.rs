@@ -35,13 +35,15 @@ const REGULAR_OCTAVES: usize = 2;
 /// Largest amplitude of an octave relative to the radius of a lobe.
 const SHARE_OF_RADIUS: f64 = 0.8;
 
-/// Noise of a given disc relative to that of a random lobe: its maker wants it where it was put.
+/// Noise of a given disc relative to that of a random lobe: a disc that is given should stay
+/// recognisable.
 const GIVEN_NOISE: f64 = 0.8;
 
 /// Octaves that suffice far from the coast.
 const COARSE_OCTAVES: usize = 4;
 
-/// Depth in rad of what is far from the coast: more than the finer octaves ever add.
+/// Depth in rad, inwards or outwards, beyond which a sample counts as far from every coast: more
+/// than the finer octaves ever add.
 const FAR_FROM_COAST: f64 = 0.15;
 
 /// Width in rad over which large lobes are rounded into each other.
@@ -68,6 +70,7 @@ impl OctaveSums {
             plain: [0.0; MAX_OCTAVES + 1],
             scaled: [0.0; MAX_OCTAVES + 1],
         };
+        // Sums from both ends, so that each disc can cut the octaves at its own place.
         for (o, octave) in octaves.iter().enumerate() {
             sums.plain[o + 1] = sums.plain[o] + octave;
         }
@@ -157,6 +160,7 @@ fn discs(continents: &Continents, scale: f64, noise: f64) -> Vec<Disc> {
 
 /// Greatest depth in any of the discs.
 fn depth(discs: &[Disc], p: DVec3, coast: &OctaveSums) -> f64 {
+    // No point lies farther outside than π.
     discs.iter().fold(-math::PI, |deepest, disc| {
         rounded_max(deepest, disc.depth(p, coast), disc.rounding)
     })
@@ -166,6 +170,7 @@ fn depth(discs: &[Disc], p: DVec3, coast: &OctaveSums) -> f64 {
 /// grow together instead of meeting in a notch.
 fn rounded_max(a: f64, b: f64, width: f64) -> f64 {
     let near = (width - (a - b).abs()).max(0.0);
+    // Smooth at both ends of `width`, and a quarter of it more where both are equal.
     a.max(b) + near * near / (4.0 * width)
 }
 

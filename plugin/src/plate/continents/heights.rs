@@ -15,7 +15,8 @@ use bevy::math::DVec3;
 /// Radius in km below which distances shrink with the planet: Earth's.
 const EARTH_RADIUS_KM: f64 = 6370.0;
 
-/// Lowest land and shallowest sea in km: the coast stays where the field has it.
+/// Least height of land above the sea, and least depth of the sea, in km, so that the coast stays
+/// where the field has it.
 const SHORE_KM: f64 = 0.015;
 
 /// Distance from the coast in km in which land rises to 63 % of its interior elevation: coastal
@@ -92,6 +93,7 @@ impl Heights {
     fn land(&self, p: DVec3, coast: f64) -> f64 {
         let inland = 1.0 - math::exp(-coast * self.radius / (RISE_LENGTH_KM * self.scale));
         let broad = math::smoothstep(0.5 + 0.8 * self.interior.fractal(p, 3.0, 3));
+        // Waves of 450 km on Earth over waves of 2,100 km.
         let fine = self.interior.fractal(p, 14.0, 3);
         let plain = inland * (0.13 + 0.5 * broad + 0.14 * fine);
         let belt = self.belts.at(p, coast);

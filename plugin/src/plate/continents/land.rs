@@ -21,8 +21,8 @@ const ROUNDS: usize = 6;
 /// The first rounds find the level anew, as what they remove is land that is missing elsewhere.
 const LEVEL_ROUNDS: usize = 3;
 
-/// Range of the share of an edge at which the coast may cross it: no sample lies on the very coast,
-/// where its distance would say neither land nor sea.
+/// Least and greatest share of an edge at which the coast may cross it. On the coast itself, at
+/// distance 0, a sample would have neither the heights of land nor those of the sea.
 const CROSSING_RANGE: [f64; 2] = [0.15, 0.85];
 
 /// Land and sea.
@@ -89,6 +89,7 @@ fn level(mesh: &SphereMesh, field: &[f64], share: f64) -> f64 {
     let wanted = share * 4.0 * math::PI;
     let mut area = 0.0;
     for &(value, i) in &order {
+        // The sample whose middle the wanted area reaches is the last on its side.
         if area + 0.5 * mesh.area(i) >= wanted {
             return value;
         }
@@ -163,7 +164,7 @@ pub(super) fn shelf(
     shelf
 }
 
-/// The samples of oceanic regions of few samples.
+/// The samples of oceanic regions of fewer than [`LEAST_SAMPLES`] samples.
 fn enclosed(mesh: &SphereMesh, continental: &[bool]) -> Vec<u32> {
     let samples: Vec<u32> = (0..mesh.len() as u32).collect();
     let labels: Vec<u16> = continental.iter().map(|&is| u16::from(is)).collect();

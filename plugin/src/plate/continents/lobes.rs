@@ -113,6 +113,7 @@ impl Continents {
     pub(super) fn cover(&self, site: &PlateSite) -> f64 {
         let depth = |lobe: &Lobe| lobe.radius - math::angle_between(lobe.center, site.centroid);
         let deepest = self.lobes.iter().map(depth).fold(-math::PI, f64::max);
+        // Half where the edge of a lobe runs through the centre of the plate.
         math::smoothstep(0.5 + deepest / (2.0 * site.radius))
     }
 }
@@ -225,6 +226,7 @@ fn blocks(recipe: &PlanetRecipe, cores: &[Lobe]) -> Vec<Lobe> {
 fn block(seed: u64, cores: &[Lobe], k: usize, radius: f64) -> Lobe {
     let stream = Stream::new(seed, Purpose::Continents, 1);
     let draw = |j: usize| stream.unit((4 * k + j) as u64);
+    // The continents in turn; without any, every block lies anywhere.
     let center = match cores.get(k / 2 % cores.len().max(1)) {
         Some(core) if k.is_multiple_of(2) => {
             let off = core.radius * (1.1 + 0.5 * draw(1)) + radius;

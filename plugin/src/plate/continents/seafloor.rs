@@ -120,6 +120,7 @@ fn diverging_border(
     let p = mesh.point(i as u32);
     let owner_of = |&j: &u32| owner[j as usize];
     let ring = mesh.ring(i as u32).iter();
+    // At a triple junction the first foreign neighbour stands for all.
     let other = ring
         .clone()
         .map(owner_of)
@@ -133,6 +134,7 @@ fn diverging_border(
     let velocity = |plate: FrameId| Some(motions.get(usize::from(plate))?.velocity(p));
     let relative = velocity(owner[i])? - velocity(other)?;
     let opening = relative.dot(away) / away.length();
+    // The border runs half way between the sample and its neighbours beyond.
     let point = (p - 0.5 * away).normalize();
     (opening > RIDGE_OPENING * relative.length()).then(|| (point, relative.length()))
 }

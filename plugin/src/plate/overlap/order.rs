@@ -17,9 +17,11 @@ fn overrides(
     let frame_a = &frames[usize::from(a.frame)];
     let frame_b = &frames[usize::from(b.frame)];
     if frame_a.plate == frame_b.plate {
+        // Of one plate: terranes over the frame that they came to, later ones over earlier ones.
         return (frame_a.terrane, a.frame) > (frame_b.terrane, b.frame);
     }
     let (i, j) = (a.sample as usize, b.sample as usize);
+    // Continental crust is the lighter one, whatever the plates decided for equal kinds.
     match (crust.kind[i], crust.kind[j]) {
         (CrustKind::Continental, CrustKind::Oceanic) => return true,
         (CrustKind::Oceanic, CrustKind::Continental) => return false,
@@ -30,6 +32,7 @@ fn overrides(
     }
     // These plates have not met yet: younger floor is lighter.
     let (age_a, age_b) = (crust.ocean_age[i], crust.ocean_age[j]);
+    // Of one age: any order will do that is the same from both sides.
     if age_a == age_b {
         frame_a.plate < frame_b.plate
     } else {

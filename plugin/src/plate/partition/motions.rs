@@ -14,8 +14,8 @@ const SPEED_SHARE: [f64; 2] = [0.45, 0.95];
 /// than half of the speed of oceanic ones.
 const CONTINENTAL_DRAG: f64 = 0.55;
 
-/// Farthest that a plate's pole of rotation lies from 90 degrees off its centroid, in rad: it is 60
-/// to 120 degrees away, so that the plate travels rather than spins.
+/// Most by which the angle from a plate's centroid to its pole of rotation differs from 90 degrees,
+/// in rad: at 60 to 120 degrees the plate travels rather than spins.
 const MAX_TILT: f64 = math::PI / 6.0;
 
 /// Motions of the recipe's plates: as given, or random.
@@ -69,10 +69,12 @@ fn random_motion(
     continental: f64,
 ) -> PlateMotion {
     let stream = Stream::new(recipe.seed, Purpose::PlateMotion, plate as u64);
+    // Any two tangents will do: the bearing is random.
     let east = math::any_tangent(site.centroid);
     let north = site.centroid.cross(east);
     let (sin_bearing, cos_bearing) = math::sin_cos(stream.range(0, 0.0, math::TAU));
     let (sin_tilt, cos_tilt) = math::sin_cos(stream.range(1, -MAX_TILT, MAX_TILT));
+    // A bearing on the circle 90 degrees off, then tilted towards the centroid or away.
     let axis = (east * cos_bearing + north * sin_bearing) * cos_tilt + site.centroid * sin_tilt;
     let [slow, fast] = SPEED_SHARE;
     let share = stream.range(2, slow, fast) * (1.0 - CONTINENTAL_DRAG * continental);

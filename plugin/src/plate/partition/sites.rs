@@ -65,8 +65,8 @@ impl PlateSite {
         }
     }
 
-    /// Distance in rad by which a cap of the given radius around `p` is farther away than it must
-    /// be.
+    /// Distance in rad that a cap of the given radius around `p` has to spare from this plate;
+    /// negative where it is too near.
     fn room(&self, p: DVec3, radius: f64) -> f64 {
         math::angle_between(p, self.centroid) - SEPARATION * (radius + self.radius)
     }
@@ -100,6 +100,7 @@ fn shares(recipe: &PlanetRecipe) -> Vec<f64> {
     let n = recipe.plate_count as usize;
     let stream = Stream::new(recipe.seed, Purpose::PlateCentroids, 1);
     let [low, high] = AREA_FACTOR;
+    // Ranks count from 2: from 1, the largest of 40 plates would take three tenths of the surface.
     let share =
         |k: usize| math::pow(k as f64 + 2.0, -RANK_POWER) * stream.range(k as u64, low, high);
     let mut shares: Vec<_> = (0..n).map(share).collect();

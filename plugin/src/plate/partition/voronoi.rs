@@ -116,6 +116,8 @@ impl<'a> Cells<'a> {
     /// How far octaves from `octave` on can displace a sample.
     fn reach(&self, octave: u32) -> f64 {
         if octave < self.octaves {
+            // Each octave has half of the one before: all that follow sum to no more than its
+            // own.
             2.0 * LONGEST * self.amplitude / f64::from(1 << octave)
         } else {
             0.0
@@ -129,7 +131,8 @@ impl<'a> Cells<'a> {
         let radius = points.map(|p| (p - middle).length()).fold(0.0, f64::max) + self.reach(0);
         let distances = self.cells.iter().map(|c| c.distance(middle));
         let nearest = distances.fold(f64::INFINITY, f64::min);
-        // From the middle to any displaced sample both distances change by the radius at most.
+        // From the middle to any displaced sample both distances change by the radius at most; the
+        // last term outweighs rounding.
         let limit = nearest + 2.0 * radius + 1e-9;
         let cells = self.cells.iter().copied();
         cells.filter(|c| c.distance(middle) <= limit).collect()
@@ -147,6 +150,7 @@ impl<'a> Cells<'a> {
             }
             at += self.displacement(p, octave);
         }
+        // Never reached: beyond the last octave the reach is 0.
         0
     }
 
@@ -173,6 +177,7 @@ fn closest(p: DVec3, near: &[Cell]) -> (u16, f64) {
     let mut second = f64::INFINITY;
     for cell in near {
         let d = cell.distance(p);
+        // Of equals the first stays, which has the lower index.
         if d < first {
             second = first;
             first = d;
@@ -189,6 +194,7 @@ fn mean_spacing(centroids: &[DVec3]) -> f64 {
     let count = centroids.len();
     let mean = (0..count).map(|k| nearest_other(centroids, k)).sum::<f64>() / count as f64;
     if mean.is_finite() {
+        // Centroids at one place must not make the frequency infinite.
         mean.max(1e-4)
     } else {
         1.0

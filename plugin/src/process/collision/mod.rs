@@ -22,19 +22,19 @@ use self::suture::{Collision, CollisionInput};
 use crate::crust::{Cause, Crust, Frames, Ledger};
 use crate::events::TerraneCollided;
 use crate::planet::GeologicClock;
-use crate::plate::PlateAccess;
 use crate::plate::boundary::Rim;
 use crate::plate::caches::{MovedSamples, recompute_moved};
 use crate::plate::contact::Contacts;
 use crate::plate::overlap::OverlapIndex;
+use crate::plate::{PlateAccess, PlateTable};
 use crate::resample::due;
 use crate::schedule::{Stage, TectonicStep, TectonicSystems};
 use crate::sphere::nearest_source::SourceScratch;
-use crate::view::PlanetQuery;
+use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 
-/// Share of the trigger that is enough in a step that ends with a resample: what is half way to a
-/// collision would never become one.
+/// Share of the trigger's length at which continents collide in a step that ends with a resample:
+/// the resample would undo an overlap that is half way to a collision.
 const LAST_CHANCE_SHARE: f64 = 0.5;
 
 /// Adds [`collision`] to the step.
@@ -75,9 +75,7 @@ pub fn collision(
         return;
     }
     let table = plates.table();
-    let last_chance = due(view.params, clock, &table, view.radius, frames.len());
-    let share = if last_chance { LAST_CHANCE_SHARE } else { 1.0 };
-    let trigger = view.params.collision_trigger / view.radius * share;
+    let trigger = trigger_length(&view, clock, &table, frames.len());
     let continents = CollisionInput {
         planet: view,
         rim,
@@ -87,12 +85,29 @@ pub fn collision(
     };
     let places = continents.deep_overlaps(&meeting, trigger, &crust, &frames);
     let (events, moved) = collide(&continents, places, &mut crust, &mut frames, &mut ledger);
+    announce(&mut commands, planet, events);
+    if !moved.samples.is_empty() {
+        // Only afterwards: the caches need the whole world.
+        commands.queue(move |world: &mut World| recompute_moved(world, planet, &moved));
+    }
+}
+
+fn announce(commands: &mut Commands, planet: Entity, events: Vec<TerraneCollided>) {
     for event in events {
         commands.trigger(TerraneCollided { planet, ..event });
     }
-    if !moved.samples.is_empty() {
-        commands.queue(move |world: &mut World| recompute_moved(world, planet, &moved));
-    }
+}
+
+/// Length of overlap in radians from which continents collide; less before a resample.
+fn trigger_length(
+    planet: &PlanetView,
+    clock: &GeologicClock,
+    plates: &PlateTable,
+    frames: usize,
+) -> f64 {
+    let last_chance = due(planet.params, clock, plates, planet.radius, frames);
+    let share = if last_chance { LAST_CHANCE_SHARE } else { 1.0 };
+    planet.params.collision_trigger / planet.radius * share
 }
 
 /// Carries out the collisions at some places of the rim, one after the other. Returns their events
@@ -108,6 +123,7 @@ fn collide(
     let mut moved = MovedSamples::default();
     let mut scratch = SourceScratch::default();
     for at in places {
+        // Each sees what those before it have done.
         let Some(collision) = Collision::find(continents, at, crust, frames) else {
             continue;
         };
@@ -119,6 +135,7 @@ fn collide(
         moved.frames.extend([new_frame, collision.from]);
         moved.samples.extend(collision.terrane);
     }
+    // A terrane may be sutured twice in one step.
     moved.samples.sort_unstable();
     moved.samples.dedup();
     (events, moved)

@@ -19,7 +19,8 @@ use crate::sphere::SphereMesh;
 use crate::sphere::nearest_source::ReachedSamples;
 use bevy::math::DVec3;
 
-/// A belt is where at least this share of the surge is felt, not the whole radius of influence.
+/// Least share of the surge at the suture at which crust counts as folded: the belt is narrower
+/// than the radius of influence.
 const BELT_SHARE: f64 = 0.1;
 
 /// The surge of one collision.
@@ -42,6 +43,7 @@ impl Surge {
         let highest = params.collision_surge_max;
         Self {
             radius: params.collision_distance * params.collision_reach * share / planet_radius,
+            // Small terranes surge as printed, large ones approach the highest surge.
             height: if printed > 0.0 {
                 printed * highest / (printed + highest)
             } else {
@@ -60,7 +62,7 @@ impl Surge {
     }
 
     /// Raises what was reached; belts are folded around the direction `centroid`. Returns the gain
-    /// of volume in km per steradian.
+    /// of volume in km times steradians.
     pub(super) fn raise(
         &self,
         mesh: &SphereMesh,
@@ -92,6 +94,7 @@ fn fold(crust: &mut Crust, i: usize, n: DVec3, centroid: DVec3) {
     crust.orogeny[i] = Orogeny::Himalayan;
     crust.orogeny_age[i] = 0.0;
     let away = (n - centroid).normalize_or_zero();
+    // Crossed twice with n: the part of the way from the centroid that lies along the ground.
     crust.fold[i] = n.cross(away).cross(n).normalize_or_zero().as_vec3();
 }
 

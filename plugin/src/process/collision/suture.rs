@@ -52,16 +52,12 @@ impl Collision {
         crust: &Crust,
         frames: &Frames,
     ) -> Option<Self> {
-        let mesh = continents.planet.mesh;
-        let contact = continents.contacts.0[k];
-        let above = continents.rim.samples[k];
-        let still_there = crust.frame[contact.sample as usize] == contact.frame
-            && frames.plate(contact.frame) == contact.other
-            && frames.plate(crust.frame[above as usize]) != contact.other;
-        if !still_there {
+        if !continents.still_meet(k, crust, frames) {
             return None;
         }
-        let sides = [above, contact.sample];
+        let mesh = continents.planet.mesh;
+        let above = continents.rim.samples[k];
+        let sides = [above, continents.contacts.0[k].sample];
         let (mover, terrane) = smaller_terrane(mesh, crust, sides);
         let area = continents.area(&terrane);
         if area < continents.planet.params.terrane_min_area {
@@ -109,6 +105,7 @@ impl Collision {
         let planet = &continents.planet;
         let surge = Surge::new(planet.params, planet.radius, self.area, self.speed);
         let [own, other] = self.suture(continents, crust, frames);
+        // Side by side in the world, apart on the lattice: each frame is searched by itself.
         [(self.from, own), (self.to, other)].map(|(id, seeds)| {
             let centroid = frames[usize::from(id)].to_lattice(self.centroid);
             let reached = continents.reach(crust, id, &seeds, surge.radius, scratch);
@@ -121,20 +118,15 @@ impl Collision {
     fn suture(&self, continents: &CollisionInput, crust: &Crust, frames: &Frames) -> [Vec<u32>; 2] {
         let mesh = continents.planet.mesh;
         let frame = frames[usize::from(self.from)];
-        let other_side = |i: u32| {
-            let p = frame.to_world(mesh.point(i));
-            let hit = continents.overlap.hit(mesh, crust, self.to, p)?;
-            crust
-                .is_continental(hit.sample as usize)
-                .then_some((i, hit.sample))
-        };
+        let under = |i: u32| continents.continent_at(crust, self.to, frame.to_world(mesh.point(i)));
         let pairs: Vec<(u32, u32)> = self
             .terrane
             .par_iter()
             .with_min_len(512)
-            .filter_map(|&i| other_side(i))
+            .filter_map(|&i| Some((i, under(i)?)))
             .collect();
         let (mut own, mut other): (Vec<u32>, Vec<u32>) = pairs.into_iter().unzip();
+        // Where only the rim overlaps, the two that met are the suture.
         own.push(self.start[0]);
         other.push(self.start[1]);
         for side in [&mut own, &mut other] {
@@ -162,18 +154,36 @@ impl Collision {
 }
 
 impl CollisionInput<'_> {
-    /// km².
+    /// Whether both sides of the contact at the rim's position `k` are still carried by the plates
+    /// that met: an earlier collision of the step may have moved them.
+    fn still_meet(&self, k: usize, crust: &Crust, frames: &Frames) -> bool {
+        let contact = self.contacts.0[k];
+        let above = self.rim.samples[k];
+        crust.frame[contact.sample as usize] == contact.frame
+            && frames.plate(contact.frame) == contact.other
+            && frames.plate(crust.frame[above as usize]) != contact.other
+    }
+
+    /// Area of samples in km².
     fn area(&self, samples: &[u32]) -> f64 {
         let sum: f64 = samples.iter().map(|&i| self.planet.mesh.area(i)).sum();
         sum * self.planet.radius * self.planet.radius
     }
 
-    /// Unit direction in world coordinates.
+    /// Centroid of samples of a frame, as a unit direction in world coordinates.
     fn centroid(&self, samples: &[u32], frame: &Frame) -> DVec3 {
         let mesh = self.planet.mesh;
         let moments = samples.iter().map(|&i| mesh.point(i) * mesh.area(i));
         let sum: DVec3 = moments.sum();
         frame.to_world(sum.try_normalize().unwrap_or(DVec3::Z))
+    }
+
+    /// The continental sample of a frame that covers a direction of the world, if there is one.
+    fn continent_at(&self, crust: &Crust, id: FrameId, p: DVec3) -> Option<u32> {
+        let hit = self.overlap.hit(self.planet.mesh, crust, id, p)?;
+        crust
+            .is_continental(hit.sample as usize)
+            .then_some(hit.sample)
     }
 
     /// Distances from `seeds` over the continental crust of one frame, as far as `reach` radians.
@@ -210,6 +220,7 @@ pub fn smaller_terrane(mesh: &SphereMesh, crust: &Crust, start: [u32; 2]) -> (us
         next: 0,
     });
     loop {
+        // The smaller is complete first, and a continent is not flooded for an island.
         for (side, flood) in floods.iter_mut().enumerate() {
             if flood.advance(mesh, crust, &mut seen) {
                 let mut samples = core::mem::take(&mut flood.samples);

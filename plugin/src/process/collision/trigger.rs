@@ -43,6 +43,7 @@ impl CollisionInput<'_> {
         for k in deep {
             let own = crust.frame[self.rim.samples[k] as usize];
             let pair = (own, self.contacts.0[k].frame);
+            // One collision moves the whole terrane, and with it the other places of the pair.
             if !pairs.contains(&pair) {
                 pairs.push(pair);
                 firsts.push(k);

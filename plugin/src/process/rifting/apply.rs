@@ -18,6 +18,45 @@ pub(super) fn apply(
     row: PlateRow,
     plan: RiftPlan,
 ) -> Option<Vec<PlateId>> {
+    let broken = break_crust(world, planet, row.id, &plan)?;
+    // The first fragment is the parent's entity, with a new motion.
+    let first = (plan.motions[0], broken.born);
+    world.entity_mut(row.entity).insert(first);
+    for (&fragment, &motion) in broken.fragments.iter().zip(&plan.motions).skip(1) {
+        world.spawn((
+            Name::new(format!("plate {}", fragment.0)),
+            PlateOf(planet),
+            broken.born,
+            fragment,
+            motion,
+            // Found below, with the caches.
+            PlateStats::default(),
+        ));
+    }
+    recompute_moved(world, planet, &broken.moved);
+    // Observers see fragments that have their statistics.
+    world.trigger(PlateRifted {
+        planet,
+        parent: row.id,
+        fragments: broken.fragments.clone(),
+    });
+    Some(broken.fragments)
+}
+
+/// The crust of a plate that has been broken, before its fragments are entities.
+struct BrokenCrust {
+    fragments: Vec<PlateId>,
+    moved: MovedSamples,
+    born: Plate,
+}
+
+/// Thins the crust along the fracture and gives the fragments their numbers and frames.
+fn break_crust(
+    world: &mut World,
+    planet: Entity,
+    parent: PlateId,
+    plan: &RiftPlan,
+) -> Option<BrokenCrust> {
     let mut query = world.query::<(
         (PlanetQuery, &GeologicClock, &mut PlateNumbers),
         (&mut Crust, &mut Frames, &mut Ledger),
@@ -27,28 +66,13 @@ pub(super) fn apply(
     let view = body.view();
     let volume = thin(&mut crust, &view, &plan.samples);
     ledger.book(Cause::Rifting, 0.0, volume * view.radius * view.radius);
-    let fragments = number_fragments(row.id, plan.motions.len(), &mut numbers);
+    let fragments = number_fragments(parent, plan.motions.len(), &mut numbers);
     reframe(&mut crust, &mut frames, &plan.samples, &fragments);
-    let moved = moved_samples(&plan.samples, &frames, &fragments);
-    let born = Plate { born: clock.time };
-    world.entity_mut(row.entity).insert((plan.motions[0], born));
-    for (&fragment, &motion) in fragments.iter().zip(&plan.motions).skip(1) {
-        world.spawn((
-            Name::new(format!("plate {}", fragment.0)),
-            PlateOf(planet),
-            born,
-            fragment,
-            motion,
-            PlateStats::default(),
-        ));
-    }
-    recompute_moved(world, planet, &moved);
-    world.trigger(PlateRifted {
-        planet,
-        parent: row.id,
-        fragments: fragments.clone(),
-    });
-    Some(fragments)
+    Some(BrokenCrust {
+        moved: moved_samples(&plan.samples, &frames, &fragments),
+        fragments,
+        born: Plate { born: clock.time },
+    })
 }
 
 /// The numbers of the fragments: the parent's, then free ones.
@@ -68,6 +92,7 @@ fn thin(crust: &mut Crust, planet: &PlanetView, samples: &[PlateSample]) -> f64 
         let fade = 1.0 - smoothstep(f64::from(part.distance) / width.max(1e-9));
         if fade > 0.0 && crust.is_continental(i) {
             let before = crust.thickness[i];
+            // The elevation follows step by step, as surface processes let thinner crust sink.
             crust.thickness[i] = before * (1.0 - planet.params.rift_thinning * fade) as f32;
             volume += f64::from(crust.thickness[i] - before) * planet.mesh.areas()[i];
         }
@@ -78,11 +103,12 @@ fn thin(crust: &mut Crust, planet: &PlanetView, samples: &[PlateSample]) -> f64 
 /// Gives the samples of all fragments but the first new frames, one for each frame that the plate
 /// had.
 fn reframe(crust: &mut Crust, frames: &mut Frames, samples: &[PlateSample], ids: &[PlateId]) {
-    // What each fragment made of each old frame.
+    // New frames by old frame and fragment: terranes within a fragment stay frames of their own.
     let mut made: Vec<((FrameId, u8), FrameId)> = Vec::new();
     for part in samples.iter().filter(|part| part.fragment > 0) {
         let i = part.sample as usize;
         let key = (crust.frame[i], part.fragment);
+        // A handful of frames: looking at all is quick enough.
         let known = made.iter().find(|(other, _)| *other == key);
         crust.frame[i] = match known {
             Some(&(_, id)) => id,

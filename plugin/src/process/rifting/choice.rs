@@ -13,31 +13,40 @@ use crate::view::PlanetQuery;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 
-/// Each fragment of a random rift has at least this share of the plate.
+/// Least share of the plate's samples in each fragment of a random rift.
 const SMALLEST_SHARE: f64 = 0.15;
 
-/// Plates that fill a cap of more than so many radians break by shedding bites.
+/// Angular radius in radians of the cap of a plate's area above which the plate breaks by shedding
+/// bites.
 const WIDE_EXTENT: f64 = 1.2;
 
-/// A plate that fills a cap of more than so many radians may break all round.
+/// Angular radius in radians of the cap of a plate's area above which the plate may break all
+/// round.
 const ALL_ROUND_EXTENT: f64 = 2.0;
 
-/// A bite has at least this share of the plate, where none of the first
-/// [`ATTEMPTS_AT_LARGE_SHARES`] shapes gives a larger one.
+/// Least share of the plate's samples in a bite, once [`ATTEMPTS_AT_LARGE_SHARES`] shapes have not
+/// given [`SMALLEST_SHARE`].
 const SMALLEST_BITE_SHARE: f64 = 0.025;
+
+/// Number of shapes of which each fragment must have [`SMALLEST_SHARE`].
 const ATTEMPTS_AT_LARGE_SHARES: u64 = 36;
 
-/// Shapes that are tried before a random rift is given up: of plates that great circles break, and
-/// of wide ones.
+/// Shapes that are tried on a plate that great circles break, before a random rift is given up.
 const ATTEMPTS: u64 = 12;
+
+/// Shapes that are tried on a wide plate, of which most bites are refused.
 const WIDE_ATTEMPTS: u64 = 56;
 
-/// Chances of two fragments, and of two or three.
+/// Chance that a rift has two fragments.
 const TWO_FRAGMENTS: f64 = 0.75;
+
+/// Chance that a rift has two or three fragments; else it has four.
 const UP_TO_THREE_FRAGMENTS: f64 = 0.93;
 
-/// Draws of a step: fragments come first, then every attempt has its own counter.
+/// Counters of the random numbers of a step: the number of fragments first, then one an attempt.
 const DRAWS_PER_STEP: u64 = 64;
+
+/// The first of a step's counters that belongs to an attempt.
 const FIRST_ATTEMPT: u64 = 4;
 
 /// How a plate breaks by chance: everything that its shapes are drawn from.
@@ -67,9 +76,11 @@ impl RiftChoice {
         let view = body.view();
         let id = u64::from(row.id.0);
         let reach = (row.stats.area / PI).sqrt() / view.radius;
+        // A cap of radius e has the area 2π (1 - cos e), the plate π reach².
         let extent = acos(1.0 - 0.5 * reach * reach);
         let stream = Stream::new(view.seed, Purpose::RiftShape, id);
         let draw = stream.unit(DRAWS_PER_STEP * clock.step);
+        // The lines of a junction cannot all open on a wide plate.
         let drawn = if draw < TWO_FRAGMENTS || extent > WIDE_EXTENT {
             2
         } else if draw < UP_TO_THREE_FRAGMENTS {
@@ -86,6 +97,7 @@ impl RiftChoice {
             extent,
             warp: Warp {
                 noise: Noise::new(view.seed, Purpose::RiftWarp, id << 32 | clock.step),
+                // As for initial borders, about two bends over the extent of the plate.
                 amplitude: 0.5 * view.params.border_warp * reach,
                 frequency: 2.0 / reach.max(0.01),
             },
@@ -160,6 +172,7 @@ fn place_on_border(
     let (crust, frames) = (world.get::<Crust>(planet)?, world.get::<Frames>(planet)?);
     let frame = |k: usize| frames[usize::from(crust.frame[rim.samples[k] as usize])];
     let start = (draw % rim.len().max(1) as u64) as usize;
+    // The first sample of the plate from the drawn place on, all the way round.
     let k = (start..rim.len())
         .chain(0..start)
         .find(|&k| frame(k).plate == id)?;

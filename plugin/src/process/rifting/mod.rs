@@ -12,7 +12,8 @@
 //! | file | what it does |
 //! |---|---|
 //! | `choice` | draws lines for a plate that breaks by chance |
-//! | [`shape`] | lines of fracture, and the motions that open them |
+//! | [`shape`] | lines of fracture, and on which side a sample lies |
+//! | `opening` | the motions that open a line |
 //! | `plan` | what a line would do to a plate, before anything changes |
 //! | `apply` | does it: columns, frames, plates |
 //!
@@ -21,6 +22,8 @@
 mod apply;
 
 mod choice;
+
+mod opening;
 
 mod plan;
 
@@ -43,10 +46,10 @@ use bevy::prelude::*;
 use std::time::Instant;
 use thiserror::Error;
 
-/// Plates with fewer samples do not rift by themselves.
+/// Fewest samples of a plate that rifts by itself: with fewer, fragments would be specks.
 const FEWEST_SAMPLES: u32 = 200;
 
-/// A line that a user draws is warped by this share of what random lines are.
+/// Warp of a line that a user draws, as a share of the warp of random lines.
 const DRAWN_LINE_WARP: f64 = 0.15;
 
 /// Adds [`rifting`] to the step.
@@ -99,6 +102,7 @@ fn plates_to_rift(world: &mut World, planet: Entity) -> Vec<PlateId> {
         .rows()
         .iter()
         .filter(|row| {
+            // A stream for each plate, a number for each step: no draw depends on other plates.
             let draws = Stream::new(view.seed, Purpose::RiftTrigger, u64::from(row.id.0));
             row.stats.samples >= FEWEST_SAMPLES
                 && draws.unit(clock.step) < probability(view.params, &row.stats, view.radius)
@@ -133,6 +137,7 @@ pub fn rift_at_random(
             continue;
         };
         match rift(world, planet, row, &trial) {
+            // A refused shape has changed nothing: the next one is tried.
             Err(RiftError::NoShape | RiftError::Misses) => {}
             Err(error) => return Err(error),
             Ok(plates) => {
@@ -170,6 +175,7 @@ pub fn rift_along(
     };
     let trial = RiftTrial {
         shape: RiftShape::Path { points, warp },
+        // A user may cut off as little as a single sample.
         smallest_share: 0.0,
         far_end: true,
     };
@@ -227,14 +233,17 @@ fn rift(
 mod tests {
     use super::*;
 
-    #[test]
-    fn large_continents_break_first_and_the_chance_never_falls() {
-        let params = TectonicParams::default();
-        let stats = |area: f64, continental: f64| PlateStats {
+    fn stats(area: f64, continental: f64) -> PlateStats {
+        PlateStats {
             area,
             continental,
             ..default()
-        };
+        }
+    }
+
+    #[test]
+    fn large_continents_break_first_and_the_chance_never_falls() {
+        let params = TectonicParams::default();
         let chance = |area, continental| probability(&params, &stats(area, continental), 6370.0);
         assert!(chance(4e7, 1.0) > chance(1e7, 1.0) && chance(1e7, 1.0) > chance(1e7, 0.2));
         let average = params.plate_share * 4.0 * PI * 6370.0 * 6370.0;

@@ -2,13 +2,14 @@
 
 use super::shape::RiftShape;
 use super::{RiftError, RiftTrial};
-use crate::crust::{Crust, Frames};
+use crate::crust::{Crust, Frame, Frames};
 use crate::parallel;
 use crate::plate::{PlateMotion, PlateRow};
 use crate::view::PlanetView;
 use bevy::math::DVec3;
 
-/// Most random shapes are refused; about so many samples are enough to see it.
+/// Samples of the coarse look at a random shape: most shapes are refused, and so many are enough to
+/// see it.
 const COARSE_SAMPLES: usize = 400;
 
 /// Most samples that are left out between two of the coarse look.
@@ -54,6 +55,7 @@ impl RiftPlan {
     pub(super) fn new(input: &RiftInput, trial: &RiftTrial) -> Result<Self, RiftError> {
         let stride = (input.row.stats.samples as usize / COARSE_SAMPLES).clamp(1, WIDEST_STRIDE);
         if trial.smallest_share > 0.0 && stride > 1 {
+            // A coarse look first refuses most shapes at a fraction of the cost.
             openings(input, trial, &split(input, &trial.shape, stride))?;
         }
         let samples = split(input, &trial.shape, 1);
@@ -65,35 +67,34 @@ impl RiftPlan {
     }
 }
 
-/// Splits every `stride`-th sample of the plate. Distances beyond the rift's width need only lie
-/// beyond it.
+/// Splits every `stride`-th sample of the plate. A distance beyond the rift's width is not exact,
+/// but lies beyond it.
 fn split(input: &RiftInput, shape: &RiftShape, stride: usize) -> Vec<PlateSample> {
-    let &RiftInput {
-        planet,
-        crust,
-        frames,
-        ref row,
-    } = input;
+    let &RiftInput { planet, crust, .. } = input;
     let width = planet.params.rift_width / planet.radius;
-    let own: Vec<bool> = frames.iter().map(|frame| frame.plate == row.id).collect();
-    let split_sample = |i: usize| {
-        let world = frames[usize::from(crust.frame[i])].to_world(planet.mesh.points()[i]);
-        let (fragment, distance) = shape.split(world, width);
-        PlateSample {
-            sample: i as u32,
-            fragment: fragment as u8,
-            distance: distance as f32,
-            world,
-        }
-    };
+    let is_own = |frame: &Frame| frame.plate == input.row.id;
+    let own: Vec<bool> = input.frames.iter().map(is_own).collect();
     let parts = parallel::map_chunks(crust.len(), |range| {
         range
             .step_by(stride)
             .filter(|&i| own[usize::from(crust.frame[i])])
-            .map(split_sample)
+            .map(|i| split_sample(input, shape, width, i))
             .collect::<Vec<_>>()
     });
     parts.into_iter().flatten().collect()
+}
+
+/// The fragment of sample `i`, and its distance from the fracture if that is below `width` radians.
+fn split_sample(input: &RiftInput, shape: &RiftShape, width: f64, i: usize) -> PlateSample {
+    let frame = &input.frames[usize::from(input.crust.frame[i])];
+    let world = frame.to_world(input.planet.mesh.points()[i]);
+    let (fragment, distance) = shape.split(world, width);
+    PlateSample {
+        sample: i as u32,
+        fragment: fragment as u8,
+        distance: distance as f32,
+        world,
+    }
 }
 
 /// Angular velocities that open the line, one for every fragment.

@@ -15,6 +15,7 @@
 //! Voronoi cells of random centroids, as printed, have lines that cannot all open; sectors are
 //! their neighbourhood of one junction.
 
+use super::opening::{beside_circle, open_half, open_line, open_sectors};
 use crate::math::{PI, TAU, angle_between, any_tangent, asin, atan2, sin, sin_cos};
 use crate::noise::Noise;
 use crate::random::Stream;
@@ -68,6 +69,7 @@ pub struct Warp {
 impl Warp {
     /// Shift at the position `t` radians along line number `line`.
     fn shift(&self, t: f64, line: usize) -> f64 {
+        // Lines of a junction lie far apart in the noise, so each has a form of its own.
         let p = DVec3::new(t, 3.7 * line as f64, 0.5);
         self.amplitude * self.noise.fractal(p, self.frequency, 4)
     }
@@ -87,6 +89,7 @@ impl RiftShape {
         let east = any_tangent(centroid);
         let north = centroid.cross(east);
         let (s, c) = sin_cos(TAU * draw(0));
+        // Off the centroid, so that fragments differ in size.
         let offset = (east * c + north * s) * (0.35 * reach * draw(1));
         let junction = (centroid + offset).normalize();
         if fragments == 2 {
@@ -102,6 +105,8 @@ impl RiftShape {
             };
         }
         let width = TAU / f64::from(fragments);
+        // Even sectors whose lines shift by up to 0.3 of one, turned together by up to half of
+        // one.
         let azimuths = (0..fragments)
             .map(|k| width * (f64::from(k) + 0.3 * draw(3 + u64::from(k))) + 0.5 * width * draw(9))
             .collect();
@@ -159,8 +164,8 @@ impl RiftShape {
         }
     }
 
-    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians;
-    /// farther away than `near` radians it is any number above that.
+    /// The fragment that holds `p`, and the distance of `p` from the nearest line in radians.
+    /// Beyond `near` radians the distance is not exact, but at least `near`.
     pub fn split(&self, p: DVec3, near: f64) -> (usize, f64) {
         match self {
             Self::Line {
@@ -206,14 +211,7 @@ impl RiftShape {
                 origin,
                 all_round: true,
                 ..
-            } => {
-                let half = *origin * (0.5 * speed);
-                Some(if far_end {
-                    vec![half, -half]
-                } else {
-                    vec![-half, half]
-                })
-            }
+            } => Some(open_half(*origin, speed, far_end)),
             Self::Line {
                 center,
                 radius,
@@ -221,9 +219,7 @@ impl RiftShape {
                 warp,
                 ..
             } => {
-                let width = BESIDE_LINE + warp.amplitude;
-                let off = |p: &DVec3| (asin(p.dot(*center)) + radius - 0.5 * PI).abs();
-                let beside: Vec<DVec3> = plate.iter().copied().filter(|p| off(p) < width).collect();
+                let beside = beside_circle(plate, *center, *radius, warp.amplitude);
                 open_line(*center, *origin, &beside, speed, far_end)
             }
             Self::Path { points, .. } => {
@@ -300,73 +296,6 @@ fn sector(junction: DVec3, azimuths: &[f64], warp: &Warp, p: DVec3) -> (usize, f
         }
     }
     (found.0, found.2)
-}
-
-/// Fragments touch where a plate lies nearer to the line than this, in radians.
-const BESIDE_LINE: f64 = 0.06;
-
-/// An empty range: the identity of the minimum and maximum below.
-const NOWHERE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
-
-/// Two fragments turn about a pole on the line's extension beyond what of the plate lies beside it.
-/// Of a small circle it is the great circle with the same centre that carries the pole: normal
-/// velocities are the same.
-fn open_line(
-    normal: DVec3,
-    origin: DVec3,
-    plate: &[DVec3],
-    speed: f64,
-    far_end: bool,
-) -> Option<Vec<DVec3>> {
-    let tangent = normal.cross(origin);
-    let ends = crate::parallel::map_chunks(plate.len(), |range| {
-        let along = |p: &DVec3| atan2(p.dot(tangent), p.dot(origin));
-        plate[range]
-            .iter()
-            .map(along)
-            .fold(NOWHERE, |ends, x| (ends.0.min(x), ends.1.max(x)))
-    });
-    let (low, high) = ends
-        .into_iter()
-        .fold(NOWHERE, |all, part| (all.0.min(part.0), all.1.max(part.1)));
-    let margin = 0.15;
-    if low > high || high - low + 2.0 * margin >= PI {
-        return None;
-    }
-    let at = if far_end { high + margin } else { low - margin };
-    let (s, c) = sin_cos(at);
-    let pole = origin * c + tangent * s;
-    // The first fragment must move to the side of the normal all along the line.
-    let middle = 0.5 * (low + high);
-    let (s, c) = sin_cos(middle);
-    let sign = if pole.cross(origin * c + tangent * s).dot(normal) >= 0.0 {
-        1.0
-    } else {
-        -1.0
-    };
-    let farthest = if far_end { at - low } else { high - at };
-    let fastest = if farthest > 0.5 * PI {
-        1.0
-    } else {
-        sin(farthest)
-    };
-    let half = pole * (sign * 0.5 * speed / fastest.max(0.1));
-    Some(vec![half, -half])
-}
-
-/// Fragments move away from the junction along the middle of their sectors.
-fn open_sectors(junction: DVec3, azimuths: &[f64], speed: f64) -> Vec<DVec3> {
-    let n = azimuths.len();
-    let east = any_tangent(junction);
-    let north = junction.cross(east);
-    let rate = 0.5 * speed / sin(PI / n as f64);
-    (0..n)
-        .map(|k| {
-            let width = (azimuths[(k + 1) % n] - azimuths[k]).rem_euclid(TAU);
-            let (s, c) = sin_cos(azimuths[k] + 0.5 * width);
-            junction.cross(east * c + north * s) * rate
-        })
-        .collect()
 }
 
 #[cfg(test)]

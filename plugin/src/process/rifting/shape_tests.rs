@@ -119,6 +119,21 @@ fn a_path_is_followed_and_extended() {
     assert!((shape.split(direction(2.0, 5.0), 1.0).1 - 2.0_f64.to_radians()).abs() < 1e-9);
 }
 
+/// Bites all round the border of a cap of `extent` radians about `center`, at 30° S, 70° E.
+fn bites(stream: &Stream, center: DVec3, extent: f64) -> impl Iterator<Item = RiftShape> {
+    (0..48).map(move |k| {
+        let at = rotation(center, 0.7 * k as f64) * direction(-30.0 + extent.to_degrees(), 70.0);
+        let outward = (at * at.dot(center) - center).normalize();
+        RiftShape::bite(stream, k, at, outward, warp(0.05))
+    })
+}
+
+/// Share of a plate that a shape gives to the first fragment.
+fn first_share(shape: &RiftShape, plate: &[DVec3]) -> f64 {
+    let first = plate.iter().filter(|p| shape.split(**p, 0.0).0 == 0);
+    first.count() as f64 / plate.len() as f64
+}
+
 #[test]
 fn plates_wider_than_half_the_sphere_shed_bites() {
     let stream = Stream::new(5, Purpose::RiftShape, 3);
@@ -131,18 +146,10 @@ fn plates_wider_than_half_the_sphere_shed_bites() {
             (0..8).all(|k| line(k).motions(&plate, 0.006, true).is_none()),
             "no great circle opens"
         );
-        let share = |bite: &RiftShape| {
-            plate.iter().filter(|p| bite.split(**p, 0.0).0 == 0).count() as f64 / plate.len() as f64
-        };
-        let bites = (0..48).map(|k| {
-            let at =
-                rotation(center, 0.7 * k as f64) * direction(-30.0 + extent.to_degrees(), 70.0);
-            let outward = (at * at.dot(center) - center).normalize();
-            RiftShape::bite(&stream, k, at, outward, warp(0.05))
-        });
-        let good: Vec<_> = bites
+        let good: Vec<_> = bites(&stream, center, extent)
             .filter(|bite| {
-                (0.025..0.975).contains(&share(bite)) && bite.motions(&plate, 0.006, true).is_some()
+                (0.025..0.975).contains(&first_share(bite, &plate))
+                    && bite.motions(&plate, 0.006, true).is_some()
             })
             .collect();
         eprintln!("{extent} {}", good.len());

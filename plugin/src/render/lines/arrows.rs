@@ -12,7 +12,9 @@ use bevy::math::{DVec3, Vec3};
 
 /// Half width in pixels of arrows and axes.
 const HALF_WIDTH: f32 = 0.9;
+/// Colour of arrows on the dark end of the ramp of speeds.
 const LIGHT: Rgba = [250, 250, 244, 255];
+/// Colour of arrows on its light end, and of axes.
 const DARK: Rgba = [16, 18, 24, 255];
 
 /// Arrows on a planet.
@@ -50,10 +52,7 @@ fn add_arrow(lines: &mut Lines, ground: &LineGround, i: u32, along: DVec3, share
     let p = ground.input.mesh.point(i);
     let across = p.cross(along);
     let elevation = ground.height(i);
-    let end = |forward: f64, aside: f64| LineEnd {
-        direction: (p + forward * along + aside * across).normalize(),
-        elevation,
-    };
+    let end = |ahead: f64, aside: f64| line_end(p + ahead * along + aside * across, elevation);
     let style = LineStyle {
         half_width: HALF_WIDTH,
         // Light on the dark end of the ramp, dark on its light end.
@@ -65,6 +64,14 @@ fn add_arrow(lines: &mut Lines, ground: &LineGround, i: u32, along: DVec3, share
     lines.add(end(0.0, 0.0), tip, style);
     for side in [-0.6, 0.6] {
         lines.add(tip, end(length - barb, side * barb), style);
+    }
+}
+
+/// The end of a line in a direction of any length.
+fn line_end(direction: DVec3, elevation: f32) -> LineEnd {
+    LineEnd {
+        direction: direction.normalize(),
+        elevation,
     }
 }
 
@@ -82,10 +89,7 @@ pub(super) fn add_axes(lines: &mut Lines, ground: &LineGround, axes: &[Vec3]) {
         if along.length_squared() > 0.25 {
             let half = 0.5 * AXIS_LENGTH * along.normalize();
             let elevation = ground.height(i);
-            let [tail, tip] = [-half, half].map(|offset| LineEnd {
-                direction: (p + offset).normalize(),
-                elevation,
-            });
+            let [tail, tip] = [-half, half].map(|offset| line_end(p + offset, elevation));
             lines.add(tail, tip, style);
         }
     }

@@ -16,7 +16,7 @@ use bevy::shader::ShaderRef;
 const AIR_HEIGHT: f32 = 0.0065;
 /// Radius of the shell of air in planet radii.
 const AIR_TOP: f32 = 1.07;
-/// Strength of the air above colours that stand for data.
+/// Factor on the strength of the air above colours that stand for data, which it must not hide.
 const VEIL_OF_DATA: f32 = 0.45;
 
 /// `Air` of `atmosphere.wgsl`.

@@ -20,15 +20,20 @@ const MAX_STOPS: usize = 24;
 
 /// Share of light that remains at night.
 const NIGHT: f32 = 0.035;
-/// The same on colours that stand for data: they must be read at night, too.
+
+/// Share of light that remains at night on colours that stand for data, which must be read there,
+/// too.
 const NIGHT_OF_DATA: f32 = 0.3;
 
 /// Colour of the edges of triangles.
 const WIRE: [u8; 3] = [12, 14, 18];
 
-/// Bits of [`GroundUniform::flags`].
+/// Bit of [`GroundUniform::flags`]: the ocean is filled.
 const SEA: u32 = 1;
+/// Bit of [`GroundUniform::flags`]: the shader tints elevations itself.
 const TINT: u32 = 2;
+
+/// Bit of [`GroundUniform::flags`]: the shader draws the coast.
 const COAST: u32 = 4;
 
 /// `Globe` of `surface.wgsl`.
@@ -47,7 +52,8 @@ impl GroundUniform {
     /// The uniform of a globe of `radius` km whose samples are `spacing` radians apart.
     pub(in crate::render) fn new(globe: &Globe, radius: f64, spacing: f64) -> Self {
         let tinted = globe.overlay == Overlay::Elevation;
-        // Stops of the ramp that the shader mixes itself: colour, and elevation in the fourth place.
+        // Stops of the ramp that the shader mixes itself: colour, and elevation in the fourth
+        // place.
         let mut tint = [Vec4::ZERO; MAX_STOPS];
         for (slot, &(elevation, color)) in tint.iter_mut().zip(HYPSOMETRIC.0) {
             *slot = linear(color).extend(elevation);

@@ -5,6 +5,7 @@ use bevy::prelude::*;
 use bevy::shader::Shader;
 use pangaea_shaders::globe as wgsl;
 
+/// The libraries, in the order of [`wgsl::LIBRARIES`].
 const LIBRARIES: [Handle<Shader>; 3] = [
     uuid_handle!("3f6c1b5e-52a5-4c0b-9a0c-6c8e4f0d1a01"),
     uuid_handle!("3f6c1b5e-52a5-4c0b-9a0c-6c8e4f0d1a02"),

@@ -117,14 +117,18 @@ fn a_planet_without_its_globe_is_not_drawn() {
     draw(&mut app, planet);
 }
 
+/// A globe without air.
+fn plain() -> Globe {
+    Globe {
+        air: 0.0,
+        ..default()
+    }
+}
+
 #[test]
 fn an_app_may_choose_the_globe_of_its_planets() {
     let mut app = App::new();
     app.add_plugins(PangaeaPlugins);
-    let plain = || Globe {
-        air: 0.0,
-        ..default()
-    };
     app.register_required_components_with::<Planet, Globe>(plain);
     crate::render::require_globe(&mut app);
     let planet = planet(&mut app);

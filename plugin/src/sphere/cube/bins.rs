@@ -76,6 +76,7 @@ impl CubeGrid {
         let high = [u + margin, v + margin].map(|x| (x + 1.0) * 0.5 * self.cells as f64);
         let end = self.cells as f64;
         let inside = low[0] > 0.0 && low[1] > 0.0 && high[0] < end && high[1] < end;
+        // Above 0 a cast rounds down; below it would round up.
         let same = low[0] as usize == high[0] as usize && low[1] as usize == high[1] as usize;
         (inside && same && reach < SMALL_CHORD)
             .then(|| self.index(face, low[0] as usize, low[1] as usize))
@@ -85,6 +86,7 @@ impl CubeGrid {
     fn visit_faces(&self, p: DVec3, reach: f64, mut visit: impl FnMut(usize)) {
         for face in 0..6 {
             let (depth, u, v) = components(face, p);
+            // Nothing within reach is deep enough to lie on this face.
             if depth + reach < LEAST_DEPTH {
                 continue;
             }

@@ -43,6 +43,7 @@ fn hilbert(mut x: u32, mut y: u32) -> u64 {
     for bit in (0..AXIS_BITS).rev() {
         let right = (x >> bit) & 1;
         let top = (y >> bit) & 1;
+        // The curve visits lower left, upper left, upper right, lower right.
         index = (index << 2) | u64::from((3 * right) ^ top);
         // The lower quadrants hold the curve mirrored: the left one at the diagonal, the right one
         // at the other diagonal.

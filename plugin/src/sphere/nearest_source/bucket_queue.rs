@@ -37,6 +37,7 @@ impl<T: Copy> BucketQueue<T> {
                 self.next += 1;
                 return Some((self.current, item));
             }
+            // Gives the memory back: a search of the whole sphere fills hundreds of buckets.
             *bucket = Vec::new();
             self.current += 1;
             self.next = 0;

@@ -15,8 +15,9 @@ const WORDS_PER_TASK: usize = 1 << 14;
 
 /// The nearest source of every sample, and the squared chord to it.
 ///
-/// Both are packed into one word, the chord in the upper half: the smaller word is the nearer
-/// source, of equally near ones that with the lower number.
+/// Both are packed into one word of 64 bits: the bits of the squared chord, an f32, in the upper
+/// half, the number of the source in the lower. Words compare as the chords do, since the bits of
+/// floats that are not negative rise with them, and words of one chord as the numbers do.
 #[derive(Debug, Default)]
 pub struct SourceField(Vec<AtomicU64>);
 
@@ -70,7 +71,7 @@ impl SourceField {
         })
     }
 
-    /// Says that sample `i` is nearest to `source`, at the squared chord `chord2`.
+    /// Makes `source` the nearest source of sample `i`, at the squared chord `chord2`.
     pub fn set(&self, i: u32, source: u32, chord2: f32) {
         self.put(i, pack(chord2, source));
     }

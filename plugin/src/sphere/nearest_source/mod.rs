@@ -1,10 +1,11 @@
 //! The nearest of many sources, for every sample.
 //!
-//! Sources hand their own position on from sample to sample, the nearest first, and each sample
-//! measures the straight distance to the source it is offered. So distances are not sums over edges
-//! and show nothing of the lattice. They are exact wherever the sources' regions of influence are
-//! connected within the domain. Where the domain is not convex the path bends around its border
-//! while the distance is straight: short by what the detour adds.
+//! A search passes the number of a source on from sample to neighbour, the nearest samples first,
+//! and each sample measures the straight distance to the source that it is offered. So distances
+//! are not sums over edges, and do not show the lattice. They are exact wherever the samples that a
+//! source is nearest to are connected within the domain. Where the domain is not convex the path
+//! bends around its border, but the distance is still the straight one: less than the path's
+//! length.
 //!
 //! ```text
 //! bucket_queue  samples in order of distance, in constant time (Dial 1969)

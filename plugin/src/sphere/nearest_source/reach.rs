@@ -74,9 +74,9 @@ pub fn nearest_sources(
 
 /// The same as [`nearest_sources`] on a field that may hold something already.
 ///
-/// `start` are pairs of samples and sources, in the order in which they are taken: sources that lie
-/// at a sample, and samples from which what they hold goes on. `position` is that of a source.
-/// Returns the samples that were reached for the first time.
+/// `start` holds pairs of a sample and a source, tried in their order: a source that begins at the
+/// sample, or one that the sample knows already and from which the search goes on. `position` gives
+/// the unit direction of a source. Returns the samples that were reached for the first time.
 pub fn extend_nearest_sources(
     mesh: &SphereMesh,
     field: &SourceField,

@@ -91,7 +91,8 @@ impl<'a> Block<'a> {
     /// band `k`.
     fn is_free(&self, k: usize, turn: f64, dart: DVec3) -> bool {
         let reach = self.bands.bands[k].reach;
-        // Its own band first: there a dart that is not free most often meets a point.
+        // Its own band first: there a dart that is not free most often meets a point. Numbers
+        // beyond the poles wrap, and name no band.
         [k, k.wrapping_sub(1), k + 1, k.wrapping_sub(2), k + 2]
             .into_iter()
             .all(|near| self.is_free_in(near, turn, reach, dart))

@@ -1,11 +1,12 @@
-//! Poisson-disk sampling of the sphere: random points, none closer to another than a given angle,
-//! and no gap that could take one more disk of much that size (Bridson 2007; paper 002 §4).
+//! Poisson-disk sampling of the sphere: random points, no two of which are closer than a given
+//! angle, and so many that hardly a place is left for one more (Bridson 2007; paper 002 §4).
 //!
-//! Darts are thrown into the cells of latitude bands. A cell is so small that it holds one point at
-//! most, so a dart is checked against some twenty cells. A block of bands is independent of all but
-//! its two neighbours: first every other block is filled, then the blocks between, which see what
-//! the first have done. The blocks depend on the angle alone and every dart on its cell and round,
-//! so any number of threads throws the same.
+//! Darts are thrown at random places in the cells of latitude bands; one that falls too close to a
+//! point is dropped, else it becomes a point. A cell is so small that it holds one point at most,
+//! so a dart is checked against some twenty cells. A block of bands touches its two neighbours
+//! alone: first every other block is filled, then those between, whose darts are checked against
+//! the first as well. Blocks depend on the angle alone and a dart on its cell and round, so any
+//! number of threads finds the same points.
 
 mod bands;
 mod block;

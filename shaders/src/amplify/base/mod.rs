@@ -94,6 +94,7 @@ fn incidence(vertices: usize, faces: &[Face]) -> (Vec<u32>, Vec<u32>) {
     for i in 0..vertices {
         starts[i + 1] += starts[i];
     }
+    // Counts became starts; the same order of faces fills every list in ascending order.
     let mut next = starts.clone();
     let mut around = vec![0; faces.len() * 3];
     for (i, face) in (0..).zip(faces) {

@@ -49,6 +49,7 @@ pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
         if down != usize::MAX {
             // A planet that saturates carries 200,000 m³/s in one river.
             inflow[down] = inflow[down].saturating_add(vertices[up].discharge);
+            // Edges that run in a ring never become ready, and keep their discharges.
             waiting[down] -= 1;
             if waiting[down] == 0 {
                 ready.push(down);
@@ -92,6 +93,7 @@ pub(super) fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
 
 /// Discharge that the next river of a confluence brings.
 fn arriving([up, down]: [&Vertex; 2], into: &mut Confluence) -> u32 {
+    // What the vertex gains by itself is spread over the rivers that meet there.
     let gain = u64::from(down.discharge).saturating_sub(into.discharge);
     // Differences of rounded sums, so that the parts make the whole.
     let part = gain * (into.done + 1) / into.rivers - gain * into.done / into.rivers;
@@ -105,6 +107,7 @@ pub(super) fn add_gullies(vertices: &mut [Vertex], edges: &mut [Edge]) {
         let Some(edge) = drain.map(|i| &mut edges[i as usize]) else {
             continue;
         };
+        // Only its higher end drains along it, so no edge is turned twice.
         edge.kind = EdgeKind::Gully;
         if edge.vertices[0] != v {
             edge.reverse();
@@ -208,6 +211,7 @@ fn beside_faces(
             continue;
         }
         let ends = gather(vertices, edge.vertices);
+        // Ends of the edge lie on it; only the far corners of its faces need a distance.
         let segment = segment(scale, 0, 0, ends, edge.arriving);
         for &face in edge.faces.iter().filter(|&&f| f != NONE) {
             let corner = faces[face as usize].opposite(i) as usize;

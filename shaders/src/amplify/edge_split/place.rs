@@ -9,15 +9,16 @@ use crate::amplify::rules::shift::{Shift, shift};
 use crate::amplify::rules::{EdgeKind, Rules};
 use crate::amplify::vertex::Vertex;
 
-/// Most share of a far corner that a displaced vertex may have or owe, Q16.
+/// Greatest barycentric share of a far corner that a displaced vertex may have: positive in the
+/// face that it moves into, negative in the face that it leaves; Q16.
 const MOST_FAR_CORNER: i32 = q16(0.17);
 
-/// Most that a displaced vertex may lose of an end from its half, Q16: a sixth less the most that
-/// rounding takes.
+/// Most by which the barycentric share of an end may fall below ½, Q16: a sixth less the most that
+/// rounding takes, so that a third is left.
 const MOST_END_LOSS: i32 = q16(0.15666);
 
-/// Heights of a triangle over its edge's length, Q12: flatter ones are not displaced, from the
-/// second on fully.
+/// Height of a triangle over its edge, as a share of the edge's length, Q12: up to the first number
+/// nothing is displaced, from the second on all.
 const FLATNESS: [i32; 2] = [Q12 / 6, Q12 / 2];
 
 /// A place, and the height of the flat face there.
@@ -58,6 +59,7 @@ fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
     let odd = (seed >> 7 & 1) as i32;
     let middle = [0, 1, 2].map(|i| a.direction[i] + ((ab[i] + odd) >> 1));
     Placed {
+        // Both shares are ½, so the deficit is a quarter of the edge's square.
         direction: lift(middle, square_q32(ab) / 4),
         face: a.height + (b.height - a.height) / 2,
     }
@@ -77,9 +79,9 @@ fn displaced(shift: &Shift, [a, b]: [&Vertex; 2], [x, y]: [&Vertex; 2]) -> Place
 /// start is the rest.
 ///
 /// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least
-/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges' vertices do
-/// within such bounds, all four children of a face keep at least 0.045 of its area (least
-/// determinant over the corners of the bounds): none turns over.
+/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges'
+/// vertices do within such bounds, all four children of a face keep at least 0.045 of its area
+/// (least determinant over the corners of the bounds): none turns over.
 fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     // Flat triangles would get flatter.
     let low = x.height.min(y.height);
@@ -101,8 +103,8 @@ fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
     [Q16 / 2 + weigh(kept, towards_b), weigh(kept, wx)]
 }
 
-/// How much of its halves the nearer end of an edge loses to a vertex that is drawn `towards_b`, and
-/// by `far` to the far corner.
+/// How much of its halves the nearer end of an edge loses to a vertex that is drawn `towards_b`,
+/// and by `far` to the far corner.
 #[inline]
 fn end_loss(towards_b: i32, far: i32) -> i32 {
     (-towards_b).max(towards_b + far)
@@ -138,14 +140,13 @@ mod tests {
     /// an edge may have.
     fn bounds() -> [Shares; 4] {
         let (third, depth) = (1.0 / 3.0, f64::from(MOST_FAR_CORNER) / 65_536.0 + 0.005);
-        let at = |far: f64| {
-            [
-                [third, 1.0 - far - third, far],
-                [1.0 - far - third, third, far],
-            ]
-        };
-        let [[a, b], [c, d]] = [at(depth), at(-depth)];
-        [a, b, c, d]
+        let rest = |far: f64| 1.0 - far - third;
+        [
+            [third, rest(depth), depth],
+            [rest(depth), third, depth],
+            [third, rest(-depth), -depth],
+            [rest(-depth), third, -depth],
+        ]
     }
 
     fn determinant(p: Shares, q: Shares, r: Shares) -> f64 {

@@ -31,6 +31,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         known.has_kind = true;
         known.reversed = reversed;
         known.edge.kind = kind;
+        // A half above a spring inherits its birth from a river, but is ground.
         known.edge.birth = if kind == EdgeKind::River { birth } else { 0 };
         if reversed {
             known.edge.reverse();
@@ -94,6 +95,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
     /// Discharge that a tributary brings to a junction.
     fn tributary_at(&mut self, junction: u32) -> u32 {
         let (level, river) = self.origins[junction as usize];
+        // A vertex that is split has its discharge; the faces do not change it.
         self.split(usize::from(level), river);
         let river = self.edge(usize::from(level), river).edge;
         tributary(self.vertex(river.mid), self.vertex(river.vertices[0]))
@@ -107,12 +109,14 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         }
         let dry = match known.origin {
             EdgeOrigin::Half(parent, _) if level as u32 > STRAIGHT_LEVEL => {
+                // Straight levels add no drainage: a child is as dry as its parent.
                 self.is_dry_edge(level - 1, parent)
             }
             EdgeOrigin::Inner(face, _) if level as u32 > STRAIGHT_LEVEL => {
                 self.is_dry_face(level - 1, face)
             }
             _ => {
+                // At the first of them both faces are asked.
                 let [f, g] = self.faces(level, edge);
                 self.is_dry_face(level, f) && self.is_dry_face(level, g)
             }

@@ -50,6 +50,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         // The topology first: it names the vertex before it is computed.
         self.halve(level, edge);
         let ends = self.edge(level, edge).edge.vertices;
+        // Ends and corners were made by coarser levels, so the recursion ends.
         for v in ends {
             self.ensure(v);
         }
@@ -70,9 +71,9 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             ends.map(|v| self.vertex(v)),
             opposite.map(|v| self.vertex_at(v)),
         );
-        // It is not final before its faces have settled it.
         self.vertices[edge_now.mid as usize] = new;
         let known = self.edge_mut(level, edge);
+        // Faces read the kind that the edge gave, whichever of them settles the vertex first.
         known.split_kind = new.kind;
         known.progress = VertexProgress::Split;
     }
@@ -113,6 +114,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         for k in 0..3 {
             self.split(level, made.edges[k]);
             self.ensure(made.vertices[k]);
+            // Only beside a drained edge does the face beyond take part in the draw.
             if kinds[k] != EdgeKind::Terrain {
                 beyond[k] = self.ensure_beyond(level, face, made.edges[k]);
             }
@@ -196,6 +198,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             self.ensure(v);
         }
         if (level as u32) < STRAIGHT_LEVEL {
+            // While edges still move, the vertex is measured against the halves.
             self.split(level, edge);
         }
         true
@@ -221,6 +224,8 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         Some(DrainBeside {
             edge,
             ends: edge.vertices.map(|v| self.vertex(v)),
+            // In straight levels the whole edge serves, whether another query made its middle or
+            // not.
             mid: self.vertex_at(edge.mid).filter(|_| !is_straight),
         })
     }

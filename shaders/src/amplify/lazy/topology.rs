@@ -71,6 +71,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
                 EdgeOrigin::Half(parent, _) => {
                     // A half lies between children of the faces beside its parent.
                     let parents = self.faces(level - 1, parent);
+                    // A half that was turned has its faces on the other sides.
                     self.quarter(level - 1, parents[side ^ usize::from(known.reversed)]);
                 }
                 // It was made with both of its faces.
@@ -86,6 +87,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         if made != NONE {
             return made;
         }
+        // First, as it may turn the edge around, and its halves run as it does.
         self.settle_kind(level, edge);
         // The vertex is named here, and computed by `split` when it is asked for.
         let mid = self.vertices.len() as u32;
@@ -114,15 +116,17 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         let sides = [0, 1, 2].map(|k| self.halve_side(level, &made, k, child));
         let mids = sides.map(|side| side.mid);
         let inner = self.add_inner_edges(level, face, mids, child);
-        let finer = &mut self.levels[level + 1].faces;
-        for (k, slot) in (0..3).zip(0..) {
+        let corners = [0, 1, 2].map(|k| {
             let other = (k + 2) % 3;
             let vertices = [made.vertices[k], mids[k], mids[other]];
-            let edges = [sides[k].from_start, inner + slot, sides[other].from_end];
-            finer.push(LazyFace::new(Face::new(vertices, edges, face)));
-        }
+            let edges = [sides[k].from_start, inner + k as u32, sides[other].from_end];
+            Face::new(vertices, edges, face)
+        });
         let middle = Face::new(mids, [inner + 1, inner + 2, inner], face);
-        finer.push(LazyFace::new(middle));
+        let children = corners.into_iter().chain([middle]);
+        self.levels[level + 1]
+            .faces
+            .extend(children.map(LazyFace::new));
         self.levels[level].faces[face as usize].face.child = child;
         child
     }
@@ -155,6 +159,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         };
         for (half, corner) in [(side.from_start, k), (side.from_end, (k + 1) % 3)] {
             let half = self.edge_mut(level + 1, half);
+            // The first face has the edge in its winding; a half that was turned exchanges both.
             let slot = against as usize ^ usize::from(half.reversed);
             half.edge.faces[slot] = child + corner as u32;
         }

@@ -51,6 +51,7 @@ pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
 /// every level: no length of coast is straight.
 fn across_shore(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let spread = if rules.landforms {
+        // Wide at coarse levels, which draw the large bays, and narrower with each finer one.
         SHORE_SPREAD - SPREAD_LOSS * context.level.min(16) as i32
     } else {
         0
@@ -79,9 +80,10 @@ fn floor(rules: &Rules, context: &EdgeContext) -> i32 {
     }
     // The draw is wide at coarse levels and narrows with each finer one.
     let spread = FLOOR_SPREAD - SPREAD_LOSS * context.level.min(14) as i32;
-    // Less sway in shallow water.
+    // Less sway in shallow water: at most a sixth of the depth at the deeper end.
     let most_sway = mul_q16(context.length, FLOOR_SWAY).min(-a.min(b) / 6);
     let sway = mul_q16(most_sway, centred_share(context.new.seed, 1));
+    // Never dry: between two vertices of the sea there is no shore.
     (between(context, spread) + sway).min(-GRAINS / 4)
 }
 

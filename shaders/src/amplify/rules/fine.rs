@@ -16,13 +16,14 @@ const NARROWING: i32 = q16(0.618) / 256;
 /// How far fine ground leaves the face beside it, as a share of the difference of its ends.
 const FACE_SPREAD: i32 = q16(0.09155);
 
-/// Tangent of 1.1°: soil, too, is uneven.
+/// Added to the steepness of the land before its roughness is drawn, the tangent of 1.1°: level
+/// soil is uneven too.
 const SOIL_SLOPE: i32 = q16(0.02);
 
-/// Logarithm of an edge of level 0, about 2²⁴ direction units.
+/// Binary logarithm of an edge of level 0, about 2²⁴ direction units.
 const EDGE_BITS: u32 = 24;
 
-/// Seed of the roughness of level 0; the levels' follow.
+/// Seed of the roughness noise; each level adds its number.
 const ROUGHNESS_SEED: u32 = 0x0f1e_0000;
 
 /// The ground in the middle of a fine edge.
@@ -49,6 +50,7 @@ fn released_height(context: &EdgeContext, low: i32, high: i32, toss: i32) -> i32
     let spread = Q16 - level * level * NARROWING;
     let base = mix(low, high, Q16 / 2 + mul_q16(spread, toss));
     let rough = mul_q16(draw(1), draw(2));
+    // 7 stands for 6.82, which is no whole number.
     let raised = base + mul_q16(context.length, rough) / 7;
     mix(base, raised, mul_q16(draw(3), draw(4)))
 }
@@ -63,6 +65,7 @@ pub fn rough(rules: &Rules, context: &EdgeContext) -> i32 {
         EDGE_BITS + 1 - context.level.min(16),
         ROUGHNESS_SEED + context.level,
     );
+    // `span`, not `length`: long edges of thin faces are no rougher than others.
     let slope = steepness(rules, context.new) + SOIL_SLOPE;
     mul_q16(mul_q16(context.span, slope), noise) / 3
 }

@@ -56,6 +56,7 @@ pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
     // A gully that ends in a river must lie above it.
     let river = [context.b, context.a].into_iter().find(|end| end.is_wet());
     let height = match river {
+        // Its land lies below the river: no share of the way reaches above it.
         Some(river) if height <= river.height => above_river(context, river.height),
         _ => height,
     };
@@ -113,5 +114,6 @@ pub fn drains(rules: &Rules, level: u32, new: &Vertex, end: &Vertex, other: &Ver
         && level < rules.gully_levels
         && new.kind == VertexKind::Terrain
         && new.height > end.height
+        // Seeds decide between level ends, so that one half drains and not both.
         && (end.height, end.seed) < (other.height, other.seed)
 }

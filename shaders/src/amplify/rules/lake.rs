@@ -44,6 +44,7 @@ pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u1
     }
     // Less likely by a quarter with every level.
     let coarse = Q16 - ((level - first).min(4) as i32) * (Q16 / 4);
+    // High crust counts twice as much as a high bed: most lakes lie in mountains.
     let high = smoothstep(HIGH_BEDS[0], HIGH_BEDS[1], river.bed)
         + 2 * smoothstep(HIGH_CRUST[0], HIGH_CRUST[1], crust);
     let wet = Q16 - mul_q16(dryness(wetness), DRY_LOSS);

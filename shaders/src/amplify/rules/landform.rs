@@ -18,8 +18,9 @@ const DRY_WETNESS: [i32; 2] = [q16(0.15), q16(0.45)];
 /// How far dryness alone makes land look old (release).
 const AGE_OF_DRYNESS: i32 = q16(0.38);
 
-/// Crust elevation at which land has half the steepness's root, grains: a plain at 0.2 km is a
-/// tenth as steep as a belt at 1.5 km.
+/// Crust elevation C₀ at which land is a quarter as steep as its rock could stand, grains:
+/// steepness goes with (C / (C + C₀))², so a plain at 0.2 km is a thirteenth as steep as a belt at
+/// 1.5 km.
 const HALF_RELIEF_CRUST: i32 = metres(1_000);
 
 /// Character of the land at a vertex; shares and tangents in Q16.
@@ -69,7 +70,7 @@ pub fn steepness(rules: &Rules, vertex: &Vertex) -> i32 {
         i32::from(vertex.collision),
     );
     let steep = mix(young, rules.steep_old, worn(vertex));
-    // Low land has little to cut.
+    // Low land has little to cut; a plateau keeps half its steepness, in the valleys that cut it.
     let crust = vertex.crust.max(0);
     let relief = square(ratio(crust, crust + HALF_RELIEF_CRUST));
     mul_q16(mul_q16(steep, relief), Q16 - i32::from(vertex.plateau) / 2)

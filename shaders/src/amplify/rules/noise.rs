@@ -58,12 +58,14 @@ const fn gradient_dot(hash: u32, x: i32, y: i32, z: i32) -> i32 {
     (if hash & 1 == 0 { u } else { -u }) + (if hash & 2 == 0 { v } else { -v })
 }
 
-/// The draws at the corners of a cell of one lattice. They are most of a noise's work; points of a
-/// patch share them.
+/// The hashes drawn at the corners of the cell that was asked for last. Drawing them is most of the
+/// work of the noise, and points of a patch share their cell.
 #[derive(Clone, Copy, Debug)]
 pub struct CornerCache {
+    /// Number of the cell on each axis.
     address: [u32; 3],
-    /// Of corner (x, y, z) at x + 2y + 4z.
+    /// Hashes of the corners. The corner x, y, z cells (each 0 or 1) from `address` is item
+    /// x + 2y + 4z.
     hashes: [u32; 8],
 }
 
@@ -79,9 +81,11 @@ impl Default for CornerCache {
 
 impl CornerCache {
     fn of(address: [u32; 3], cell: u32, seed: u32) -> Self {
+        // The lattice is periodic: after its last cell comes its first.
         let top = u32::MAX >> cell;
         let hashes = [0, 1, 2, 3, 4, 5, 6, 7].map(|corner: u32| {
             let at = [0, 1, 2].map(|axis| (address[axis] + (corner >> axis & 1)) & top);
+            // `gradient_dot` reads the low four bits: these come from the middle of the hash.
             cell_hash(at[0], at[1], at[2], seed) >> 7
         });
         Self { address, hashes }
@@ -90,7 +94,7 @@ impl CornerCache {
     /// The noise at a place in the cell, Q16 of its edge.
     #[inline]
     fn blend(&self, [x, y, z]: [i32; 3]) -> i32 {
-        let (u, v, w) = (fade(x), fade(y), fade(z));
+        let [u, v, w] = [x, y, z].map(fade);
         let row = |j, k| self.blend_along_x(j, k, [x, y, z], u);
         let near = mix(row(0, 0), row(1, 0), v);
         let far = mix(row(0, 1), row(1, 1), v);
@@ -109,7 +113,8 @@ impl CornerCache {
 }
 
 /// Gradient noise of wavelength 2^`cell` direction units at a point, about -1..1 in Q16, mean 0;
-/// `cell` 1..=30. `cache` is of one `cell` and `seed` alone; it changes no bit.
+/// `cell` 1..=30. `cache` must be used with the same `cell` and `seed` in every call; it saves work
+/// and changes no result.
 ///
 /// Continuous with its first two derivatives, exact at any frequency: the lattice is addressed by
 /// the bits themselves.
@@ -132,6 +137,7 @@ pub fn gradient(cache: &mut CornerCache, point: [i32; 3], cell: u32, seed: u32) 
         let moved = (point[axis] as u32).wrapping_add(origin(axis as u32, seed));
         address[axis] = moved >> cell;
         let inside = moved & mask;
+        // The place within the cell as a share of it, whatever its size.
         place[axis] = if cell > 16 {
             (inside >> (cell - 16)) as i32
         } else {
@@ -151,7 +157,7 @@ const fn origin(axis: u32, seed: u32) -> u32 {
 }
 
 /// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of
-/// the last. As many as the cache holds, at most `cell`.
+/// the last. There are as many octaves as `cache` has entries, but at most `cell`.
 pub fn fbm(cache: &mut [CornerCache], point: [i32; 3], cell: u32, gain: i32, seed: u32) -> i32 {
     let mut sum = 0;
     let mut weight = Q16;

@@ -138,7 +138,8 @@ fn fine_ground_is_the_closed_form() {
     }
 }
 
-/// R1: beds and water fall by half of their way at the ends of the range of levels, by 0.65 between.
+/// R1: beds and water fall by half of their way at the ends of the range of levels, by 0.65
+/// between.
 #[test]
 fn rivers_fall_by_their_share() {
     for rules in PRESETS {
@@ -199,15 +200,17 @@ fn coasts_are_the_mean() {
     }
 }
 
+/// Height of the middle of an edge of a level in a plain, between two kinds of vertices.
+fn height_in_plain(rules: &Rules, kinds: [VertexKind; 2], level: u32) -> i32 {
+    let [a, b] = plain_pair(1, kinds);
+    halved(rules, EdgeKind::Terrain, &a, &b, level).height
+}
+
 /// Where print and release agree, and where they do not.
 #[test]
 fn presets_differ_where_print_and_release_do() {
     use VertexKind::{River, Terrain};
-    let of = |rules: &Rules, kinds, level| {
-        let [a, b] = plain_pair(1, kinds);
-        halved(rules, EdgeKind::Terrain, &a, &b, level).height
-    };
-    let both = |kinds, level| PRESETS.map(|rules| of(&rules, kinds, level));
+    let both = |kinds, level| PRESETS.map(|rules| height_in_plain(&rules, kinds, level));
     let [paper, release] = both([Terrain, Terrain], 9);
     assert!(
         paper < release,
@@ -216,6 +219,7 @@ fn presets_differ_where_print_and_release_do() {
     for kinds in [[River, River], [River, Terrain]] {
         let [paper, release] = both(kinds, 5);
         assert_eq!(paper, release, "{kinds:?}");
-        assert_ne!(of(&Rules::default(), kinds, 5), release, "{kinds:?}");
+        let ours = height_in_plain(&Rules::default(), kinds, 5);
+        assert_ne!(ours, release, "{kinds:?}");
     }
 }

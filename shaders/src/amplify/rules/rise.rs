@@ -1,11 +1,18 @@
 //! How high the ground between two drains stands: the common part of all graphs of ours.
 //!
 //! Real slopes rise from their drains as steeply as their rock lets them, and meet in crests. Every
-//! vertex drains down one of its edges; between two that stand level there is a divide, and the
-//! middle of their edge bulges above them. Where one stands higher by a whole slope there is none,
-//! but a hillside, hollow as the profiles of its gullies are. The bulge is no more than the slope
-//! over half the edge from the lower end, and no more than a part of what the crust leaves. It
-//! always stands above its lower end: every vertex can drain there, and no closed hollow is made.
+//! vertex drains down one of its edges. The middle of an edge follows from the edge's rise, the
+//! difference in height of its ends, and from its slope, the rise over half the edge at the land's
+//! steepness:
+//!
+//! - ends of one height have a divide between them, and the middle bulges above both;
+//! - where the rise is a whole slope or more the edge is a hillside, and the middle lies below the
+//!   mean of its ends, as the profile of a gully is hollow;
+//! - in between the two are mixed.
+//!
+//! The middle stands at most about a slope above the lower end, and a bulge takes at most a part of
+//! the room that is left under the crust elevation C. The middle always stands above the lower end,
+//! so that it can drain there and no closed hollow is made.
 //!
 //! The numbers are chosen so that slopes and spectra are those of real relief.
 
@@ -53,6 +60,7 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let evenness = evenness(slope, high - low);
     // Between level ends the ground is a crest, beside a whole slope a hillside, in between both.
     let hillside = hillside(rules, context);
+    // Squared, so that a hillside stays one until its ends are nearly level.
     let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
     let gain = gain(context, high, mul_q16(mul_q16(slope, evenness), bulge));
     let crest = mix(hillside, high, towards_crest) + gain;
@@ -118,6 +126,7 @@ fn hillside(rules: &Rules, context: &EdgeContext) -> i32 {
 
 /// The lowest that the middle of an edge may stand, so that it drains to the lower end.
 fn least(context: &EdgeContext, low: i32, high: i32) -> i32 {
+    // The last term lifts the middle of a level edge, by a 4096th of its length.
     let least = mix(low, high, LEAST_RISE) + (context.length >> 12).max(1);
     // A small face drains to its lowest corner, which need not be an end of the edge.
     if is_small(context) {
@@ -131,6 +140,7 @@ fn least(context: &EdgeContext, low: i32, high: i32) -> i32 {
 /// edges are longer than the spacing of valleys: where a coarse vertex stood near C already, the
 /// land around it would fill up to a table under C, and no crest could stand out.
 fn part(level: u32, chi: i32) -> i32 {
+    /// By level; the last holds for all that follow.
     const LEAST_AND_GREATEST: [[i32; 2]; 5] = [
         [q16(0.06104), q16(0.39673)],
         [q16(0.12207), q16(0.64087)],

@@ -55,7 +55,8 @@ fn along(context: &EdgeContext) -> VertexGround {
     river(bed, descend(up.water, down.water, share_of_fall))
 }
 
-/// A height between two others, strictly where they leave room.
+/// A height that falls from `up` to `down`, strictly between the two where they are two grains
+/// apart or more.
 fn descend(up: i32, down: i32, share_of_fall: i32) -> i32 {
     let fall = up - down;
     if fall < 2 {
@@ -73,6 +74,7 @@ fn spring(rules: &Rules, context: &EdgeContext, mouth: &Vertex, land: &Vertex) -
     let xi = share(context.new.seed, 0);
     let drawn = mix(
         mouth.bed,
+        // Land may lie below the mouth; the spring never does.
         land.height.max(mouth.bed + 2),
         LEAST_SPRING + mul_q16(xi, DRAWN_SPRING),
     );

@@ -12,13 +12,15 @@ use crate::amplify::vertex::{EdgeContext, Vertex};
 /// Rise of land that lies below its river, per length of the edge (release).
 const RISE_FROM_RIVER: i32 = q16(0.2);
 
-/// Such land may rise to the crust, and this far where the crust is lower; grains (release).
+/// Least bound of that rise, grains (release). It is bounded by the height of the crust elevation C
+/// over the river; where C is lower than this, by this.
 const LEAST_ROOM_OVER_RIVER: i32 = metres(100);
 
 /// Rise of land that lies below its gully, per length of the edge (release).
 const RISE_FROM_GULLY: i32 = q16(0.1);
 
-/// Such land may rise to the crust, and this far where the crust is lower; grains (release).
+/// Least bound of that rise, grains (release). It is bounded by the height of the crust elevation C
+/// over the land; where C is lower than this, by this.
 const LEAST_ROOM_OVER_GULLY: i32 = metres(10);
 
 /// Least share of that rise that is taken, and how much the draw adds to it (release).
@@ -67,6 +69,7 @@ fn height(
     }
     let new = context.new;
     let xi = share(new.seed, 0);
+    // Most draws of 1 - ξ³ are near 1: the slope keeps its height and breaks off at the drain.
     let cliff = Q16 - mul_q16(square(xi), xi);
     let r = mix(xi, cliff, i32::from(new.plateau));
     if land.height <= drain.height {

@@ -36,7 +36,7 @@ const TERRACE_ONSET: i32 = metres(256);
 /// Heights over which terraces' edges lose their raggedness, grains (release).
 const RAGGED_HEIGHTS: [i32; 2] = [metres(2_000), metres(2_800)];
 
-/// How far above their crust's share peaks stand, grains (release).
+/// Added to the height of every peak, grains (release).
 const PEAK_BASE: i32 = metres(10);
 
 /// Least rise of peaks over their lower end, and how much full crust adds to it, grains.
@@ -117,10 +117,12 @@ fn terraced(new: &Vertex, form: Landform, level: u32, height: i32) -> i32 {
         mul_q16(form.old, Q16 - square(level_share(level))),
         mul_q16(sqrt_q16(form.dry), onset),
     );
-    // Treads with smooth risers, and at low heights ragged edges without them.
+    // Treads with smooth risers; at low heights a draw takes vertices back towards their tread,
+    // which makes ragged edges.
     let stepped = nodes::terrace(height, nodes::TERRACE_STEP);
     let tread = nodes::floor_to(height, nodes::TERRACE_STEP);
     let low = Q16 - smoothstep(RAGGED_HEIGHTS[0], RAGGED_HEIGHTS[1], height);
+    // Nine tenths of the way at most: some of the riser stays.
     let ragged = mul_q16(share(new.seed, 1), low) / 10 * 9;
     mix(height, mix(stepped, tread, ragged), weight)
 }
@@ -133,6 +135,7 @@ fn lowest_terrace(form: Landform) -> i32 {
 /// How far peaks and hills have faded at a level, 0..1 Q16: later under low crust.
 fn peak_fading(crust: i32, level: u32) -> i32 {
     let low = Q16 - linear_step(0, FULL_CRUST, crust);
+    // Over six levels under crust of 5 km, over nine under the lowest.
     let span = 6 * Q16 + 3 * low;
     smooth(smoothstep(0, span, level as i32 * Q16))
 }

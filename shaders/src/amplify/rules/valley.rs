@@ -7,8 +7,8 @@
 //! root of the discharge: the power law of exponent ½ (release: D = 50 km at φ = 1, 4 km at 0).
 //!
 //! The side is measured where a vertex touches its river; between such vertices and beyond it is
-//! halved as the ground is ([`ValleySection`]). Nearest pieces of river change from one vertex to the
-//! next, and a side measured from each would break off along seams.
+//! halved as the ground is ([`ValleySection`]). Nearest pieces of river change from one vertex to
+//! the next, and a side measured from each would break off along seams.
 //!
 //! Departures: D is bounded by a share of the control mesh's edge, so that small planets have
 //! valleys too; the curve never raises ground above the land beside it; a bank always overtops its
@@ -30,8 +30,8 @@ const DEEPEST_BED: i32 = metres(200);
 /// Height of banks over the water, grains.
 const BANK: i32 = metres(1);
 
-/// Half-width of a brook's valley and of the greatest river's, as shares of the control mesh's edge:
-/// 200 m to 16 km on edges of 52 km. The slopes beyond are those of the graphs.
+/// Half-width of a brook's valley and of the greatest river's, as shares of the control mesh's
+/// edge: 200 m to 16 km on edges of 52 km. The slopes beyond are those of the graphs.
 const HALF_VALLEY: [i32; 2] = [q16(0.00381), q16(0.30518)];
 
 /// Tangent of a valley's sides beside a brook and beside the greatest river.
@@ -183,7 +183,7 @@ pub fn section(rules: &Rules, vertex: &Vertex, edge: i32) -> ValleySection {
     }
     let x = ratio(across, width);
     let shape = shape(rules, vertex);
-    // The plain's own height bounds them.
+    // Greater rivers have gentler sides.
     let tangent = mix(SIDE_SLOPE[0], SIDE_SLOPE[1], reach.strength);
     let rise = mul_q16(mul_q16(width, tangent), archetype(shape, x));
     let shoulder = reach.shoulder();
@@ -206,6 +206,7 @@ const fn shape(rules: &Rules, vertex: &Vertex) -> ValleyShape {
 /// Half-width of a vertex's valley, grains. A tributary is known no farther than its reach: its
 /// valley ends before.
 fn width(vertex: &Vertex, reach: &Reach, edge: i32) -> i32 {
+    // An eighth short, so that the valley has ended where vertices no longer know the river.
     reach
         .half_valley(edge)
         .min(vertex.river.reach / 8 * 7)

@@ -112,13 +112,17 @@ fn archetypes_are_what_they_are_called() {
     }
 }
 
-#[test]
-fn more_water_makes_wider_and_gentler_valleys() {
-    let reach = |strength| Reach {
+/// A river ten metres deep of a strength √φ.
+fn reach(strength: i32) -> Reach {
+    Reach {
         bed: 0,
         water: 10 * GRAINS,
         strength,
-    };
+    }
+}
+
+#[test]
+fn more_water_makes_wider_and_gentler_valleys() {
     let edge = 52_000 * GRAINS;
     assert!(reach(60_000).half_valley(edge) > 3 * reach(10_000).half_valley(edge));
     assert!(reach(60_000).half_bed() > reach(0).half_bed());

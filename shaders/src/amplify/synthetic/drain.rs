@@ -68,14 +68,21 @@ fn neighbours(mesh: &ControlMesh) -> Vec<Vec<(usize, usize)>> {
     around
 }
 
+impl Flooded {
+    /// The sea alone: all land is still to be reached.
+    fn sea(mesh: &ControlMesh) -> Self {
+        let dry = |vertex| if is_sea(vertex) { 0 } else { i32::MAX };
+        Self {
+            order: Vec::new(),
+            receiver: vec![(usize::MAX, 0); mesh.vertices.len()],
+            level: mesh.vertices.iter().map(dry).collect(),
+        }
+    }
+}
+
 fn flood(mesh: &ControlMesh) -> Flooded {
     let around = neighbours(mesh);
-    let dry = |vertex| if is_sea(vertex) { 0 } else { i32::MAX };
-    let mut flooded = Flooded {
-        order: Vec::new(),
-        receiver: vec![(usize::MAX, 0); around.len()],
-        level: mesh.vertices.iter().map(dry).collect(),
-    };
+    let mut flooded = Flooded::sea(mesh);
     let sea = (0..).zip(&mesh.vertices).filter(|(_, v)| is_sea(v));
     let mut heap: BinaryHeap<_> = sea.map(|(i, v)| Reverse((v.height, i))).collect();
     // The lowest way in comes first, so every vertex drains to where it was reached from.
@@ -95,6 +102,7 @@ fn flood(mesh: &ControlMesh) -> Flooded {
 /// Discharge of every vertex: its own runoff and all that drains to it.
 fn accumulate(mesh: &ControlMesh, flooded: &Flooded) -> Vec<u64> {
     let mut discharge = vec![0; mesh.vertices.len()];
+    // From the last reached to the sea: each is done before the one it drains to.
     for &v in flooded.order.iter().rev() {
         let vertex = &mesh.vertices[v];
         if !is_sea(vertex) {

@@ -10,7 +10,8 @@ pub(super) type UnitVector = [f64; 3];
 /// Greatest squared distance of neighbours among the corners of an icosahedron: 1.106 and rounding.
 const NEIGHBOUR_SQUARE: f64 = 1.2;
 
-/// Most share of the way to a neighbour that a point is moved by, either way and for two neighbours.
+/// Most share of the way to a neighbour that a point is moved by, either way and for two
+/// neighbours.
 const JITTER: f64 = 0.45;
 
 fn unit(p: UnitVector) -> UnitVector {
@@ -29,6 +30,7 @@ pub(super) fn icosphere(depth: u32) -> (Vec<UnitVector>, Vec<[u32; 3]>) {
 }
 
 fn icosahedron() -> Vec<UnitVector> {
+    // The corners of three golden rectangles, each normal to the other two.
     let g = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let mut points = Vec::new();
     for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
@@ -101,6 +103,7 @@ pub(super) fn jitter(points: &[UnitVector], triangles: &[[u32; 3]], seed: u32) -
     let mut done = vec![false; points.len()];
     for t in triangles {
         for k in 0..3 {
+            // Once, in the first of its triangles.
             if !std::mem::replace(&mut done[t[k] as usize], true) {
                 let turned = [0, 1, 2].map(|i| t[(k + i) % 3]);
                 moved[t[k] as usize] = jittered(points, turned, seed);

@@ -48,14 +48,12 @@ pub fn control_mesh(radius_m: u32, depth: u32, seed: u32) -> ControlMesh {
 
 /// A dry vertex with a seed of its own on the planet of another seed.
 fn vertex(p: UnitVector, seed: u32, planet: u32) -> ControlVertex {
-    let noise = f64::from(share(seed, 3)) / 65_536.0;
-    let height = (waves(p, planet) * WAVES_M + noise * NOISE_M + 0.01) * f64::from(GRAINS);
-    let is_land = height > 0.0;
-    let height = height as i32;
-    let [kind, crust, oceanic] = if is_land {
-        [VertexKind::Terrain as i32, height * 2 + metres(300), 0]
+    let real = ground(p, seed, planet);
+    let height = real as i32;
+    let (kind, crust, oceanic) = if real > 0.0 {
+        (VertexKind::Terrain, height * 2 + metres(300), 0)
     } else {
-        [VertexKind::Sea as i32, height, i32::from(u16::MAX)]
+        (VertexKind::Sea, height, u16::MAX)
     };
     ControlVertex {
         direction: p.map(|x| (x * f64::from(ONE)).round() as i32),
@@ -72,11 +70,17 @@ fn vertex(p: UnitVector, seed: u32, planet: u32) -> ControlVertex {
         wetness: unorm16(0.5 + p[2]),
         plateau: unorm16(p[0] * p[1]),
         hills: unorm16(p[1] - p[2]),
-        oceanic: oceanic as u16,
+        oceanic,
         ocean_age: unorm16(p[0] + 0.5),
         fold: [0; 3],
         ridge: [0; 3],
     }
+}
+
+/// Height of a vertex above the sea, grains.
+fn ground(p: UnitVector, seed: u32, planet: u32) -> f64 {
+    let noise = f64::from(share(seed, 3)) / 65_536.0;
+    (waves(p, planet) * WAVES_M + noise * NOISE_M + 0.01) * f64::from(GRAINS)
 }
 
 /// Six waves of random directions and falling height; most of the planet is sea.

@@ -180,6 +180,7 @@ fn parents_gully(scale: &PlanetScale, new: &Vertex, [a, b]: [&Vertex; 2]) -> Nea
         (FAR, FAR) => (new.height, FAR),
         (FAR, d) => (b.gully_bed, by_parent(scale, new, b, d)),
         (d, FAR) => (a.gully_bed, by_parent(scale, new, a, d)),
+        // Both parents lie on gullies: the mean, 0, would put the middle on one too.
         (0, 0) => (
             a.gully_bed / 2 + b.gully_bed / 2,
             by_parent(scale, new, a, 0),
@@ -191,6 +192,7 @@ fn parents_gully(scale: &PlanetScale, new: &Vertex, [a, b]: [&Vertex; 2]) -> Nea
 
 /// Length of the way to a parent and on to its gully, grains; at most [`FAR`].
 fn by_parent(scale: &PlanetScale, new: &Vertex, parent: &Vertex, distance: i32) -> i32 {
+    // Over the parent: too long, but no gully seems nearer than it is.
     let step = scale.grains(difference(new.direction, parent.direction));
     distance.min(FAR - step.min(FAR)) + step.min(FAR)
 }

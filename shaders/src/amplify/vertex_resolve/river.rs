@@ -4,7 +4,7 @@
 //! segments (and its neighbours', while edges still move), which lag behind by as many levels as it
 //! is rings away: they are charged for how far the river may have moved since.
 
-use super::VertexContext;
+use super::{DrainBeside, VertexContext};
 use crate::amplify::arith::isqrt;
 use crate::amplify::control::VertexKind;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
@@ -43,6 +43,7 @@ pub fn segment(
         ends: [up.direction, down.direction],
         bed: [bed_beside(up), bed_beside(down)],
         water: [up.water, down.water],
+        // At its lower end not the junction's flow: that holds the rivers that join there.
         flow: [up.flow(), isqrt(arriving) as i32],
         reach,
         level,
@@ -94,6 +95,7 @@ impl NearestRiver {
     /// Takes a segment if it is nearer to `p`; one beyond its reach counts as far.
     fn offer(&mut self, scale: &PlanetScale, p: [i32; 3], segment: &RiverSegment, charge: i32) {
         let (along, off) = nearest_on(segment.ends, p);
+        // Quarters of FAR: distance, charge and penalty together stay in 32 bits.
         let distance = scale.grains(off).min(FAR / 4);
         // Beyond its reach a tributary counts only where no other river is known.
         let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
@@ -148,21 +150,26 @@ fn offer_beside(
         if drain.edge.kind != EdgeKind::River {
             continue;
         }
-        let (edge, [up, down]) = (drain.edge, drain.ends);
-        let mut offer = |level, ends, arriving| {
-            let segment = segment(scale, edge.birth, level, ends, arriving);
-            nearest.offer(scale, new.direction, &segment, 0);
-        };
-        match drain.mid {
-            // No river runs above a spring.
-            Some(mid) if !up.is_wet() => offer(level + 1, [mid, down], edge.arriving),
-            Some(mid) if level < STRAIGHT_LEVEL => {
-                offer(level + 1, [up, mid], mid.discharge);
-                offer(level + 1, [mid, down], edge.arriving);
-            }
-            _ if up.is_wet() => offer(level, [up, down], edge.arriving),
-            _ => {}
+        for segment in segments_of(scale, level, drain).iter().flatten() {
+            nearest.offer(scale, new.direction, segment, 0);
         }
+    }
+}
+
+/// The newest segments that are known of a river edge of a level, upstream first.
+#[inline]
+fn segments_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
+    let (edge, [up, down]) = (drain.edge, drain.ends);
+    let part = |level, ends, arriving| Some(segment(scale, edge.birth, level, ends, arriving));
+    match drain.mid {
+        // No river runs above a spring.
+        Some(mid) if !up.is_wet() => [None, part(level + 1, [mid, down], edge.arriving)],
+        Some(mid) if level < STRAIGHT_LEVEL => [
+            part(level + 1, [up, mid], mid.discharge),
+            part(level + 1, [mid, down], edge.arriving),
+        ],
+        _ if up.is_wet() => [None, part(level, [up, down], edge.arriving)],
+        _ => [None; 2],
     }
 }
 

@@ -70,7 +70,7 @@ const UNBURIED: [i32; 2] = [Q16 / 5, Q16 / 4];
 struct Roughness {
     /// Height where the noise is 1, grains.
     height: i32,
-    /// Logarithm of the longest wavelength in direction units.
+    /// Binary logarithm of the longest wavelength, in direction units.
     cell: u32,
     /// Amplitude of an octave, as a share of the one before; Q16.
     gain: i32,
@@ -84,11 +84,13 @@ impl Roughness {
     }
 }
 
-/// Noise drawn for the last vertex: vertices of a patch share most of it. It changes no bit of a
-/// relief.
+/// Noise drawn for the last vertex: vertices of a patch share most of it. It saves work and changes
+/// no result.
 #[derive(Clone, Debug, Default)]
 pub struct OceanCache {
+    /// One per octave: waves of 6.5 km to 1.6 m.
     fine: [CornerCache; 13],
+    /// One per octave: waves of 104 to 13 km.
     coarse: [CornerCache; 4],
     faults: PacketCache,
     hills: PacketCache,
@@ -109,6 +111,7 @@ pub fn relief(cache: &mut OceanCache, vertex: &Vertex, edge: i32) -> i32 {
     // Small planets have small oceans.
     let size = ratio(edge, FULL_RELIEF_EDGE);
     let offset = mul_q16(rough + ridge_relief(cache, vertex, uneven), size);
+    // At most half the depth upwards, so that no relief reaches the surface.
     mul_q16(offset, smoothstep(0, FULL_RELIEF_DEPTH, depth)).min(depth / 2)
 }
 
@@ -133,6 +136,7 @@ fn faults(cache: &mut PacketCache, vertex: &Vertex) -> i32 {
     let trough = square(square((Q16 - stripes.cosine) / 2));
     let [onset, full] = FAULT_PRESENCE;
     let presence = smoothstep(onset, full, stripes.presence);
+    // A sixth of the depth stands as rims above the floor, the rest lies below it.
     mul_q16(mul_q16(FAULT_DEPTH, Q16 / 6 - trough), presence)
 }
 
@@ -145,6 +149,7 @@ fn hills(cache: &mut PacketCache, vertex: &Vertex, uneven: i32) -> i32 {
 
 /// Direction of spreading: perpendicular to the ridge, along the ground; components times 32767.
 fn spreading(vertex: &Vertex) -> [i16; 3] {
+    // 15 bits of each, so that their products fit 32.
     let n = vertex.direction.map(|c| c >> 16);
     let r = vertex.ridge.map(i32::from);
     [(1, 2), (2, 0), (0, 1)].map(|(a, b)| {

@@ -63,7 +63,7 @@ impl Default for PacketCache {
 
 impl StripeNoise {
     /// The stripes at a point. `axis` is the direction across them, components times 32767. `cache`
-    /// is of this noise alone; it changes no bit.
+    /// must be used with this noise alone; it saves work and changes no result.
     pub fn at(&self, cache: &mut PacketCache, point: [i32; 3], axis: [i16; 3]) -> Phasor {
         // A packet reaches one cell far, so 27 of them matter.
         let home = point.map(|c| c >> self.cell);
@@ -91,7 +91,8 @@ impl StripeNoise {
             home[2] + k / 9 - 1,
         ];
         let hash = cell_hash(at[0] as u32, at[1] as u32, at[2] as u32, self.seed);
-        // Ten bits of place an axis, two bits more of phase and pitch.
+        // Ten bits of place an axis. `turn` takes the phase from the top bit, and the pitch from
+        // bits that the place has too.
         let place = [0, 1, 2].map(|i| {
             let inside = ((hash >> (10 * i) & 1023) as i32) << (self.cell - 10);
             (at[i] << self.cell).wrapping_add(inside)
@@ -139,6 +140,7 @@ struct PacketSum {
 impl PacketSum {
     fn add(&mut self, turn: i32, weight: i32) {
         self.real += mul_q16(cos_turn(turn), weight);
+        // The sine is the cosine a quarter turn earlier.
         self.imaginary += mul_q16(cos_turn(turn - 0x4000), weight);
         self.weight += weight;
     }
@@ -150,6 +152,7 @@ impl PacketSum {
             [self.real, self.imaginary, self.weight].map(|v| to_phase_bits(v, bits));
         let size = isqrt((x * x) as u32 + (y * y) as u32) as i32;
         Phasor {
+            // All packets out of reach or cancelled: any phase serves, its presence is 0.
             cosine: if size == 0 {
                 Q16
             } else {

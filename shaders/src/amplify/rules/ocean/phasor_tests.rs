@@ -35,20 +35,21 @@ fn stripes_lie_across_their_axis() {
     );
 }
 
+/// Correlation of two waves a cell of 2²⁴ units at points of a distance across the stripes.
+fn correlation(distance: i32) -> f64 {
+    let axis = [0, 32_767, 0];
+    let products = (0..3_000).map(|i| {
+        let p = [ONE - 7_000_000, (i % 55) * 3_100_007, (i / 55) * 3_100_007];
+        let q = [p[0], p[1] + distance, p[2]];
+        let [a, b] = [p, q].map(|at| f64::from(phasor(at, axis, 24, 2 * Q16, 9).cosine));
+        a * b
+    });
+    products.sum()
+}
+
 #[test]
 fn spectrum_peaks_at_the_wavelength() {
-    // A cell of 2²⁴ holds two waves: over 2²³ the phase turns once, over 2²² half.
-    let correlation = |d: i32| {
-        (0..3_000)
-            .map(|i| {
-                let p = [ONE - 7_000_000, (i % 55) * 3_100_007, (i / 55) * 3_100_007];
-                let at = |y: i32| {
-                    f64::from(phasor([p[0], y, p[2]], [0, 32_767, 0], 24, 2 * Q16, 9).cosine)
-                };
-                at(p[1]) * at(p[1] + d)
-            })
-            .sum::<f64>()
-    };
+    // Over 2²³ the phase turns once, over 2²² half.
     assert!(correlation(1 << 22) < 0.0);
     assert!(correlation(1 << 23) > 0.0);
     assert!(correlation(1 << 23) < correlation(1 << 18));
