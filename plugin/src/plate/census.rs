@@ -31,7 +31,7 @@ pub struct TerraneCensus {
     pub grown: Vec<u32>,
     /// The number that every sample was counted under, or [`OUTSIDE`].
     number: Vec<u32>,
-    /// What is counted under each number.
+    /// Sums over what is counted under each number.
     sums: Vec<TerraneSums>,
     /// The number that each number has been joined to, or itself.
     joined: Vec<u32>,
