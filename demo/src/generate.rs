@@ -9,7 +9,7 @@ use crate::output::{Files, json, say};
 use crate::progress;
 use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::{Marked, Stats, Timings, digest, png, save};
+use bevy_pangaea::io::{MarkedJson, Stats, Timings, digest, png, save};
 use bevy_pangaea::overlay::{MapProjection, Overlay};
 use bevy_pangaea::planet::PlanetRecipe;
 use std::fmt::Display;
@@ -118,5 +118,7 @@ fn map_name(overlay: Overlay) -> String {
 fn stats(headless: &Headless, digest: String, timings: Timings) -> Result<Vec<u8>, CliError> {
     let input = headless.stats_input(headless.plates().rows().len())?;
     let stats = Stats::new(&input, digest, timings);
-    json(&Marked::new(stats.with_bake(headless.get::<PlanetBake>()?)))
+    json(&MarkedJson::new(
+        stats.with_bake(headless.get::<PlanetBake>()?),
+    ))
 }

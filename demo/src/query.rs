@@ -15,7 +15,7 @@ use crate::values::PlaceSpec;
 use bevy_pangaea::io::load;
 use bevy_pangaea::query::{Ground, Sample, direction_at};
 use pace::Pace;
-use places::Places;
+use places::PlaceQueue;
 use std::io::{self, Write};
 use std::time::Duration;
 
@@ -31,8 +31,8 @@ const WAIT: Duration = Duration::from_millis(250);
 pub fn query(args: &QueryArgs) -> Result<(), CliError> {
     // Lines are read while the planet is loaded.
     let places = match args.at {
-        Some(place) => Places::from(place),
-        None => Places::read(|| io::stdin().lock()),
+        Some(place) => PlaceQueue::from(place),
+        None => PlaceQueue::read(|| io::stdin().lock()),
     };
     let climate = args.ground.climate.load()?;
     let ground = ground(&bake_planet(load(&args.ground.planet)?, climate)?)?;
@@ -41,7 +41,7 @@ pub fn query(args: &QueryArgs) -> Result<(), CliError> {
 
 /// Prints a header, and a line for each place, until the places end or nobody reads any more.
 fn answer(
-    mut places: Places,
+    mut places: PlaceQueue,
     ground: &impl Ground,
     level: u8,
     mut out: impl Write,

@@ -14,13 +14,13 @@ const MAX_LINE_BYTES: u64 = 1000;
 const READ_AHEAD: usize = 8192;
 
 /// Places on their way.
-pub(super) struct Places {
+pub(super) struct PlaceQueue {
     receiver: Receiver<Result<PlaceSpec, CliError>>,
     /// What was received and is not taken yet.
     next: Option<Result<PlaceSpec, CliError>>,
 }
 
-impl From<PlaceSpec> for Places {
+impl From<PlaceSpec> for PlaceQueue {
     /// One place, which is there already.
     fn from(place: PlaceSpec) -> Self {
         let (_, receiver) = sync_channel(0);
@@ -29,7 +29,7 @@ impl From<PlaceSpec> for Places {
     }
 }
 
-impl Places {
+impl PlaceQueue {
     /// Starts to read the lines of an input, up to the first wrong one.
     pub(super) fn read<R: BufRead>(open: impl FnOnce() -> R + Send + 'static) -> Self {
         let (sender, receiver) = sync_channel(READ_AHEAD);

@@ -26,7 +26,7 @@ impl Ground for SlopingGround {
 /// What is printed for an input, and how it ends.
 fn answers(input: impl BufRead + Send + 'static) -> (String, Result<(), CliError>) {
     let mut out = Vec::new();
-    let places = Places::read(|| input);
+    let places = PlaceQueue::read(|| input);
     let result = answer(places, &SlopingGround::default(), 17, &mut out, || true);
     (String::from_utf8(out).unwrap(), result)
 }
@@ -113,7 +113,7 @@ impl Write for HeardOutput {
 fn each_line_is_answered_before_the_next_one_is_typed() {
     let ((keys, typed), (heard, answers)) = (channel(), channel());
     let command = thread::spawn(move || {
-        let places = Places::read(|| BufReader::new(TypedInput(typed)));
+        let places = PlaceQueue::read(|| BufReader::new(TypedInput(typed)));
         let ground = SlopingGround::default();
         answer(places, &ground, 17, HeardOutput(heard), || true)
     });
@@ -139,7 +139,7 @@ fn each_line_is_answered_before_the_next_one_is_typed() {
 #[test]
 fn it_ends_when_nobody_reads_though_the_input_goes_on() {
     let (_keys, typed) = channel();
-    let places = Places::read(|| BufReader::new(TypedInput(typed)));
+    let places = PlaceQueue::read(|| BufReader::new(TypedInput(typed)));
     let asked = AtomicUsize::new(0);
     let is_read = || asked.fetch_add(1, Ordering::Relaxed) < 2;
     let mut out = Vec::new();
@@ -167,7 +167,7 @@ impl Write for ClosedOutput {
 #[test]
 fn a_closed_output_ends_it_after_the_first_points() {
     let input = "12,34\n".repeat(60_000);
-    let places = Places::read(|| io::Cursor::new(input));
+    let places = PlaceQueue::read(|| io::Cursor::new(input));
     let ground = SlopingGround::default();
     answer(places, &ground, 17, ClosedOutput(200), || true).unwrap();
     // A sample asks for a few heights.

@@ -1,9 +1,9 @@
 //! Files while they grow.
 
+use super::hidden::HiddenFolder;
 use super::lock::FolderLock;
 use super::output::Output;
 use super::place::{adopt, check_owner, copy_into};
-use super::stage::Stage;
 use super::target::Target;
 use crate::io::IoError;
 use std::collections::BTreeMap;
@@ -14,14 +14,14 @@ use std::path::{Path, PathBuf};
 
 /// Files that get their names together.
 #[derive(Default)]
-pub(super) struct Drafts {
-    drafts: Vec<Draft>,
+pub(super) struct OutputSet {
+    drafts: Vec<OutputDraft>,
     /// Hidden folders, each with the folder that it is in.
-    stages: Vec<(PathBuf, Stage)>,
+    stages: Vec<(PathBuf, HiddenFolder)>,
 }
 
 /// A file while it grows.
-struct Draft {
+struct OutputDraft {
     /// As the user wrote it.
     path: PathBuf,
     target: Target,
@@ -31,7 +31,7 @@ struct Draft {
     is_beside: bool,
 }
 
-impl Drafts {
+impl OutputSet {
     /// Empty drafts of all files.
     pub(super) fn of(outputs: &[Output]) -> Result<Self, IoError> {
         let mut drafts = Self::default();
@@ -54,7 +54,7 @@ impl Drafts {
         if let Some(older) = target.older.as_ref().filter(|older| !older.is_writable) {
             check_owner(&file, &older.meta)?;
         }
-        self.drafts.push(Draft {
+        self.drafts.push(OutputDraft {
             path: output.path().to_path_buf(),
             target,
             part,
@@ -82,7 +82,7 @@ impl Drafts {
             return Ok(stage);
         }
         self.stages
-            .push((folder.to_path_buf(), Stage::new(folder)?));
+            .push((folder.to_path_buf(), HiddenFolder::new(folder)?));
         Ok(self.stages.len() - 1)
     }
 
@@ -130,7 +130,7 @@ impl Drafts {
     }
 }
 
-impl Draft {
+impl OutputDraft {
     fn fill(&self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
         let mut writer = BufWriter::new(OpenOptions::new().write(true).open(&self.part)?);
         content(&mut writer)?;

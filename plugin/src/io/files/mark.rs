@@ -29,21 +29,21 @@ const END_BYTES: u64 = 1 << 16;
 /// A JSON object with the mark. Fields of `content` follow it.
 ///
 /// ```
-/// use bevy_pangaea::io::Marked;
+/// use bevy_pangaea::io::MarkedJson;
 /// use std::collections::BTreeMap;
 ///
-/// let text = serde_json::to_string(&Marked::new(BTreeMap::from([("min", 3)])))?;
+/// let text = serde_json::to_string(&MarkedJson::new(BTreeMap::from([("min", 3)])))?;
 /// assert_eq!(text, r#"{"generator":"Pangaea","min":3}"#);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[derive(Clone, Debug, Serialize)]
-pub struct Marked<T> {
+pub struct MarkedJson<T> {
     generator: &'static str,
     #[serde(flatten)]
     content: T,
 }
 
-impl<T: Serialize> Marked<T> {
+impl<T: Serialize> MarkedJson<T> {
     /// An object or a map with the mark.
     pub fn new(content: T) -> Self {
         Self {

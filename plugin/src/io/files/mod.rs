@@ -5,7 +5,7 @@
 //! output   a file to write, and what it may replace
 //! target   where the content of a file goes: links, devices, files in the way
 //! lock     one writer at a time in a folder
-//! stage    the hidden folder in which files grow, and those that dead runs left
+//! hidden   the hidden folder in which files grow, and those that dead runs left
 //! place    what a file keeps when it is replaced
 //! draft    files while they grow, and how they get their names
 //! ```
@@ -28,17 +28,17 @@ mod target;
 
 mod lock;
 
-mod stage;
+mod hidden;
 
 mod place;
 
 mod draft;
 
-pub use mark::{Marked, is_marked};
+pub use mark::{MarkedJson, is_marked};
 pub use output::Output;
 
 use super::IoError;
-use draft::Drafts;
+use draft::OutputSet;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -77,7 +77,7 @@ pub fn write_all(
     outputs: &[Output],
     mut content: impl FnMut(usize, &mut dyn Write) -> io::Result<()>,
 ) -> Result<(), IoError> {
-    let drafts = Drafts::of(outputs)?;
+    let drafts = OutputSet::of(outputs)?;
     for k in 0..outputs.len() {
         drafts.fill(k, |out| content(k, out))?;
     }
@@ -92,7 +92,7 @@ pub fn write_all(
 /// # Errors
 /// [`IoError::Write`] names the first that cannot be written, or that must not be replaced.
 pub fn check_outputs(outputs: &[Output]) -> Result<(), IoError> {
-    Drafts::of(outputs).map(drop)
+    OutputSet::of(outputs).map(drop)
 }
 
 #[cfg(test)]

@@ -19,13 +19,13 @@ const RANDOM: usize = 6;
 const LOCK: &str = "lock";
 
 /// A hidden folder.
-pub(super) struct Stage {
+pub(super) struct HiddenFolder {
     folder: TempDir,
     /// Held as long as the folder is.
     _alive: File,
 }
 
-impl Stage {
+impl HiddenFolder {
     /// Makes a hidden folder in `folder`, from which those of dead runs are removed.
     pub(super) fn new(folder: &Path) -> io::Result<Self> {
         let lock = FolderLock::take(folder)?;
