@@ -4,10 +4,10 @@ use crate::cli::ExportArgs;
 use crate::error::CliError;
 use crate::ground::{bake_planet, ground};
 use crate::interrupt;
-use crate::output::{check_file, say};
+use crate::output::say;
 use crate::progress;
-use bevy_pangaea::io::export::{ExportFormat, encode};
-use bevy_pangaea::io::{load, write_all_atomically};
+use bevy_pangaea::io::export::{ExportFormat, encode, outputs};
+use bevy_pangaea::io::{check_outputs, load, write_all};
 use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid, MapSquare};
 
 /// Runs the command.
@@ -28,7 +28,7 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     ));
     let files = encode(&square, &heights(&ground, &square)?, &args.out)?;
     interrupt::check()?;
-    write_all_atomically(&files)?;
+    write_all(&outputs(&args.out)?, |k, out| out.write_all(&files[k].1))?;
     for (path, _) in files {
         say(&path.display().to_string());
     }
@@ -37,13 +37,8 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
 
 /// Refuses a name without a format and a place where no file can be, before a planet is loaded.
 fn check_output(args: &ExportArgs) -> Result<(), CliError> {
-    let format = ExportFormat::of(&args.out)?;
-    format.check(args.pixels)?;
-    check_file(&args.out)?;
-    if format == ExportFormat::Grey {
-        check_file(&args.out.with_extension("json"))?;
-    }
-    Ok(())
+    ExportFormat::of(&args.out)?.check(args.pixels)?;
+    Ok(check_outputs(&outputs(&args.out)?)?)
 }
 
 /// The heights of the square, with a progress bar.

@@ -2,8 +2,8 @@
 //! decodes it.
 
 use super::error::{ExportError, cannot_encode};
-use crate::io::Sidecar;
 use crate::io::png::grey_png;
+use crate::io::{MarkedJson, Sidecar};
 use crate::query::{HeightGrid, MapSquare};
 
 /// The picture and its sidecar.
@@ -32,7 +32,7 @@ pub(super) fn encode(
         lat: Some(lat),
         lon: Some(lon),
     };
-    let mut text = serde_json::to_vec_pretty(&sidecar).map_err(cannot_encode)?;
+    let mut text = serde_json::to_vec_pretty(&MarkedJson::new(sidecar)).map_err(cannot_encode)?;
     text.push(b'\n');
     Ok((picture, text))
 }

@@ -21,7 +21,7 @@ mod mesh;
 pub use error::ExportError;
 pub use format::ExportFormat;
 
-use super::write_all_atomically;
+use super::{Output, write_all};
 use crate::query::{Ground, HeightGrid, MapSquare};
 use error::cannot_encode;
 use std::path::{Path, PathBuf};
@@ -54,6 +54,18 @@ pub fn encode(
         }
         ExportFormat::Mesh => Ok(vec![(path, mesh::encode(square, grid)?)]),
     }
+}
+
+/// The files that [`encode`] makes for `path`, for [`check_outputs`](super::check_outputs).
+///
+/// # Errors
+/// [`ExportError::Extension`]
+pub fn outputs(path: &Path) -> Result<Vec<Output>, ExportError> {
+    let mut outputs = vec![Output::named(path)];
+    if ExportFormat::of(path)? == ExportFormat::Grey {
+        outputs.push(Output::beside(path.with_extension("json")));
+    }
+    Ok(outputs)
 }
 
 /// Writes a square of the ground at the level that its pixels ask for; the extension of `path` says
@@ -96,7 +108,7 @@ pub fn export(
     ExportFormat::of(path)?.check(square.pixels())?;
     let grid = square.heights(ground, square.level())?;
     let files = encode(square, &grid, path)?;
-    write_all_atomically(&files)?;
+    write_all(&outputs(path)?, |k, out| out.write_all(&files[k].1))?;
     Ok(files.into_iter().map(|(path, _)| path).collect())
 }
 
