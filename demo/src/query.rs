@@ -64,6 +64,9 @@ fn place_in(line: &[u8]) -> Result<Option<PlaceSpec>, String> {
     if line.len() as u64 > MAX_LINE_BYTES {
         return Err("it is too long".into());
     }
+    if line.starts_with(b"\xff\xfe") || line.starts_with(b"\xfe\xff") {
+        return Err("it is in UTF-16, and only UTF-8 is read".into());
+    }
     let text = str::from_utf8(line).map_err(|_| "it is no text")?;
     // Spreadsheets begin their files with a byte order mark.
     let text = text.trim_start_matches('\u{feff}').trim();
@@ -156,7 +159,13 @@ mod tests {
             let problem = read_places(bad.as_bytes()).unwrap_err().to_string();
             assert!(words.iter().all(|word| problem.contains(word)), "{problem}");
         }
-        assert!(read_places([0xff, 0xfe, b'\n'].as_slice()).is_err());
+        let utf16: Vec<u8> = "\u{feff}1,2\n"
+            .encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect();
+        let utf16 = read_places(utf16.as_slice()).unwrap_err();
+        assert!(utf16.to_string().contains("UTF-16"), "{utf16}");
+        assert!(read_places([0xfe, b'\n'].as_slice()).is_err());
         let problem = read_places([b'1'; 5000].as_slice()).unwrap_err();
         assert!(problem.to_string().contains("too long"), "{problem}");
     }
