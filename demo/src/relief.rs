@@ -159,7 +159,7 @@ fn nothing_left(folder: &Path, problems: &[String]) -> CliError {
     let reason = match problems {
         [] => "it has no .hgt, .tif or .png files".into(),
         [only] => only.clone(),
-        [first, others @ ..] => format!("{first} (and {} more files)", others.len()),
+        [first, others @ ..] => format!("{first} (refused, too: {} more)", others.len()),
     };
     CliError::input(format!(
         "cannot compare with {}: {reason}",

@@ -1,6 +1,8 @@
 //! Maps of a user that replace fields of the climate.
 
-use crate::program::{assert_refused_in, planet, succeed_with_input};
+use crate::program::{
+    assert_contains, assert_refused_in, pangaea, planet, stderr, succeed_with_input,
+};
 use std::fs;
 use std::path::Path;
 
@@ -39,6 +41,52 @@ fn maps_replace_fields_of_the_climate() {
     let (frozen, land) = frozen_and_land(folder.path(), &["--temperature", "t.png"]);
     assert!(mild < frozen, "{mild} {frozen}");
     assert!(frozen * 2 > land, "{frozen} of {land} points are frozen");
+}
+
+/// A map of grey 0, transparent but for the rows of the north.
+fn northern_map(path: &Path) {
+    let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), 16, 8);
+    encoder.set_color(png::ColorType::GrayscaleAlpha);
+    let data: Vec<u8> = (0..128)
+        .flat_map(|i| [0, if i < 64 { 255 } else { 0 }])
+        .collect();
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(&data)
+        .unwrap();
+}
+
+#[test]
+fn voids_of_a_map_keep_the_planets_own_climate() {
+    let folder = planet();
+    northern_map(&folder.path().join("t.png"));
+    fs::write(folder.path().join("t.json"), r#"{"min": -60, "max": 60}"#).unwrap();
+    let at = |place: &str, maps: &[&str]| {
+        let args = [
+            &["query", "planet.pangaea", "--level", "6", "--at", place],
+            maps,
+        ]
+        .concat();
+        pangaea(folder.path(), &args)
+    };
+    let map = ["--temperature", "t.png"];
+    for place in ["-40,10", "-30,-100", "-20,140"] {
+        assert_eq!(
+            surface(&at(place, &map)),
+            surface(&at(place, &[])),
+            "{place}"
+        );
+    }
+    let said = stderr(&at("40,10", &map));
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_contains(&said, &["t.png", "64 voids of 128", "planet's own"]);
+}
+
+/// The surface in the last column of an answer.
+fn surface(answer: &std::process::Output) -> String {
+    let text = String::from_utf8_lossy(&answer.stdout);
+    text.trim().rsplit(',').next().unwrap().into()
 }
 
 /// Asserts that a command refuses each map that is no climate.

@@ -121,7 +121,7 @@ mod tests {
     /// A planet with a continent of each radius in km.
     fn with_continents(samples: u32, radii: &[f64]) -> PlanetRecipe {
         let disc = |&radius: &f64| DiscRecipe {
-            center: (0.0, radius),
+            center: (0.0, 0.0),
             radius,
         };
         PlanetRecipe {
