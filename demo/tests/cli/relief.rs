@@ -111,10 +111,10 @@ fn hgt(height: impl Fn(usize) -> i16) -> Vec<u8> {
         .collect()
 }
 
-/// Heights of hills 400 m high.
+/// Heights of ridges across each other.
 fn hills(i: usize) -> i16 {
-    let [x, y] = [i % 1201, i / 1201].map(|k| k as f64 * 0.02);
-    (800.0 + 200.0 * (x.sin() + y.cos())) as i16
+    let slope = |k: usize, period: usize| (k % period).abs_diff(period / 2) as i16;
+    500 + slope(i % 1201, 400) + slope(i / 1201, 300)
 }
 
 #[test]

@@ -21,7 +21,7 @@ fn with_land(recipe: &PlanetRecipe, crust: &Crust, mesh: &SphereMesh) -> f64 {
         let reach = disc.radius / recipe.radius + mesh.spacing();
         let center = disc.direction();
         let is_near = |&i: &usize| math::angle_between(mesh.point(i as u32), center) < reach;
-        land.iter().any(|i| is_near(i))
+        land.iter().any(is_near)
     };
     let count = recipe.continents.iter().filter(has_land).count();
     count as f64 / recipe.continents.len() as f64
