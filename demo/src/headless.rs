@@ -181,8 +181,8 @@ fn note_refusal(rejected: On<CommandRejected>, mut first: ResMut<FirstRefusal>) 
     first.0.get_or_insert_with(|| rejected.error.to_string());
 }
 
-/// A planet at time 0, and how many ms its mesh took. Whatever the recipe asks for and the planet will
-/// not have is said on stderr.
+/// A planet at time 0, and how many ms its mesh took. Whatever the recipe asks for and the planet
+/// will not have is said on stderr.
 ///
 /// # Errors
 /// If the recipe is refused.

@@ -131,13 +131,27 @@ fn tile_figures(folder: &Path) -> Result<Vec<ReliefFigures>, CliError> {
     Ok(figures)
 }
 
-/// The relief of an elevation model.
+/// Share of voids in a tile that is no more than a flaw.
+const MOST_VOIDS: f64 = 0.1;
+
+/// The relief of an elevation model; much of it that is filled is said.
 fn tile_relief(path: &Path) -> Result<ReliefStats, CliError> {
     // Such as the `._NAME` that macOS puts beside every NAME.
     if text(path.file_name()).starts_with('.') {
         return Err(refused(path, "it is a hidden file"));
     }
-    ReliefStats::of(&load_dem(path)?.grid).ok_or_else(|| refused(path, "the tile is too small"))
+    let tile = load_dem(path)?;
+    let relief =
+        ReliefStats::of(&tile.grid).ok_or_else(|| refused(path, "the tile is too small"))?;
+    let share = tile.voids as f64 / tile.grid.values.len() as f64;
+    if share > MOST_VOIDS {
+        let percent = (100.0 * share).round();
+        say(&format!(
+            "warning: {}: {percent} % of it are voids, filled from their neighbours",
+            path.display()
+        ));
+    }
+    Ok(relief)
 }
 
 fn refused(path: &Path, problem: &str) -> CliError {

@@ -5,6 +5,8 @@ use crate::program::{
 };
 use std::fs;
 use std::path::Path;
+use std::process::Output;
+use tempfile::TempDir;
 
 /// A map of 8-bit grey, twice as wide as high.
 fn grey_map(path: &Path, grey: u8) {
@@ -62,29 +64,24 @@ fn voids_of_a_map_keep_the_planets_own_climate() {
     let folder = planet();
     northern_map(&folder.path().join("t.png"));
     fs::write(folder.path().join("t.json"), r#"{"min": -60, "max": 60}"#).unwrap();
-    let at = |place: &str, maps: &[&str]| {
-        let args = [
-            &["query", "planet.pangaea", "--level", "6", "--at", place],
-            maps,
-        ]
-        .concat();
-        pangaea(folder.path(), &args)
-    };
     let map = ["--temperature", "t.png"];
     for place in ["-40,10", "-30,-100", "-20,140"] {
-        assert_eq!(
-            surface(&at(place, &map)),
-            surface(&at(place, &[])),
-            "{place}"
-        );
+        let [given, own] = [&map[..], &[]].map(|maps| surface(&query(&folder, place, maps)));
+        assert_eq!(given, own, "{place}");
     }
-    let said = stderr(&at("40,10", &map));
+    let said = stderr(&query(&folder, "40,10", &map));
     assert_eq!(said.lines().count(), 1, "{said}");
     assert_contains(&said, &["t.png", "64 voids of 128", "planet's own"]);
 }
 
+/// Asks for the ground at a place.
+fn query(folder: &TempDir, place: &str, maps: &[&str]) -> Output {
+    let args = ["query", "planet.pangaea", "--level", "6", "--at", place];
+    pangaea(folder.path(), &[&args, maps].concat())
+}
+
 /// The surface in the last column of an answer.
-fn surface(answer: &std::process::Output) -> String {
+fn surface(answer: &Output) -> String {
     let text = String::from_utf8_lossy(&answer.stdout);
     text.trim().rsplit(',').next().unwrap().into()
 }

@@ -26,7 +26,8 @@ pub struct Climate {
     pub open_water_loss: Vec<f32>,
 }
 
-/// Maps that replace fields of the climate, but for their voids: there the field is the planet's own.
+/// Maps that replace fields of the climate, but for their voids: there the field is the planet's
+/// own.
 #[derive(Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ClimateMaps {

@@ -4,8 +4,8 @@
 //! line they join, and beyond the first and last row they stay as they are.
 //!
 //! A pixel without a value is a *void*. A place is void where the pixel that it lies in is; beside
-//! voids, values are the means of the neighbours that have one, by the same weights, so that no void
-//! reaches beyond its own pixels, and none is smeared over.
+//! voids, values are the means of the neighbours that have one, by the same weights, so that no
+//! void reaches beyond its own pixels, and none is smeared over.
 
 use crate::math;
 use bevy::math::DVec3;
@@ -137,8 +137,8 @@ impl EquirectMap {
     /// A map of `width` x `height` pixels, rows from the top; NaN for voids.
     ///
     /// # Errors
-    /// [`MapError`] for a size that is out of range or not 2 to 1, a wrong number of values, infinite
-    /// values, and voids alone.
+    /// [`MapError`] for a size that is out of range or not 2 to 1, a wrong number of values,
+    /// infinite values, and voids alone.
     pub fn new(width: u32, height: u32, values: Vec<f32>) -> Result<Self, MapError> {
         Self::check_size(width, height)?;
         let wanted = width as usize * height as usize;

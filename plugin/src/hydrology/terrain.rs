@@ -37,8 +37,8 @@ pub struct Terrain {
     pub ridge: Vec<Vec3>,
 }
 
-/// Maps of a user, from which a planet is made without a simulation (paper 002 §3). The crust must be
-/// whole; where another map is void it counts as not given.
+/// Maps of a user, from which a planet is made without a simulation (paper 002 §3). The crust must
+/// be whole; where another map is void it counts as not given.
 #[derive(Clone, Debug, PartialEq, Reflect)]
 pub struct TerrainMaps {
     /// Elevation of the crust in km, -15..=15, negative under the sea.

@@ -1,7 +1,7 @@
 //! Texts that people write: presets and scenarios in RON, sidecars in JSON.
 //!
-//! Editors begin some with a byte order mark, and write some as UTF-16: the mark is passed over, and
-//! UTF-16 is read where a mark tells of it. Lines may end as on any system.
+//! Editors begin some with a byte order mark, and write some as UTF-16: the mark is passed over,
+//! and UTF-16 is read where a mark tells of it. Lines may end as on any system.
 
 use super::IoError;
 use ron::extensions::Extensions;

@@ -1,5 +1,5 @@
-//! SRTM's *.hgt: rows of big-endian i16 in m, a degree wide and high; -32768 is a void. The name says
-//! where the centre of the south west value is.
+//! SRTM's *.hgt: rows of big-endian i16 in m, a degree wide and high; -32768 is a void. The name
+//! says where the centre of the south west value is.
 
 use super::error::DemError;
 use super::tile::{Dem, degrees_to_metres};
@@ -35,8 +35,8 @@ fn height(bytes: [u8; 2]) -> f32 {
 const CORNER_LEN: usize = 7;
 
 /// Latitude and longitude of the south west corner in degrees: the first corner that stands in a
-/// name, at its beginning or behind a sign. Archives put their own names before and behind, browsers
-/// and file managers the number of a copy.
+/// name, at its beginning or behind a sign. Archives put their own names before and behind,
+/// browsers and file managers the number of a copy.
 fn corner(name: &str) -> Option<(f64, f64)> {
     let name = name.as_bytes();
     let begins = |at: usize| at == 0 || !name[at - 1].is_ascii_alphanumeric();

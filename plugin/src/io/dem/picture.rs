@@ -60,16 +60,9 @@ impl Greys {
         let mut values = Vec::new();
         rows(&mut reader, bytes.len(), |row| {
             for x in 0..size[0] as usize {
-                let level = form
-                    .level(row, x)
-                    .map_err(|why| at(values.len(), size, &why))?;
-                let grey = |level| {
-                    value(Grey {
-                        level,
-                        white: form.white,
-                    })
-                };
-                values.push(level.map_or(f32::NAN, grey));
+                let grey = form.grey(row, x);
+                let grey = grey.map_err(|why| at(values.len(), size, &why))?;
+                values.push(grey.map_or(f32::NAN, &value));
             }
             Ok(())
         })?;
@@ -159,13 +152,16 @@ impl PixelForm {
     }
 
     /// The grey of pixel `x` of a row; none if it is transparent.
-    fn level(&self, row: &[u8], x: usize) -> Result<Option<u16>, String> {
+    fn grey(&self, row: &[u8], x: usize) -> Result<Option<Grey>, String> {
         let PaletteEntry(color, alpha) = self.pixel(row, x)?;
         if alpha == 0 || self.transparent == Some(color) {
             return Ok(None);
         }
         match color {
-            [r, g, b] if r == g && g == b => Ok(Some(r)),
+            [level, g, b] if level == g && g == b => {
+                let white = self.white;
+                Ok(Some(Grey { level, white }))
+            }
             [r, g, b] => Err(format!("has the colour {r}, {g}, {b}")),
         }
     }

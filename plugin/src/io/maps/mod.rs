@@ -1,9 +1,9 @@
 //! Maps of the whole planet, as a user gives them: equirectangular, north up, longitude -180 at the
 //! left edge.
 //!
-//! A GeoTIFF of one band holds the values themselves. A PNG holds greys, in whatever form: what black
-//! and white stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by the caller;
-//! values between are linear.
+//! A GeoTIFF of one band holds the values themselves. A PNG holds greys, in whatever form: what
+//! black and white stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by the
+//! caller; values between are linear.
 //!
 //! Pixels without a value, such as the sea in an archive of land, are voids: nodata of a GeoTIFF,
 //! transparent pixels of a PNG.
