@@ -3,6 +3,7 @@
 use crate::error::CliError;
 use crate::floor::memory_floor_ms;
 use crate::interrupt;
+use crate::output::say;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
 use bevy_pangaea::authoring::{CommandRejected, Scenario};
@@ -180,12 +181,16 @@ fn note_refusal(rejected: On<CommandRejected>, mut first: ResMut<FirstRefusal>) 
     first.0.get_or_insert_with(|| rejected.error.to_string());
 }
 
-/// A planet at time 0, and how many ms its mesh took.
+/// A planet at time 0, and how many ms its mesh took. Whatever the recipe asks for and the planet
+/// will not have is said on stderr.
 ///
 /// # Errors
 /// If the recipe is refused.
 pub fn initial_planet(recipe: &PlanetRecipe) -> Result<(PlanetState, f64), CliError> {
     recipe.validate()?;
+    for warning in recipe.warnings() {
+        say(&format!("warning: {warning}"));
+    }
     let start = Instant::now();
     let mesh = SphereMesh::fibonacci(recipe.samples).map_err(CliError::input)?;
     let mesh_ms = start.elapsed().as_secs_f64() * 1e3;

@@ -5,7 +5,7 @@ use crate::cli::ReliefArgs;
 use crate::error::CliError;
 use crate::ground::{bake_planet, ground};
 use crate::headless::Headless;
-use crate::output::{self, check_file, print, write_file};
+use crate::output::{self, check_file, print, say, write_file};
 use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::io::{dem_files, load, load_dem};
@@ -52,13 +52,14 @@ impl ReliefFigures {
 /// Runs the command.
 ///
 /// # Errors
-/// If the planet, a tile or a file for the figures is refused.
+/// If the planet, all tiles or the file for the figures are refused. A bad tile beside good ones is
+/// passed over with a warning.
 pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
     if let Some(path) = &args.json {
         check_file(path)?;
     }
     let climate = args.ground.climate.load()?;
-    // Bad tiles are refused before the planet is measured.
+    // A folder without a good tile is refused before the planet is measured.
     let tiles = match &args.dem {
         Some(folder) => tile_figures(folder)?,
         None => Vec::new(),
@@ -107,26 +108,77 @@ fn choose_sites(
         .collect())
 }
 
-/// The figures of every elevation model in a folder.
+/// The figures of the elevation models in a folder. Files that are none are passed over with a
+/// warning; it is an error if nothing is left.
 fn tile_figures(folder: &Path) -> Result<Vec<ReliefFigures>, CliError> {
-    let files = dem_files(folder)?;
-    if files.is_empty() {
-        return Err(CliError::input(format!(
-            "cannot compare with {}: it has no .hgt, .tif or .png files",
-            folder.display()
-        )));
-    }
     let mut figures: Vec<ReliefFigures> = Vec::new();
-    for path in files {
-        let relief = ReliefStats::of(&load_dem(&path)?.grid)
-            .ok_or_else(|| CliError::input(format!("{}: the tile is too small", path.display())))?;
-        let stem = text(path.file_stem());
-        // Two files may differ in their extension only.
-        let taken = figures.iter().any(|tile| tile.name == stem);
-        let name = if taken { text(path.file_name()) } else { stem };
-        figures.push(ReliefFigures::new(name, &[relief]));
+    let mut problems = Vec::new();
+    for path in dem_files(folder)? {
+        match tile_relief(&path) {
+            Ok(relief) => {
+                let name = tile_name(&path, &figures);
+                figures.push(ReliefFigures::new(name, &[relief]));
+            }
+            Err(problem) => problems.push(problem.to_string()),
+        }
+    }
+    if figures.is_empty() {
+        return Err(nothing_left(folder, &problems));
+    }
+    for problem in problems {
+        say(&format!("warning: {problem}; it is passed over"));
     }
     Ok(figures)
+}
+
+/// Share of voids in a tile that is no more than a flaw.
+const MOST_VOIDS: f64 = 0.1;
+
+/// The relief of an elevation model; much of it that is filled is said.
+fn tile_relief(path: &Path) -> Result<ReliefStats, CliError> {
+    // Such as the `._NAME` that macOS puts beside every NAME.
+    if text(path.file_name()).starts_with('.') {
+        return Err(refused(path, "it is a hidden file"));
+    }
+    let tile = load_dem(path)?;
+    let relief =
+        ReliefStats::of(&tile.grid).ok_or_else(|| refused(path, "the tile is too small"))?;
+    let share = tile.voids as f64 / tile.grid.values.len() as f64;
+    if share > MOST_VOIDS {
+        let percent = (100.0 * share).round();
+        say(&format!(
+            "warning: {}: {percent} % of it are voids, filled from their neighbours",
+            path.display()
+        ));
+    }
+    Ok(relief)
+}
+
+fn refused(path: &Path, problem: &str) -> CliError {
+    CliError::input(format!("{}: {problem}", path.display()))
+}
+
+/// The name of a tile, with its extension if there are two that differ in that alone.
+fn tile_name(path: &Path, others: &[ReliefFigures]) -> String {
+    let stem = text(path.file_stem());
+    if others.iter().any(|tile| tile.name == stem) {
+        text(path.file_name())
+    } else {
+        stem
+    }
+}
+
+/// The error of a folder in which no file is an elevation model.
+fn nothing_left(folder: &Path, problems: &[String]) -> CliError {
+    let reason = match problems {
+        [] => "it has no .hgt, .tif or .png files".into(),
+        [only] => only.clone(),
+        [first, others @ ..] => format!("{first} (refused, too: {} more)", others.len()),
+    };
+    CliError::input(format!(
+        "cannot compare with {}: {reason}",
+        folder.display()
+    ))
 }
 
 /// A part of a path as text.

@@ -130,31 +130,59 @@ impl Place {
     }
 }
 
-/// A grey PNG of 16 bits, and one of 8.
+/// PNGs of grey: of 16 and of 8 bits, as colours, with alpha, of a palette, and one that says it is
+/// interlaced.
 pub(super) fn pngs(size: [u32; 2]) -> Vec<Vec<u8>> {
+    use png::BitDepth::{Eight, Sixteen};
+    use png::ColorType::{Grayscale, GrayscaleAlpha, Indexed, Rgb, Rgba};
     let greys = ramp(size);
     let two: Vec<u8> = greys
         .iter()
         .flat_map(|&grey| (grey as u16).to_be_bytes())
         .collect();
-    let one: Vec<u8> = greys.iter().map(|&grey| grey as u8).collect();
-    vec![
-        png(size, png::BitDepth::Sixteen, &two),
-        png(size, png::BitDepth::Eight, &one),
-    ]
+    let deep = png(size, (Grayscale, Sixteen), &two);
+    let kinds = [Grayscale, GrayscaleAlpha, Rgb, Rgba, Indexed];
+    let shallow = kinds.map(|kind| {
+        let pixel = |&grey: &f32| vec![grey as u8; kind.samples()];
+        png(
+            size,
+            (kind, Eight),
+            &greys.iter().flat_map(pixel).collect::<Vec<_>>(),
+        )
+    });
+    let interlaced = interlaced(&shallow[0]);
+    [&[deep, interlaced][..], &shallow].concat()
 }
 
-fn png([width, height]: [u32; 2], depth: png::BitDepth, data: &[u8]) -> Vec<u8> {
+fn png(
+    [width, height]: [u32; 2],
+    (color, depth): (png::ColorType, png::BitDepth),
+    data: &[u8],
+) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_color(color);
     encoder.set_depth(depth);
+    if color == png::ColorType::Indexed {
+        let greys: Vec<u8> = (0..=u8::MAX).flat_map(|grey| [grey; 3]).collect();
+        encoder.set_palette(greys);
+        encoder.set_trns(&[255, 0, 128][..]);
+    }
     let mut writer = encoder.write_header().expect("memory can be written");
     writer
         .write_image_data(data)
         .expect("rows of the right length");
     drop(writer);
     bytes
+}
+
+/// The picture with a header that says that its rows come in seven passes.
+fn interlaced(picture: &[u8]) -> Vec<u8> {
+    // Behind size, depth, colour, compression and filter.
+    const INTERLACE: usize = SIGNATURE + HEAD + 12;
+    let mut bytes = picture.to_vec();
+    bytes[INTERLACE] = 1;
+    mended(&bytes)
 }
 
 /// The picture with the right check sum in every chunk, so that damage gets past them.

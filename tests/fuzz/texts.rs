@@ -33,6 +33,7 @@ const WORDS: &[&str] = &[
     "\\u{10ffff}",
     "é",
     "\0",
+    "\u{feff}",
     "#![enable(implicit_some)]",
     "true",
     "()",

@@ -2,10 +2,11 @@
 //! rivers or for the ground.
 
 use crate::error::CliError;
+use crate::output::say;
 use bevy_pangaea::climate::{ClimateMaps, EquirectMap};
 use bevy_pangaea::io::load_map;
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Maps that replace fields of the climate.
 #[derive(Args, Debug, Default, Clone)]
@@ -15,6 +16,7 @@ pub struct ClimateArgs {
     ///
     /// Maps show the whole planet, equirectangular, north up, 180° W at the left edge. A .tif holds
     /// values. A grey .png needs a sidecar NAME.json {"min", "max"}: the values of black and white.
+    /// Voids, pixels without a value, are filled from the planet's own climate.
     #[arg(long, value_name = "MAP")]
     pub temperature: Option<PathBuf>,
     /// Map of the rain of a year in mm
@@ -26,7 +28,7 @@ pub struct ClimateArgs {
 }
 
 impl ClimateArgs {
-    /// Reads the maps.
+    /// Reads the maps, and says how many voids the planet's own climate will fill.
     ///
     /// # Errors
     /// Names the first file that cannot be read, is no map of a planet, or has values that no
@@ -41,11 +43,26 @@ impl ClimateArgs {
         let mut maps = ClimateMaps::default();
         for (file, grey, field) in fields {
             let Some(path) = file else { continue };
-            *field(&mut maps) = Some(load_map(path, grey)?);
+            let map = load_map(path, grey)?;
+            *field(&mut maps) = Some(map.clone());
             // What was read before is good: it is this file that is refused.
             maps.check()
                 .map_err(|problem| CliError::input(format!("{}: {problem}", path.display())))?;
+            tell_voids(path, &map);
         }
         Ok(maps)
+    }
+}
+
+/// Says how many voids of a map are filled.
+fn tell_voids(path: &Path, map: &EquirectMap) {
+    let [width, height] = map.size().map(u64::from);
+    if map.voids() > 0 {
+        say(&format!(
+            "{}: {} voids of {} pixels are filled from the planet's own climate",
+            path.display(),
+            map.voids(),
+            width * height
+        ));
     }
 }

@@ -58,8 +58,9 @@ pub struct ReliefArgs {
     pub ground: GroundArgs,
     /// Folder of tiles of real ground to compare with
     ///
-    /// Files are .hgt, GeoTIFF, or 16-bit PNG with a sidecar NAME.json {metres_per_pixel,
-    /// metres_per_unit}.
+    /// Files are .hgt, GeoTIFF, or grey PNG with a sidecar NAME.json {metres_per_pixel,
+    /// metres_per_unit}, or min_m and max_m for black and white. Others, such as previews and tiles
+    /// of voids, are passed over with a warning.
     #[arg(long, value_name = "DIR")]
     pub dem: Option<PathBuf>,
     /// Most sites of a class, 1 to 20

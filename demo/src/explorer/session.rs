@@ -107,6 +107,11 @@ fn start_job(
         messages.note(DISCARD_QUESTION);
         return;
     }
+    if let Action::Grow(recipe) = action {
+        for warning in recipe.warnings() {
+            messages.note(warning.to_string());
+        }
+    }
     match action.clone() {
         Action::Grow(recipe) => session.start("Growing a planet", move || grow(&recipe)),
         Action::Load(path) => session.start("Loading", move || load(path)),

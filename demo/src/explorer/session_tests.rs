@@ -88,6 +88,17 @@ fn a_planet_that_cannot_grow_leaves_the_old_one() {
 }
 
 #[test]
+fn whatever_a_planet_will_lack_is_said_at_the_start() {
+    let mut app = app();
+    let radius = 12_000.0;
+    let huge = PlanetRecipe {
+        radius,
+        ..*recipe()
+    };
+    assert_done(&mut app, Action::Grow(Box::new(huge)), "there is no ground");
+}
+
+#[test]
 fn a_new_planet_replaces_the_old_one() {
     let (mut app, first) = grown();
     controls(&mut app).paused = true;

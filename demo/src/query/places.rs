@@ -123,6 +123,9 @@ fn place_in(line: &[u8]) -> Result<Option<PlaceSpec>, String> {
     if line.len() as u64 > MAX_LINE_BYTES {
         return Err("it is too long".into());
     }
+    if line.starts_with(b"\xff\xfe") || line.starts_with(b"\xfe\xff") {
+        return Err("it is in UTF-16, and only UTF-8 is read".into());
+    }
     let text = str::from_utf8(line).map_err(|_| "it is no text")?;
     // Spreadsheets begin their files with a byte order mark.
     let text = text.trim_start_matches('\u{feff}').trim();

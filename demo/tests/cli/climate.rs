@@ -1,8 +1,12 @@
 //! Maps of a user that replace fields of the climate.
 
-use crate::program::{assert_refused_in, planet, succeed_with_input};
+use crate::program::{
+    assert_contains, assert_refused_in, pangaea, planet, stderr, succeed_with_input,
+};
 use std::fs;
 use std::path::Path;
+use std::process::Output;
+use tempfile::TempDir;
 
 /// A map of 8-bit grey, twice as wide as high.
 fn grey_map(path: &Path, grey: u8) {
@@ -39,6 +43,47 @@ fn maps_replace_fields_of_the_climate() {
     let (frozen, land) = frozen_and_land(folder.path(), &["--temperature", "t.png"]);
     assert!(mild < frozen, "{mild} {frozen}");
     assert!(frozen * 2 > land, "{frozen} of {land} points are frozen");
+}
+
+/// A map of grey 0, transparent but for the rows of the north.
+fn northern_map(path: &Path) {
+    let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), 16, 8);
+    encoder.set_color(png::ColorType::GrayscaleAlpha);
+    let data: Vec<u8> = (0..128)
+        .flat_map(|i| [0, if i < 64 { 255 } else { 0 }])
+        .collect();
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(&data)
+        .unwrap();
+}
+
+#[test]
+fn voids_of_a_map_keep_the_planets_own_climate() {
+    let folder = planet();
+    northern_map(&folder.path().join("t.png"));
+    fs::write(folder.path().join("t.json"), r#"{"min": -60, "max": 60}"#).unwrap();
+    let map = ["--temperature", "t.png"];
+    for place in ["-40,10", "-30,-100", "-20,140"] {
+        let [given, own] = [&map[..], &[]].map(|maps| surface(&query(&folder, place, maps)));
+        assert_eq!(given, own, "{place}");
+    }
+    let said = stderr(&query(&folder, "40,10", &map));
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_contains(&said, &["t.png", "64 voids of 128", "planet's own"]);
+}
+
+/// Asks for the ground at a place.
+fn query(folder: &TempDir, place: &str, maps: &[&str]) -> Output {
+    let args = ["query", "planet.pangaea", "--level", "6", "--at", place];
+    pangaea(folder.path(), &[&args, maps].concat())
+}
+
+/// The surface in the last column of an answer.
+fn surface(answer: &Output) -> String {
+    let text = String::from_utf8_lossy(&answer.stdout);
+    text.trim().rsplit(',').next().unwrap().into()
 }
 
 /// Asserts that a command refuses each map that is no climate.

@@ -1,6 +1,8 @@
 //! Presets and scenarios are checked before a planet grows, and commands while it does.
 
-use crate::program::{assert_refused_in, names_in, stats, succeed};
+use crate::program::{
+    assert_contains, assert_refused_in, names_in, pangaea, stats, stderr, succeed,
+};
 use std::fs;
 use tempfile::TempDir;
 
@@ -33,6 +35,63 @@ fn presets_that_are_no_text_are_refused() {
     fs::write(folder.path().join("a.planet.ron"), [0xff, 0xfe, 0x00]).unwrap();
     assert_refused_in(folder.path(), &PRESET, &["a.planet.ron"]);
     assert_refused_in(folder.path(), &["generate", "--preset", "."], &["."]);
+}
+
+#[test]
+fn a_preset_may_begin_with_a_byte_order_mark() {
+    let folder = TempDir::new().unwrap();
+    let text = "(\r\n  seed: 9,\r\n  samples: 500,\r\n  plate_count: 12,\r\n)\r\n";
+    let utf16: Vec<u16> = format!("\u{feff}{text}").encode_utf16().collect();
+    for (name, bytes) in [
+        ("plain", text.as_bytes().to_vec()),
+        ("marked", format!("\u{feff}{text}").into_bytes()),
+        (
+            "utf16",
+            utf16.into_iter().flat_map(u16::to_le_bytes).collect(),
+        ),
+    ] {
+        fs::write(folder.path().join("a.planet.ron"), bytes).unwrap();
+        succeed(
+            folder.path(),
+            &[&PRESET[..], &["--until", "2", "--out", name]].concat(),
+        );
+    }
+    let digest = |name: &str| stats(&folder.path().join(name))["digest"].clone();
+    assert_eq!(digest("plain"), digest("marked"));
+    assert_eq!(digest("plain"), digest("utf16"));
+}
+
+/// The lines that are said while the planet of a preset is generated.
+fn said_of(preset: &str) -> String {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("a.planet.ron"), preset).unwrap();
+    let args = [&PRESET[..], &["--until", "2", "--out", "o"]].concat();
+    let output = pangaea(folder.path(), &args);
+    assert!(output.status.success(), "{}", stderr(&output));
+    stderr(&output)
+}
+
+#[test]
+fn whatever_a_planet_will_lack_is_said_at_the_start() {
+    let start = "samples: 500, plate_count: 12";
+    let island = "(center: (10, 20), radius: 200)";
+    for (preset, words) in [
+        (
+            format!("({start}, continents: [{island}, {island}])"),
+            ["warning: 2 of 2 continents", "1802 km"],
+        ),
+        (
+            format!("({start}, land: 0.01)"),
+            ["warning: a share of land of 0.01", "500 samples"],
+        ),
+        (
+            format!("({start}, radius: 12000)"),
+            ["warning: there is no ground", "10000 km"],
+        ),
+    ] {
+        assert_contains(&said_of(&preset), &words);
+    }
+    assert!(!said_of(&format!("({start})")).contains("warning"));
 }
 
 /// `generate` for a planet of 500 samples, with a scenario.

@@ -1,7 +1,7 @@
 //! Relief statistics of a planet, beside those of real tiles.
 
 use crate::program::{
-    assert_contains, assert_refused, assert_refused_in, planet, read_json, succeed,
+    assert_contains, assert_refused, assert_refused_in, pangaea, planet, read_json, stderr, succeed,
 };
 use serde_json::Value;
 use std::fs;
@@ -92,7 +92,8 @@ fn bad_tiles_are_named() {
     for (name, words) in [
         ("N44W072.hgt", &["N44W072.hgt", "1201"][..]),
         ("b.tif", &["b.tif"]),
-        ("c.png", &["c.json"]),
+        ("c.png", &["c.png", "c.json"]),
+        ("._N44W072.hgt", &["._N44W072.hgt", "hidden"]),
     ] {
         let path = tiles.join(name);
         fs::write(&path, "nonsense").unwrap();
@@ -101,4 +102,76 @@ fn bad_tiles_are_named() {
     }
     let args = [&measure[..], &["nowhere"]].concat();
     assert_refused_in(folder.path(), &args, &["nowhere"]);
+}
+
+/// A tile of 1201 x 1201 heights in m.
+fn hgt(height: impl Fn(usize) -> i16) -> Vec<u8> {
+    (0..1201 * 1201)
+        .flat_map(|i| height(i).to_be_bytes())
+        .collect()
+}
+
+/// Heights of ridges across each other.
+fn hills(i: usize) -> i16 {
+    let slope = |k: usize, period: usize| (k % period).abs_diff(period / 2) as i16;
+    500 + slope(i % 1201, 400) + slope(i / 1201, 300)
+}
+
+#[test]
+fn bad_tiles_beside_good_ones_are_passed_over() {
+    let folder = planet();
+    let tiles = folder.path().join("tiles");
+    fs::create_dir(&tiles).unwrap();
+    let good = hgt(hills);
+    for (name, content) in [
+        ("N44W072.SRTMGL1.HGT", &good[..]),
+        ("N44W071 (1).hgt", &good),
+        ("N00E006.hgt", &hgt(|_| i16::MIN)),
+        ("N01E006.hgt", &good[..1_000_000]),
+        ("._N44W072.hgt", b"Mac OS X"),
+        (".DS_Store", b"Bud1"),
+        ("preview.png", b"no sidecar"),
+        ("preview.png.aux.xml", b"<PAMDataset/>"),
+    ] {
+        fs::write(tiles.join(name), content).unwrap();
+    }
+    let args = [
+        "relief",
+        "planet.pangaea",
+        "--sites",
+        "1",
+        "--json",
+        "r.json",
+        "--dem",
+        "tiles",
+    ];
+    let output = pangaea(folder.path(), &args);
+    let said = stderr(&output);
+    assert!(output.status.success(), "{said}");
+    let warnings: Vec<&str> = said.lines().collect();
+    assert_eq!(warnings.len(), 4, "{said}");
+    for (warning, words) in warnings.iter().zip([
+        ["._N44W072.hgt", "hidden"],
+        ["N00E006.hgt", "only voids"],
+        ["N01E006.hgt", "1000000 bytes"],
+        ["preview.png", "preview.json"],
+    ]) {
+        assert_contains(warning, &["warning", "passed over"]);
+        assert_contains(warning, &words);
+    }
+    let figures = read_json(&folder.path().join("r.json"));
+    let measured: Vec<&String> = figures["tiles"].as_object().unwrap().keys().collect();
+    assert_eq!(measured, ["N44W071 (1)", "N44W072.SRTMGL1"]);
+}
+
+#[test]
+fn a_folder_without_a_good_tile_is_refused_in_one_line() {
+    let folder = planet();
+    let tiles = folder.path().join("tiles");
+    fs::create_dir(&tiles).unwrap();
+    fs::write(tiles.join("N00E006.hgt"), hgt(|_| i16::MIN)).unwrap();
+    fs::write(tiles.join("b.tif"), "nonsense").unwrap();
+    let args = ["relief", "planet.pangaea", "--dem", "tiles"];
+    let words = ["tiles", "N00E006.hgt", "only voids", "1 more"];
+    assert_refused_in(folder.path(), &args, &words);
 }

@@ -26,7 +26,8 @@ pub struct Climate {
     pub open_water_loss: Vec<f32>,
 }
 
-/// Maps that replace fields of the climate.
+/// Maps that replace fields of the climate, but for their voids: there the field is the planet's
+/// own.
 #[derive(Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ClimateMaps {
@@ -101,15 +102,16 @@ impl Climate {
         height.resize(n, MISSING_ELEVATION_KM);
 
         // Each field follows from those before it, given or not.
-        let temperature = sampled(mesh, &maps.temperature, TEMPERATURES_C).unwrap_or_else(|| {
+        let temperature = given_or(&maps.temperature, mesh, TEMPERATURES_C, || {
             parallel::map(n, |i| mean_temperature(mesh.point(i).z, height[i as usize]))
         });
-        let rain = sampled(mesh, &maps.rain, 0.0..=MAX_RAIN_MM)
-            .unwrap_or_else(|| rain(mesh, winds, &temperature, &height));
-
+        let rain = given_or(&maps.rain, mesh, 0.0..=MAX_RAIN_MM, || {
+            rain(mesh, winds, &temperature, &height)
+        });
         let evaporation = parallel::map(n, |i| potential_evaporation(temperature[i as usize]));
-        let wetness = sampled(mesh, &maps.wetness, 0.0..=1.0)
-            .unwrap_or_else(|| by_vertex(wetness, &rain, &evaporation));
+        let wetness = given_or(&maps.wetness, mesh, 0.0..=1.0, || {
+            by_vertex(wetness, &rain, &evaporation)
+        });
         Self {
             temperature,
             wetness,
@@ -137,17 +139,22 @@ fn by_vertex(law: fn(f32, f32) -> f32, rain: &[f32], evaporation: &[f32]) -> Vec
     })
 }
 
-/// The values of a given map at the vertices of a mesh, clamped to a range.
-fn sampled(
-    mesh: &SphereMesh,
+/// A field at the vertices of a mesh: the values of a given map, clamped to a range, and the
+/// planet's `own` where the map is void or not given.
+fn given_or(
     map: &Option<EquirectMap>,
+    mesh: &SphereMesh,
     range: RangeInclusive<f32>,
-) -> Option<Vec<f32>> {
-    let map = map.as_ref()?;
+    own: impl FnOnce() -> Vec<f32>,
+) -> Vec<f32> {
+    let Some(map) = map else { return own() };
+    // A whole map spares the work.
+    let own = if map.voids() > 0 { own() } else { Vec::new() };
     let (low, high) = range.into_inner();
-    Some(parallel::map(mesh.len(), |i| {
-        map.at(mesh.point(i)).clamp(low, high)
-    }))
+    parallel::map(mesh.len(), |i| match map.at(mesh.point(i)) {
+        Some(value) => value.clamp(low, high),
+        None => own[i as usize],
+    })
 }
 
 #[cfg(test)]

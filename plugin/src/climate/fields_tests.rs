@@ -194,3 +194,55 @@ fn a_map_of_wetness_is_used_as_it_is() {
     let climate = Climate::new(&mesh, &Winds::new(&mesh), &[], &maps);
     assert!(climate.wetness.iter().all(|&w| w == 0.25));
 }
+
+/// Whether a vertex lies well within the north, or the south, of a map with voids in one of them.
+fn is_clear_of_the_equator(mesh: &SphereMesh, i: usize) -> bool {
+    mesh.point(i as u32).z.abs() > 0.1
+}
+
+/// A map of one value in the north, and voids in the south.
+fn northern(value: f32) -> Option<EquirectMap> {
+    EquirectMap::from_fn(64, |lat, _| if lat > 0.0 { value } else { f32::NAN }).ok()
+}
+
+/// The climates of a plain: its own, and with maps.
+fn with_and_without(maps: &ClimateMaps) -> (SphereMesh, Climate, Climate) {
+    let mesh = SphereMesh::fibonacci(3000).unwrap();
+    let winds = Winds::new(&mesh);
+    let plain = vec![0.3; mesh.len()];
+    let own = Climate::new(&mesh, &winds, &plain, &ClimateMaps::default());
+    let given = Climate::new(&mesh, &winds, &plain, maps);
+    (mesh, own, given)
+}
+
+#[test]
+fn voids_of_a_map_are_filled_from_the_planets_own_field() {
+    let (mesh, own, given) = with_and_without(&ClimateMaps {
+        rain: northern(700.0),
+        wetness: northern(0.25),
+        ..ClimateMaps::default()
+    });
+    for i in (0..mesh.len()).filter(|&i| is_clear_of_the_equator(&mesh, i)) {
+        let (rain, wet) = if mesh.point(i as u32).z > 0.0 {
+            (700.0, 0.25)
+        } else {
+            (own.rain[i], own.wetness[i])
+        };
+        assert_eq!((given.rain[i], given.wetness[i]), (rain, wet), "{i}");
+    }
+    assert_eq!(given.temperature, own.temperature);
+}
+
+#[test]
+fn a_field_that_follows_from_a_map_with_voids_is_whole() {
+    let (mesh, own, given) = with_and_without(&ClimateMaps {
+        temperature: northern(-40.0),
+        ..ClimateMaps::default()
+    });
+    for i in (0..mesh.len()).filter(|&i| is_clear_of_the_equator(&mesh, i)) {
+        let is_north = mesh.point(i as u32).z > 0.0;
+        let expected = if is_north { -40.0 } else { own.temperature[i] };
+        assert_eq!(given.temperature[i], expected);
+    }
+    assert!(given.rain.iter().all(|rain| rain.is_finite()));
+}

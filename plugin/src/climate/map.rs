@@ -2,6 +2,10 @@
 //!
 //! A pixel stands for the point at its centre; between pixels values are bilinear, around the date
 //! line they join, and beyond the first and last row they stay as they are.
+//!
+//! A pixel without a value is a *void*. A place is void where the pixel that it lies in is; beside
+//! voids, values are the means of the neighbours that have one, by the same weights, so that no
+//! void reaches beyond its own pixels, and none is smeared over.
 
 use crate::math;
 use bevy::math::DVec3;
@@ -17,7 +21,21 @@ use std::sync::Arc;
 ///
 /// let warm_tropics = EquirectMap::from_fn(90, |lat, _| 30.0 - lat.abs() as f32)?;
 /// assert_eq!(warm_tropics.size(), [180, 90]);
-/// assert!((warm_tropics.at(direction(45.0, 10.0)) - -15.0).abs() < 0.01);
+/// let here = warm_tropics.at(direction(45.0, 10.0));
+/// assert!(here.is_some_and(|celsius| (celsius - -15.0).abs() < 0.01));
+/// # Ok::<(), bevy_pangaea::climate::MapError>(())
+/// ```
+///
+/// NaN stands for a void:
+///
+/// ```
+/// use bevy_pangaea::climate::EquirectMap;
+/// use bevy_pangaea::math::direction;
+///
+/// let north = EquirectMap::from_fn(90, |lat, _| if lat > 0.0 { 12.0 } else { f32::NAN })?;
+/// assert_eq!(north.voids(), 90 * 90);
+/// assert_eq!(north.at(direction(45.0, 10.0)), Some(12.0));
+/// assert_eq!(north.at(direction(-45.0, 10.0)), None);
 /// # Ok::<(), bevy_pangaea::climate::MapError>(())
 /// ```
 #[derive(Clone, Debug, Reflect, serde::Serialize, serde::Deserialize)]
@@ -26,14 +44,17 @@ use std::sync::Arc;
 pub struct EquirectMap {
     width: u32,
     height: u32,
+    /// NaN for voids.
     values: Arc<Vec<f32>>,
+    voids: usize,
 }
 
 impl PartialEq for EquirectMap {
     fn eq(&self, other: &Self) -> bool {
-        // Settings are compared in every frame, and mostly with their own clone.
+        // Settings are compared in every frame, and mostly with their own clone. By bits: a void
+        // equals a void.
         self.size() == other.size()
-            && (Arc::ptr_eq(&self.values, &other.values) || self.values == other.values)
+            && (Arc::ptr_eq(&self.values, &other.values) || self.bits().eq(other.bits()))
     }
 }
 
@@ -81,9 +102,20 @@ pub enum MapError {
         /// Pixels of the map.
         wanted: usize,
     },
-    /// A value is not a number or infinite.
-    #[error("the value of pixel {0} is not a finite number")]
-    NotFinite(usize),
+    /// A value is infinite.
+    #[error("the value of pixel {0} is infinite")]
+    Infinite(usize),
+    /// No pixel has a value.
+    #[error("the map has no values, only voids")]
+    OnlyVoids,
+    /// A void in a map that must have values everywhere.
+    #[error("{what} has no value at pixel {pixel}; it must have one everywhere")]
+    Void {
+        /// The quantity that the map shows.
+        what: &'static str,
+        /// The first void, counted in rows from the top.
+        pixel: usize,
+    },
     /// A value is outside of the range of its quantity.
     #[error("{what} is {value} at pixel {pixel}; it must be {allowed}")]
     Range {
@@ -102,11 +134,11 @@ impl EquirectMap {
     /// Longest side in pixels.
     pub const MAX_SIDE: u32 = 32_768;
 
-    /// A map of `width` x `height` pixels, rows from the top.
+    /// A map of `width` x `height` pixels, rows from the top; NaN for voids.
     ///
     /// # Errors
-    /// [`MapError`] for a size that is out of range or not 2 to 1, a wrong number of values, and
-    /// values that are not finite.
+    /// [`MapError`] for a size that is out of range or not 2 to 1, a wrong number of values,
+    /// infinite values, and voids alone.
     pub fn new(width: u32, height: u32, values: Vec<f32>) -> Result<Self, MapError> {
         Self::check_size(width, height)?;
         let wanted = width as usize * height as usize;
@@ -116,14 +148,19 @@ impl EquirectMap {
                 wanted,
             });
         }
-        match values.iter().position(|v| !v.is_finite()) {
-            Some(pixel) => Err(MapError::NotFinite(pixel)),
-            None => Ok(Self {
-                width,
-                height,
-                values: Arc::new(values),
-            }),
+        if let Some(pixel) = values.iter().position(|value| value.is_infinite()) {
+            return Err(MapError::Infinite(pixel));
         }
+        let voids = values.iter().filter(|value| value.is_nan()).count();
+        if voids == wanted {
+            return Err(MapError::OnlyVoids);
+        }
+        Ok(Self {
+            width,
+            height,
+            values: Arc::new(values),
+            voids,
+        })
     }
 
     /// Refuses sizes that no map can have.
@@ -167,8 +204,25 @@ impl EquirectMap {
         [self.width, self.height]
     }
 
+    /// Number of pixels without a value.
+    pub fn voids(&self) -> usize {
+        self.voids
+    }
+
+    fn bits(&self) -> impl Iterator<Item = u32> {
+        self.values.iter().map(|value| value.to_bits())
+    }
+
+    /// Refuses a map of `what` with voids.
+    pub(crate) fn check_whole(&self, what: &'static str) -> Result<(), MapError> {
+        match self.values.iter().position(|value| value.is_nan()) {
+            Some(pixel) => Err(MapError::Void { what, pixel }),
+            None => Ok(()),
+        }
+    }
+
     /// Refuses a given map of `what` with a value outside of `range`, which `allowed` puts into
-    /// words.
+    /// words; voids are no values.
     pub(crate) fn check(
         given: Option<&Self>,
         what: &'static str,
@@ -176,7 +230,8 @@ impl EquirectMap {
         allowed: &'static str,
     ) -> Result<(), MapError> {
         let values = given.into_iter().flat_map(|map| map.values.iter());
-        match (0..).zip(values).find(|(_, value)| !range.contains(value)) {
+        let is_bad = |value: &f32| !value.is_nan() && !range.contains(value);
+        match (0..).zip(values).find(|(_, value)| is_bad(value)) {
             Some((pixel, &value)) => Err(MapError::Range {
                 what,
                 value,
@@ -187,8 +242,8 @@ impl EquirectMap {
         }
     }
 
-    /// The value at the unit direction `p`.
-    pub fn at(&self, p: DVec3) -> f32 {
+    /// The value at the unit direction `p`; none where the pixel that `p` lies in is a void.
+    pub fn at(&self, p: DVec3) -> Option<f32> {
         let (lat, lon) = math::lat_lon(p);
         // Pixels stand for their centres, half a pixel from the edge; beyond the last row's the
         // poles take its value.
@@ -196,17 +251,9 @@ impl EquirectMap {
         let y = ((90.0 - lat) / 180.0 * f64::from(self.height) - 0.5).clamp(0.0, last_row);
         let x = (lon + 180.0) / 360.0 * f64::from(self.width) - 0.5;
         let (row, column) = (y.floor(), x.floor());
-        let across = (x - column) as f32;
-        let down = (y - row) as f32;
-        let above = self.between(column as i64, row as i64, across);
-        let below = self.between(column as i64, row as i64 + 1, across);
-        above + (below - above) * down
-    }
-
-    /// The value in a row, a share `across` of the way from a column to the next.
-    fn between(&self, column: i64, row: i64, across: f32) -> f32 {
-        let west = self.pixel(column, row);
-        west + (self.pixel(column + 1, row) - west) * across
+        let pair = |y: i64| [0, 1].map(|x| self.pixel(column as i64 + x, y));
+        let corners = [pair(row as i64), pair(row as i64 + 1)];
+        between(corners, (x - column) as f32, (y - row) as f32)
     }
 
     /// A pixel; columns join around the date line, rows end at the poles.
@@ -217,48 +264,34 @@ impl EquirectMap {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn pixels_are_found_at_their_centres_and_join_around_the_date_line() {
-        let map = EquirectMap::from_fn(18, |lat, lon| (lat + 1000.0 * lon.abs()) as f32).unwrap();
-        assert_eq!(map.at(math::direction(45.0, 15.0)), 45.0 + 15_000.0);
-        assert_eq!(map.at(math::direction(50.0, 15.0)), 50.0 + 15_000.0);
-        assert!((map.at(math::direction(5.0, 180.0)) - (5.0 + 175_000.0)).abs() < 0.1);
-        assert!((map.at(DVec3::Z) - map.at(math::direction(89.0, 0.0))).abs() < 1e-3);
-    }
-
-    #[test]
-    fn maps_come_back_from_files_and_broken_files_are_refused() {
-        let map = EquirectMap::from_fn(2, |lat, lon| (lat + lon) as f32).unwrap();
-        let text = ron::to_string(&map).unwrap();
-        assert_eq!(ron::from_str(&text), Ok(map));
-        let torn = text.replace("width:4", "width:6");
-        assert!(ron::from_str::<EquirectMap>(&torn).is_err());
-    }
-
-    #[test]
-    fn broken_maps_are_refused() {
-        assert_eq!(EquirectMap::new(0, 0, vec![]), Err(MapError::Size(0, 0)));
-        assert_eq!(
-            EquirectMap::new(3, 2, vec![0.0; 6]),
-            Err(MapError::Shape(3, 2))
-        );
-        assert_eq!(
-            EquirectMap::new(2, 1, vec![0.0]),
-            Err(MapError::Count {
-                given: 1,
-                wanted: 2
-            })
-        );
-        assert_eq!(
-            EquirectMap::new(2, 1, vec![0.0, f32::NAN]),
-            Err(MapError::NotFinite(1))
-        );
-        for height in [0, 1 << 20] {
-            assert!(EquirectMap::from_fn(height, |_, _| 0.0).is_err());
-        }
+/// The value between four pixels, of which the second row lies below the first: a share `across` of
+/// the way to the right, and `down` of the way to the other row.
+fn between(corners: [[f32; 2]; 2], across: f32, down: f32) -> Option<f32> {
+    let [above, below] = corners.map(|[west, east]| west + (east - west) * across);
+    let value = above + (below - above) * down;
+    // Voids are NaN, and make NaN of whatever they are mixed with.
+    if value.is_nan() {
+        beside_voids(corners, across, down)
+    } else {
+        Some(value)
     }
 }
+
+/// The same without the corners that are voids, unless the nearest one is.
+fn beside_voids(corners: [[f32; 2]; 2], across: f32, down: f32) -> Option<f32> {
+    let nearest = corners[usize::from(down >= 0.5)][usize::from(across >= 0.5)];
+    if nearest.is_nan() {
+        return None;
+    }
+    let weights = [1.0 - down, down].map(|y| [(1.0 - across) * y, across * y]);
+    let known = corners.as_flattened().iter().zip(weights.as_flattened());
+    let known = known.filter(|(value, _)| !value.is_nan());
+    let (sum, weight) = known.fold((0.0, 0.0), |(sum, weight), (value, w)| {
+        (sum + value * w, weight + w)
+    });
+    Some(sum / weight)
+}
+
+#[cfg(test)]
+#[path = "map_tests.rs"]
+mod tests;

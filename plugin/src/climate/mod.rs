@@ -18,7 +18,8 @@
 //!
 //! Policies. *Sea* is all ground below 0, lakes included: they are too small to moisten the air
 //! much. *A field that a map gives* is used as it is, and the others follow from it: wetness and
-//! runoff still come from a given rain.
+//! runoff still come from a given rain. *Voids of a map*, pixels without a value, are filled with
+//! the field that the planet would have without that map.
 
 mod scale;
 

@@ -37,7 +37,8 @@ pub struct Terrain {
     pub ridge: Vec<Vec3>,
 }
 
-/// Maps of a user, from which a planet is made without a simulation (paper 002 §3).
+/// Maps of a user, from which a planet is made without a simulation (paper 002 §3). The crust must
+/// be whole; where another map is void it counts as not given.
 #[derive(Clone, Debug, PartialEq, Reflect)]
 pub struct TerrainMaps {
     /// Elevation of the crust in km, -15..=15, negative under the sea.
@@ -55,17 +56,13 @@ impl TerrainMaps {
     /// Refuses maps with values that no planet has.
     ///
     /// # Errors
-    /// [`MapError::Range`].
+    /// [`MapError::Range`]; [`MapError::Void`] for a crust with voids.
     pub fn check(&self) -> Result<(), MapError> {
         // The usual mistake gets its own words.
         let kilometres = "from -15 to 15 km: the values look like metres";
-        let crust = Some(&self.crust);
-        EquirectMap::check(
-            crust,
-            "the elevation of the crust",
-            -15.0..=15.0,
-            kilometres,
-        )?;
+        let what = "the elevation of the crust";
+        EquirectMap::check(Some(&self.crust), what, -15.0..=15.0, kilometres)?;
+        self.crust.check_whole(what)?;
         let past = 0.0..=f32::INFINITY;
         let age = self.age.as_ref();
         EquirectMap::check(age, "the age of the orogeny", past, "at least 0 My")?;
@@ -80,8 +77,8 @@ impl TerrainMaps {
 
     /// The crust that the maps mean at a unit direction.
     fn crust_at(&self, p: DVec3) -> CrustSample {
-        let elevation = self.crust.at(p);
-        let age = self.age.as_ref().map(|age| age.at(p).max(0.0));
+        let elevation = self.crust.at(p).unwrap_or(VOID_ELEVATION_KM);
+        let age = self.age.as_ref().and_then(|age| age.at(p));
         let folded = match age {
             // Whoever gives ages gives them for all ground.
             Some(_) => 1.0,
@@ -92,7 +89,7 @@ impl TerrainMaps {
         CrustSample {
             elevation,
             folded,
-            age: age.unwrap_or(UNKNOWN_AGE_MY),
+            age: age.map_or(UNKNOWN_AGE_MY, |age| age.max(0.0)),
             // A map does not say which kind of belt built its mountains.
             collision: 0.5,
             oceanic: if elevation < OCEAN_BELOW_KM { 1.0 } else { 0.0 },
@@ -102,6 +99,9 @@ impl TerrainMaps {
         }
     }
 }
+
+/// Elevation in km of a void of the crust, which no map that was checked has: sea.
+const VOID_ELEVATION_KM: f32 = -1.0;
 
 /// Elevation in km from which on ground of unknown age counts as folded in part.
 const FOLDED_FROM_KM: f32 = 0.4;
@@ -175,8 +175,9 @@ impl Terrain {
     ) -> Self {
         let forms: Vec<VertexRelief> = parallel::map(base.mesh.len(), |i| {
             let p = base.mesh.point(i);
-            let given = |map: &EquirectMap| map.at(p).clamp(0.0, 1.0);
-            VertexRelief::new(base, crust, i, plateau.map(given), hills.map(given))
+            let share = |map: &EquirectMap| map.at(p).map(|share| share.clamp(0.0, 1.0));
+            let (plateau, hills) = (plateau.and_then(share), hills.and_then(share));
+            VertexRelief::new(base, crust, i, plateau, hills)
         });
         Self {
             ground: column(&forms, |f| to_grains(f.ground)),

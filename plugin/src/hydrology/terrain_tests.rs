@@ -74,3 +74,44 @@ fn maps_alone_make_a_terrain() {
         assert!(terrain.crust[i] >= terrain.ground[i]);
     }
 }
+
+#[test]
+fn a_crust_with_voids_is_refused() {
+    let with_voids = TerrainMaps {
+        crust: with_pole(f32::NAN),
+        ..plain()
+    };
+    let error = with_voids.check().unwrap_err().to_string();
+    assert!(
+        error.contains("the crust has no value at pixel 0"),
+        "{error}"
+    );
+}
+
+#[test]
+fn other_maps_count_as_not_given_where_they_are_void() {
+    let base = BaseMesh::new(1, 0.1).unwrap();
+    let south = |value: f32| move |lat: f64, _: f64| if lat < 0.0 { value } else { f32::NAN };
+    let maps = TerrainMaps {
+        crust: EquirectMap::from_fn(32, |_, lon| (lon / 60.0) as f32).unwrap(),
+        age: EquirectMap::from_fn(32, south(40.0)).ok(),
+        plateau: EquirectMap::from_fn(32, south(0.75)).ok(),
+        hills: None,
+    };
+    assert_eq!(maps.check(), Ok(()));
+    let bare = TerrainMaps {
+        age: None,
+        plateau: None,
+        ..maps.clone()
+    };
+    let [found, own] = [&maps, &bare].map(|maps| Terrain::from_maps(&base, maps));
+    for (i, p) in base.mesh.points().iter().enumerate() {
+        let given = (found.age[i], found.plateau[i]);
+        // Well away from the border, which the mesh's own neighbourhoods smooth.
+        if p.z < -0.4 {
+            assert_eq!(given, (40.0, 0.75));
+        } else if p.z > 0.4 {
+            assert_eq!(given, (own.age[i], own.plateau[i]));
+        }
+    }
+}

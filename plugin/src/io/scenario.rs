@@ -75,6 +75,12 @@ mod tests {
     }
 
     #[test]
+    fn a_byte_order_mark_is_passed_over() {
+        let scenario = parse_scenario("\u{feff}[\r\n  (step: 3, command: Resample),\r\n]\r\n");
+        assert_eq!(scenario.unwrap().0[0].step, 3);
+    }
+
+    #[test]
     fn a_written_recording_is_a_scenario() {
         let commands = vec![TimedCommand {
             step: 3,

@@ -42,6 +42,15 @@ use lobes::Continents;
 /// Area of continental crust, shelves included, relative to the area of land; 1.3 on Earth.
 const CONTINENTAL_PER_LAND: f64 = 1.25;
 
+/// Samples that a given disc must cover, so that its land stays when the coast is warped and specks
+/// are removed: nine in ten discs of so many samples have land, of discs of four samples two in
+/// five, of two next to none (measured on 500 to 10,000 samples).
+const HELD_DISC_SAMPLES: f64 = 10.0;
+
+/// Samples that all random land must cover, so that its pieces stay: with 30 some four fifths of it
+/// do, with 15 a fifth, with 8 none (measured on 500 and 4,000 samples).
+const HELD_LAND_SAMPLES: f64 = 30.0;
+
 /// Deepest continental crust relative to the depth of the abyss: continents end half way down their
 /// slope.
 const DEEPEST_CONTINENT: f32 = 0.5;
@@ -51,6 +60,25 @@ pub(super) fn initial_motions(recipe: &PlanetRecipe) -> Vec<PlateMotion> {
     let sites = sites(recipe);
     let continents = Continents::new(recipe, &sites);
     motions(recipe, &sites, |site| continents.cover(site))
+}
+
+/// Radius in km of the smallest disc of a recipe whose land so many samples can hold.
+///
+/// ```
+/// use bevy_pangaea::planet::PlanetRecipe;
+/// use bevy_pangaea::plate::smallest_continent_km;
+///
+/// let coarse = PlanetRecipe { samples: 500, ..Default::default() };
+/// assert_eq!(smallest_continent_km(&coarse).round(), 1802.0);
+/// ```
+pub fn smallest_continent_km(recipe: &PlanetRecipe) -> f64 {
+    // A flat disc: π r² is the area of that many samples.
+    recipe.radius * (4.0 * HELD_DISC_SAMPLES / f64::from(recipe.samples)).sqrt()
+}
+
+/// The smallest share of random land that the samples of a recipe can hold.
+pub fn smallest_land(recipe: &PlanetRecipe) -> f64 {
+    HELD_LAND_SAMPLES / f64::from(recipe.samples)
 }
 
 /// The crust of a new planet. `recipe` is valid, `owner` is the plate of every sample of `mesh`.

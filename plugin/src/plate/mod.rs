@@ -31,7 +31,7 @@ pub mod census;
 pub mod caches;
 
 pub use crate::ids::PlateId;
-pub use continents::initial_crust;
+pub use continents::{initial_crust, smallest_continent_km, smallest_land};
 pub use initial::initial_plates;
 pub use motion::PlateMotion;
 pub use table::{PlateAccess, PlateRow, PlateTable, plate_table};

@@ -61,6 +61,9 @@ impl PlanetTask {
 /// commands may be sent at once, and wait for the planet.
 fn start(event: On<Insert, PlanetRecipe>, recipes: Query<&PlanetRecipe>, mut commands: Commands) {
     if let Ok(recipe) = recipes.get(event.entity) {
+        for warning in recipe.warnings() {
+            warn!("{warning}");
+        }
         let task = PlanetTask::start(recipe.clone());
         commands
             .entity(event.entity)

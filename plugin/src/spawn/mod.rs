@@ -1,6 +1,7 @@
 //! Making a planet: from a recipe or a save to an entity with plates.
 //!
 //! ```text
+//! warnings   whatever a recipe asks for and its planet will not have
 //! state      PlanetState: a planet before it is in a world
 //! prepare    what follows from the state, found before the planet enters its world
 //! events     PlanetReady, PlanetFailed
@@ -11,6 +12,8 @@
 //! Games spawn a [`PlanetRecipe`](crate::planet::PlanetRecipe) and hear of [`PlanetReady`]. Tools
 //! and tests, which would rather wait, use [`PlanetState::new`] and [`PlanetState::spawn`]. Both
 //! ways give the same bits.
+
+mod warnings;
 
 mod state;
 
@@ -26,6 +29,7 @@ pub use build::{PlanetTask, SpawnPlugin};
 pub use commands::SpawnPlanet;
 pub use events::{PlanetFailed, PlanetReady};
 pub use state::PlanetState;
+pub use warnings::RecipeWarning;
 
 #[cfg(test)]
 mod tests;

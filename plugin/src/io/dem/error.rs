@@ -17,8 +17,11 @@ pub enum DemError {
     /// The file is larger than any that is read.
     #[error("the file is larger than {MAX_BYTES} bytes")]
     TooLarge,
-    /// An .hgt file of another size than 1201² or 3601² values.
-    #[error("an .hgt file has 1201 x 1201 or 3601 x 3601 values of two bytes, not {0} bytes")]
+    /// An .hgt file of a size that none has.
+    #[error(
+        "an .hgt file has 1201 x 1201, 1801 x 3601, 3601 x 3601 or 7201 x 7201 values of two \
+         bytes, not {0} bytes"
+    )]
     HgtSize(usize),
     /// An .hgt file whose name is no corner.
     #[error("an .hgt file is named by its south west corner, like N44W072.hgt")]

@@ -1,29 +1,27 @@
-//! SRTM's *.hgt: 1201 or 3601 rows of as many big-endian i16 in m, a degree wide; -32768 is a void.
-//! The name says where the centre of the south west value is.
+//! SRTM's *.hgt: rows of big-endian i16 in m, a degree wide and high; -32768 is a void. The name
+//! says where the centre of the south west value is.
 
 use super::error::DemError;
 use super::tile::{Dem, degrees_to_metres};
 
 const VOID: i16 = -32_768;
 
-/// Bytes of a file with a value every three arc seconds, and every arc second.
-const SRTM3_BYTES: usize = 2 * 1201 * 1201;
-const SRTM1_BYTES: usize = 2 * 3601 * 3601;
+/// Values to a row, and rows: one every three arc seconds, every second, every half second; from 50
+/// degrees north on some files have one every two seconds along a row and every second down.
+const SIZES: [[u32; 2]; 4] = [[1201, 1201], [1801, 3601], [3601, 3601], [7201, 7201]];
 
-/// Reads the content of a file of this name without extension.
+/// Reads the content of a file of this name.
 pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Dem, DemError> {
     let (south, west) = corner(name).ok_or(DemError::HgtName)?;
-    let side: u32 = match bytes.len() {
-        SRTM3_BYTES => 1201,
-        SRTM1_BYTES => 3601,
-        other => return Err(DemError::HgtSize(other)),
-    };
+    let len = |size: &[u32; 2]| 2 * size[0] as usize * size[1] as usize;
+    let size = SIZES.into_iter().find(|size| len(size) == bytes.len());
+    let size = size.ok_or(DemError::HgtSize(bytes.len()))?;
     let (pairs, _) = bytes.as_chunks();
     let values = pairs.iter().map(|&pair| height(pair)).collect();
-    let step = 1.0 / f64::from(side - 1);
+    let steps = size.map(|side| 1.0 / f64::from(side - 1));
     let centre = (south + 0.5, west + 0.5);
-    let pixel_m = degrees_to_metres([step, step], centre.0)?;
-    Dem::new([side, side], values, pixel_m, Some(centre))
+    let pixel_m = degrees_to_metres(steps, centre.0)?;
+    Dem::new(size, values, pixel_m, Some(centre))
 }
 
 fn height(bytes: [u8; 2]) -> f32 {
@@ -33,14 +31,25 @@ fn height(bytes: [u8; 2]) -> f32 {
     }
 }
 
-/// Latitude and longitude of the south west corner in degrees.
+/// Letters and digits of a corner.
+const CORNER_LEN: usize = 7;
+
+/// Latitude and longitude of the south west corner in degrees: the first corner that stands in a
+/// name, at its beginning or behind a sign. Archives put their own names before and behind,
+/// browsers and file managers the number of a copy.
 fn corner(name: &str) -> Option<(f64, f64)> {
     let name = name.as_bytes();
-    if name.len() != 7 {
-        return None;
-    }
-    let lat = coordinate(&name[..3], b'N', b'S')?;
-    let lon = coordinate(&name[3..], b'E', b'W')?;
+    let begins = |at: usize| at == 0 || !name[at - 1].is_ascii_alphanumeric();
+    let ends = |at: usize| !name.get(at).is_some_and(u8::is_ascii_digit);
+    (0..name.len())
+        .filter(|&at| begins(at) && ends(at + CORNER_LEN))
+        .find_map(|at| corner_of(name.get(at..at + CORNER_LEN)?))
+}
+
+/// The corner that seven letters and digits mean.
+fn corner_of(text: &[u8]) -> Option<(f64, f64)> {
+    let lat = coordinate(&text[..3], b'N', b'S')?;
+    let lon = coordinate(&text[3..], b'E', b'W')?;
     ((-90.0..90.0).contains(&lat) && (-180.0..180.0).contains(&lon)).then_some((lat, lon))
 }
 
@@ -64,20 +73,45 @@ mod tests {
 
     #[test]
     fn names_are_corners() {
-        assert_eq!(corner("N44W072"), Some((44.0, -72.0)));
-        assert_eq!(corner("s05e170"), Some((-5.0, 170.0)));
+        assert_eq!(corner("N44W072.hgt"), Some((44.0, -72.0)));
+        assert_eq!(corner("s05e170.HGT"), Some((-5.0, 170.0)));
         for bad in [
-            "", "N44W72", "N4aW072", "X44W072", "N44W072x", "N90E000", "N00E180", "N44é072",
+            "", "N44W72", "N4aW072", "X44W072", "N44W0723", "aN44W072", "N90E000", "N00E180",
+            "N44é072", "é",
         ] {
             assert_eq!(corner(bad), None, "{bad}");
         }
     }
 
     #[test]
-    fn values_are_big_endian_metres_and_voids_are_filled() {
-        let mut bytes = vec![0_u8; SRTM3_BYTES];
+    fn archives_browsers_and_file_managers_may_add_to_names() {
+        for name in [
+            "N44W072.SRTMGL1.hgt",
+            "N44W072.SRTMGL1.2.hgt",
+            "N44W072 (1).hgt",
+            "N44W072.hgt (1)",
+            "N44W072.hgt.1",
+            "N44W072_1.hgt",
+            "N44W072 - Copy.hgt",
+            "Copy of N44W072.hgt",
+            "n44w072v3.hgt",
+            "NASADEM_HGT_n44w072.hgt",
+            "USGS_N44W072_dem.hgt",
+        ] {
+            assert_eq!(corner(name), Some((44.0, -72.0)), "{name}");
+        }
+    }
+
+    /// A file of so many values, all 0 but for the first three: 258 m, a void, -2 m.
+    fn file(size: usize) -> Vec<u8> {
+        let mut bytes = vec![0_u8; 2 * size];
         bytes[..6].copy_from_slice(&[0x01, 0x02, 0x80, 0x00, 0xff, 0xfe]);
-        let dem = read("N44W072", &bytes).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn values_are_big_endian_metres_and_voids_are_filled() {
+        let dem = read("N44W072", &file(1201 * 1201)).unwrap();
         assert_eq!((dem.grid.width, dem.grid.height), (1201, 1201));
         assert_eq!((dem.grid.values[0], dem.grid.values[2]), (258.0, -2.0));
         assert_eq!(dem.voids, 1);
@@ -85,18 +119,32 @@ mod tests {
     }
 
     #[test]
-    fn pixels_are_three_arc_seconds_about_the_middle_of_a_degree() {
-        let dem = read("N44W072", &vec![0; SRTM3_BYTES]).unwrap();
-        assert_eq!(dem.centre, Some((44.5, -71.5)));
-        let [across, down] = dem.grid.pixel_m;
-        assert!((down - 92.66).abs() < 0.01 && (across - 66.09).abs() < 0.01);
+    fn every_size_spans_a_degree_both_ways() {
+        // A second of arc is 30.887 m down, and half of that across at 60 degrees north.
+        for (columns, rows, seconds) in [
+            (1201, 1201, [3.0, 3.0]),
+            (1801, 3601, [2.0, 1.0]),
+            (3601, 3601, [1.0, 1.0]),
+            (7201, 7201, [0.5, 0.5]),
+        ] {
+            let dem = read("N59E010", &file(columns * rows)).unwrap();
+            assert_eq!((dem.grid.width, dem.grid.height), (columns, rows));
+            let [across, down] = dem.grid.pixel_m;
+            let cosine = 0.507_538_4; // of 59.5 degrees
+            assert!((down - seconds[1] * 30.887_3).abs() < 1e-3, "{down}");
+            assert!(
+                (across - seconds[0] * 30.887_3 * cosine).abs() < 1e-3,
+                "{across}"
+            );
+            assert_eq!(dem.centre, Some((59.5, 10.5)));
+        }
     }
 
     #[test]
     fn other_files_are_refused() {
-        let bytes = vec![0; SRTM3_BYTES];
+        let bytes = file(1201 * 1201);
         let short = read("N44W072", &bytes[1..]);
-        assert_eq!(short, Err(DemError::HgtSize(SRTM3_BYTES - 1)));
+        assert_eq!(short, Err(DemError::HgtSize(bytes.len() - 1)));
         assert_eq!(read("Matterhorn", &bytes), Err(DemError::HgtName));
         let voids = [0x80, 0x00].repeat(1201 * 1201);
         assert_eq!(read("N44W072", &voids), Err(DemError::OnlyVoids));

@@ -3,10 +3,14 @@
 //! ```text
 //! hgt       *.hgt: SRTM's big-endian i16, named by the south west corner
 //! geotiff   *.tif, *.tiff: one band of i16, u16, i32, f32 or f64, in degrees or metres
-//! grey      *.png: 16-bit grey with a sidecar NAME.json
+//! picture   greys of a PNG, in whatever form it holds them
+//! grey      *.png: greys with a sidecar NAME.json
 //! voids     missing values, filled from their neighbours
 //! tile      a tile of ground, and the checks that all formats share
 //! ```
+//!
+//! A file may be a copy that a browser or `wget` made and put a number behind: `N44W072.hgt (1)`,
+//! `N44W072.hgt.1`.
 //!
 //! Heights come out in m, rows from the north. Lengths of degrees are those of the Earth.
 
@@ -18,7 +22,9 @@ mod tile;
 
 pub(super) mod geotiff;
 
-pub(super) mod grey;
+pub(super) mod picture;
+
+mod grey;
 
 mod hgt;
 
@@ -26,13 +32,15 @@ pub use error::DemError;
 pub use tile::Dem;
 
 use super::IoError;
-use super::sidecar::Sidecar;
-use error::MAX_BYTES;
+use super::sidecar::{self, Sidecar};
+use error::{MAX_BYTES, invalid};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// The elevation models in a folder, ordered by name.
+/// The files in a folder whose extensions are those of elevation models, ordered by name; not those
+/// in folders within it. Not each has to be one: pictures may be previews, hidden files the
+/// remains of another system.
 ///
 /// # Errors
 /// [`IoError::Read`] if the folder cannot be read.
@@ -42,7 +50,9 @@ pub fn dem_files(folder: &Path) -> Result<Vec<PathBuf>, IoError> {
     for entry in entries {
         let entry = entry.map_err(|source| IoError::read(folder, source))?;
         let path = entry.path();
-        if DemFormat::of(&path).is_ok() && path.is_file() {
+        // Pipes would be waited for; links that lead nowhere are named when they are read.
+        let is_file = path.metadata().map_or(true, |metadata| metadata.is_file());
+        if DemFormat::of(&path).is_ok() && is_file {
             files.push(path);
         }
     }
@@ -80,7 +90,7 @@ pub fn load_dem(path: &Path) -> Result<Dem, IoError> {
     let bytes = read_limited(path)?;
     let dem = match format {
         DemFormat::Hgt => {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
             hgt::read(&name, &bytes)
         }
         DemFormat::GeoTiff => geotiff::read(&bytes),
@@ -91,7 +101,15 @@ pub fn load_dem(path: &Path) -> Result<Dem, IoError> {
 
 /// The sidecar of a picture.
 fn load_sidecar(picture: &Path) -> Result<Sidecar, IoError> {
-    let path = picture.with_extension("json");
+    let path = sidecar::beside(picture);
+    if !path.exists() {
+        let problem = format!(
+            "a picture of heights needs a sidecar {} with its scale, {{\"metres_per_pixel\": .., \
+             \"metres_per_unit\": ..}}",
+            path.display()
+        );
+        return Err(IoError::dem(picture, invalid(problem)));
+    }
     grey::parse_sidecar(&read_limited(&path)?).map_err(|source| IoError::dem(&path, source))
 }
 
@@ -106,14 +124,29 @@ enum DemFormat {
 impl DemFormat {
     /// The format that a file's extension names.
     fn of(path: &Path) -> Result<Self, DemError> {
-        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
-        match extension.to_str() {
+        match extension(path).as_deref() {
             Some("hgt") => Ok(Self::Hgt),
             Some("tif" | "tiff") => Ok(Self::GeoTiff),
             Some("png") => Ok(Self::Grey),
             _ => Err(DemError::Extension),
         }
     }
+}
+
+/// The extension of a file in lower case, without the number that a copy may have behind it.
+pub(super) fn extension(path: &Path) -> Option<String> {
+    let name = path.file_name()?.to_str()?;
+    let is_mark = |c: char| c.is_ascii_digit() || matches!(c, ' ' | '.' | '(' | ')');
+    let kept = name.trim_end_matches(is_mark);
+    // A number that follows letters at once belongs to them.
+    let behind = &name[kept.len()..];
+    let name = if behind.starts_with(|c: char| c.is_ascii_digit()) {
+        name
+    } else {
+        kept
+    };
+    let extension = Path::new(name).extension()?.to_str()?;
+    Some(extension.to_ascii_lowercase())
 }
 
 /// The bytes of a file that is not too large.

@@ -117,6 +117,44 @@ fn pictures_are_scaled_by_their_sidecar() {
     assert_eq!((dem.grid.values[0], dem.centre), (0.0, Some((1.0, 2.0))));
 }
 
+/// A grey picture of 2 x 2 pixels of 8 bits.
+fn shallow_png(greys: [u8; 4]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let encoder = png::Encoder::new(&mut bytes, 2, 2);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(&greys).unwrap();
+    drop(writer);
+    bytes
+}
+
+#[test]
+fn pictures_of_8_bits_are_scaled_by_their_sidecar() {
+    let picture = shallow_png([0, 51, 102, 255]);
+    for (scale, heights) in [
+        (r#""metres_per_unit": 10"#, [0.0, 510.0, 1020.0, 2550.0]),
+        (
+            r#""min_m": -500, "max_m": 4600"#,
+            [-500.0, 520.0, 1540.0, 4600.0],
+        ),
+        (r#""min": 100, "max": 355"#, [100.0, 151.0, 202.0, 355.0]),
+    ] {
+        let sidecar = format!(r#"{{"metres_per_pixel": 90, {scale}}}"#);
+        let sidecar = grey::parse_sidecar(sidecar.as_bytes()).unwrap();
+        let dem = grey::read(&picture, &sidecar).unwrap();
+        assert_eq!(dem.grid.values, heights, "{scale}");
+    }
+}
+
+#[test]
+fn sidecars_may_begin_with_a_byte_order_mark() {
+    let text = b"\xef\xbb\xbf{\r\n\"metres_per_pixel\": 30,\r\n\"metres_per_unit\": 2\r\n}\r\n";
+    let sidecar = grey::parse_sidecar(text).unwrap();
+    assert_eq!(
+        (sidecar.metres_per_pixel, sidecar.metres_per_unit),
+        (30.0, Some(2.0))
+    );
+}
+
 #[test]
 fn sidecars_without_a_scale_are_refused() {
     for bad in [
@@ -171,13 +209,58 @@ fn files_are_refused_in_one_line_that_names_them() {
     }
 }
 
+/// A folder of empty files of such names.
+fn folder_of(names: &[&str]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for name in names {
+        fs::write(folder.path().join(name), "").unwrap();
+    }
+    folder
+}
+
 #[test]
 fn folders_list_elevation_models_by_name() {
-    let folder = folder_of_bad_files();
+    let models = [
+        "A.PNG",
+        "N44W072 (1).hgt",
+        "N44W072.HGT",
+        "N44W072.SRTMGL1.hgt",
+        "N44W072.hgt (1)",
+        "N44W072.hgt.1",
+        "b.tif",
+        "c.Tiff",
+    ];
+    let others = [
+        ".DS_Store",
+        "A.PNG.aux.xml",
+        "N44W072",
+        "N44W072.hgt.zip",
+        "N44W072.hgt2",
+        "a.json",
+        "read me.txt",
+        "tif",
+    ];
+    let folder = folder_of(&[&models[..], &others].concat());
+    fs::create_dir(folder.path().join("old.tif")).unwrap();
     let files = dem_files(folder.path()).unwrap();
     let names: Vec<_> = files.iter().filter_map(|path| path.file_name()).collect();
-    assert_eq!(names, ["N44W072.hgt", "a.png", "b.tif", "c.tif"]);
+    assert_eq!(names, models);
     assert!(dem_files(&folder.path().join("nowhere")).is_err());
+}
+
+#[test]
+fn names_may_be_in_upper_case_and_numbered() {
+    let folder = folder_of(&[]);
+    for (picture, sidecar) in [("A.PNG", "A.JSON"), ("b.png (1)", "b.json")] {
+        let picture = folder.path().join(picture);
+        fs::write(&picture, grey_png()).unwrap();
+        let scale = r#"{"metres_per_pixel": 30, "metres_per_unit": 1}"#;
+        fs::write(folder.path().join(sidecar), scale).unwrap();
+        assert_eq!(load_dem(&picture).unwrap().grid.pixel_m, [30.0; 2]);
+    }
+    let copy = folder.path().join("n44w072.hgt (2)");
+    fs::write(&copy, vec![1; 2 * 1201 * 1201]).unwrap();
+    assert_eq!(load_dem(&copy).unwrap().centre, Some((44.5, -71.5)));
 }
 
 /// A good file of one of three kinds.

@@ -1,9 +1,12 @@
 //! Maps of the whole planet, as a user gives them: equirectangular, north up, longitude -180 at the
 //! left edge.
 //!
-//! A GeoTIFF of one band holds the values themselves. A grey PNG of 8 or 16 bits holds greys: what
+//! A GeoTIFF of one band holds the values themselves. A PNG holds greys, in whatever form: what
 //! black and white stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by the
 //! caller; values between are linear.
+//!
+//! Pixels without a value, such as the sea in an archive of land, are voids: nodata of a GeoTIFF,
+//! transparent pixels of a PNG.
 
 mod error;
 
@@ -11,8 +14,9 @@ pub use error::MapFileError;
 
 use super::IoError;
 use super::dem::geotiff::RasterBand;
-use super::dem::grey::Greys;
-use super::dem::read_limited;
+use super::dem::picture::Greys;
+use super::dem::{extension, read_limited};
+use super::{sidecar, text};
 use crate::climate::EquirectMap;
 use std::path::Path;
 
@@ -42,8 +46,7 @@ use std::path::Path;
 /// planet.
 pub fn load_map(path: &Path, grey: Option<[f32; 2]>) -> Result<EquirectMap, IoError> {
     let refused = |source| IoError::map(path, source);
-    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
-    match extension.to_str() {
+    match extension(path).as_deref() {
         Some("tif" | "tiff") => geotiff(&read_limited(path)?).map_err(refused),
         Some("png") => {
             let bytes = read_limited(path)?;
@@ -56,7 +59,7 @@ pub fn load_map(path: &Path, grey: Option<[f32; 2]>) -> Result<EquirectMap, IoEr
 /// The values of black and white of a picture: those of its sidecar, which knows best, or the
 /// caller's.
 fn black_and_white(picture: &Path, grey: Option<[f32; 2]>) -> Result<[f32; 2], IoError> {
-    let sidecar = picture.with_extension("json");
+    let sidecar = sidecar::beside(picture);
     if sidecar.exists() {
         return MapSidecar::load(&sidecar);
     }
@@ -75,7 +78,7 @@ struct MapSidecar {
 impl MapSidecar {
     /// The values of black and white in a sidecar.
     fn load(path: &Path) -> Result<[f32; 2], IoError> {
-        let scale: Option<Self> = serde_json::from_slice(&read_limited(path)?).ok();
+        let scale: Option<Self> = text::parse_json(&read_limited(path)?).ok();
         scale
             .filter(|s| s.min.is_finite() && s.max.is_finite() && s.min != s.max)
             .map(|s| [s.min, s.max])
@@ -104,16 +107,10 @@ fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
 }
 
 /// Reads a picture with these values of black and white.
-fn picture(bytes: &[u8], [black, white]: [f32; 2]) -> Result<EquirectMap, MapFileError> {
-    let Greys { size, values, .. } = Greys::read(bytes, check_size)?;
-    let values = values.iter().map(|&grey| between(black, white, grey));
-    Ok(EquirectMap::new(size[0], size[1], values.collect())?)
-}
-
-/// The value of a grey.
-fn between(black: f32, white: f32, grey: u16) -> f32 {
-    let share = f64::from(grey) / 65_535.0;
-    (f64::from(black) * (1.0 - share) + f64::from(white) * share) as f32
+fn picture(bytes: &[u8], ends: [f32; 2]) -> Result<EquirectMap, MapFileError> {
+    let [black, white] = ends.map(f64::from);
+    let Greys { size, values } = Greys::read(bytes, check_size, |grey| grey.between(black, white))?;
+    Ok(EquirectMap::new(size[0], size[1], values)?)
 }
 
 #[cfg(all(test, feature = "export"))]

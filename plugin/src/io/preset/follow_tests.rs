@@ -173,7 +173,8 @@ fn a_preset_that_is_touched_without_a_change_does_nothing() {
 #[test]
 fn a_preset_is_loaded_from_a_file() {
     let folder = tempfile::tempdir().unwrap();
-    let text = "(seed: 9, samples: 500, plate_count: 8)";
+    // As Windows' Notepad saves it.
+    let text = "\u{feff}(seed: 9,\r\n samples: 500,\r\n plate_count: 8)\r\n";
     std::fs::write(folder.path().join("small.planet.ron"), text).unwrap();
     let mut app = App::new();
     let assets = AssetPlugin {

@@ -1,7 +1,7 @@
 //! Presets as assets.
 
 use super::recipe::parse_recipe;
-use crate::io::TextError;
+use crate::io::text::{TextError, decode};
 use crate::planet::PlanetRecipe;
 use bevy::asset::io::Reader;
 use bevy::asset::{AssetLoader, LoadContext};
@@ -17,10 +17,7 @@ pub enum RecipeLoadError {
     /// It cannot be read.
     #[error("cannot read the preset: {0}")]
     Read(#[from] std::io::Error),
-    /// It is no UTF-8.
-    #[error("the preset is no UTF-8 text")]
-    NotText,
-    /// It is refused.
+    /// It is no text, or is refused.
     #[error(transparent)]
     Text(#[from] TextError),
 }
@@ -38,8 +35,7 @@ impl AssetLoader for PlanetRecipeLoader {
     ) -> Result<PlanetRecipe, RecipeLoadError> {
         let mut bytes = Vec::new();
         reader.read_to_end(&mut bytes).await?;
-        let text = core::str::from_utf8(&bytes).map_err(|_| RecipeLoadError::NotText)?;
-        Ok(parse_recipe(text)?)
+        Ok(parse_recipe(&decode(&bytes)?)?)
     }
 
     fn extensions(&self) -> &[&str] {

@@ -29,6 +29,17 @@ fn what_is_written_is_read() {
     assert_eq!(parse_recipe(&ron::to_string(&recipe).unwrap()), Ok(recipe));
 }
 
+#[test]
+fn a_byte_order_mark_and_line_ends_of_any_system_are_passed_over() {
+    let text = "\u{feff}(\r\n  seed: 7, // seven\r\n  samples: 500,\r\n)\r\n";
+    let recipe = parse_recipe(text).unwrap();
+    assert_eq!((recipe.seed, recipe.samples), (7, 500));
+    assert_eq!(
+        line_of_error("\u{feff}(\r\n  seed: 7,\r\n  samples: 1,\r\n)"),
+        3
+    );
+}
+
 fn line_of_error(text: &str) -> usize {
     parse_recipe(text).unwrap_err().line
 }

@@ -1,5 +1,7 @@
 //! Land, margins, coasts, ocean floor and belts of new planets.
 
+mod held;
+
 mod seafloor;
 
 use super::*;

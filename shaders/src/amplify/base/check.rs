@@ -4,7 +4,7 @@ use crate::amplify::control::{ControlEdge, ControlFace, ControlMesh, ControlVert
 use crate::amplify::fixed::{ONE, metres};
 
 /// Radii of planets that have ground, metres.
-const RADII_M: core::ops::RangeInclusive<u32> = 50_000..=10_000_000;
+pub const RADII_M: core::ops::RangeInclusive<u32> = 50_000..=10_000_000;
 
 /// Most height and depth of the ground, the water and the crust, grains.
 const MOST_HEIGHT: i32 = metres(100_000);

@@ -11,7 +11,7 @@ use super::locate::FaceIndex;
 use super::scale::PlanetScale;
 use super::topology::{Face, Level};
 use super::vertex::Vertex;
-pub use check::BadMesh;
+pub use check::{BadMesh, RADII_M};
 
 /// Level 0 of the ground.
 #[derive(Clone, Debug)]

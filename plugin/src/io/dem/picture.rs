@@ -1,0 +1,222 @@
+//! Pictures of grey: every form of PNG is read where it holds greys.
+//!
+//! | form | grey where | void where |
+//! |---|---|---|
+//! | grey of 1 to 16 bits | everywhere | it is the transparent grey (tRNS) |
+//! | RGB of 8 or 16 bits | R = G = B | it is the transparent colour (tRNS) |
+//! | palette of 1 to 8 bits | R = G = B in its entry | its entry has an alpha of 0 (tRNS) |
+//! | grey or RGB with alpha | as without | its alpha is 0 |
+//!
+//! Whatever is seen in part counts like the rest. What a file says of gamma and colour spaces does
+//! not change a grey: it is a number, not a light.
+
+use super::error::{DemError, invalid};
+use png::{ColorType, Decoder, Info, Limits, Reader};
+use std::io::Cursor;
+
+/// Memory that the decoder may take besides the pixels.
+const DECODER_BYTES: usize = 64 << 20;
+
+/// Deflate shrinks nothing more than so many times (1032): a short file never takes much memory.
+const MAX_DEFLATION: usize = 1100;
+
+/// A level of grey.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::io) struct Grey {
+    /// Steps from black.
+    pub(in crate::io) level: u16,
+    /// Steps from black to white: 1, 3, 15, 255 or 65,535.
+    pub(in crate::io) white: u16,
+}
+
+impl Grey {
+    /// The value of this grey, where black and white have values.
+    pub(in crate::io) fn between(self, black: f64, white: f64) -> f32 {
+        // Multiplied first: whole numbers of steps stay whole.
+        let above = (white - black) * f64::from(self.level) / f64::from(self.white);
+        (black + above) as f32
+    }
+}
+
+/// Values of the pixels of a picture.
+pub(in crate::io) struct Greys {
+    /// Pixels to a row, and rows.
+    pub(in crate::io) size: [u32; 2],
+    /// A value for each grey, NaN for voids; rows from the top.
+    pub(in crate::io) values: Vec<f32>,
+}
+
+impl Greys {
+    /// Reads the `value` of every pixel, unless `check` refuses the size.
+    pub(in crate::io) fn read<E: From<DemError>>(
+        bytes: &[u8],
+        check: impl FnOnce(u32, u32) -> Result<(), E>,
+        value: impl Fn(Grey) -> f32,
+    ) -> Result<Self, E> {
+        let mut reader = decoder(bytes).read_info().map_err(refused)?;
+        let size = [reader.info().width, reader.info().height];
+        check(size[0], size[1])?;
+        let form = PixelForm::new(reader.info());
+        let mut values = Vec::new();
+        rows(&mut reader, bytes.len(), |row| {
+            for x in 0..size[0] as usize {
+                let grey = form.grey(row, x);
+                let grey = grey.map_err(|why| at(values.len(), size, &why))?;
+                values.push(grey.map_or(f32::NAN, &value));
+            }
+            Ok(())
+        })?;
+        Ok(Self { size, values })
+    }
+}
+
+fn decoder(bytes: &[u8]) -> Decoder<Cursor<&[u8]>> {
+    let limits = Limits {
+        bytes: DECODER_BYTES,
+    };
+    let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), limits);
+    decoder.set_ignore_text_chunk(true);
+    decoder.set_ignore_iccp_chunk(true);
+    decoder
+}
+
+/// Hands on the rows of a picture, a file of `len` bytes, from the top.
+fn rows(
+    reader: &mut Reader<Cursor<&[u8]>>,
+    len: usize,
+    mut take: impl FnMut(&[u8]) -> Result<(), DemError>,
+) -> Result<(), DemError> {
+    if !reader.info().interlaced {
+        while let Some(row) = reader.next_row().map_err(refused)? {
+            take(row.data())?;
+        }
+        return Ok(());
+    }
+    // The last row comes last and the others in pieces, so that all of them are in memory.
+    let all = reader.output_buffer_size().unwrap_or(usize::MAX);
+    if all > len.saturating_mul(MAX_DEFLATION) {
+        return Err(invalid("the file is too short for so many pixels"));
+    }
+    let mut pixels = vec![0; all];
+    let frame = reader.next_frame(&mut pixels).map_err(refused)?;
+    pixels.chunks_exact(frame.line_size).try_for_each(take)
+}
+
+fn refused(error: png::DecodingError) -> DemError {
+    invalid(error.to_string())
+}
+
+/// The error of a pixel, counted in rows from the top.
+fn at(pixel: usize, [width, _]: [u32; 2], why: &str) -> DemError {
+    let (column, row) = (pixel % width as usize, pixel / width as usize);
+    invalid(format!(
+        "the picture is not grey: pixel {column}, {row} {why}"
+    ))
+}
+
+/// How the pixels of a picture lie in the bytes of its rows.
+struct PixelForm {
+    color: ColorType,
+    /// Bits of a sample.
+    bits: usize,
+    /// Largest sample of a grey.
+    white: u16,
+    /// The colour that is transparent in a picture without alpha.
+    transparent: Option<[u16; 3]>,
+    palette: Vec<PaletteEntry>,
+}
+
+/// A colour and an alpha.
+#[derive(Clone, Copy)]
+struct PaletteEntry([u16; 3], u16);
+
+impl PixelForm {
+    fn new(info: &Info) -> Self {
+        let is_indexed = info.color_type == ColorType::Indexed;
+        let bits = info.bit_depth as usize;
+        // The entries of a palette have 8 bits, whatever its indices have.
+        let white = u16::MAX >> (16 - if is_indexed { 8 } else { bits });
+        let trns = info.trns.as_deref().unwrap_or_default();
+        let transparent = if is_indexed {
+            None
+        } else {
+            transparent_color(trns, bits)
+        };
+        Self {
+            color: info.color_type,
+            bits,
+            white,
+            transparent,
+            palette: entries(info.palette.as_deref().unwrap_or_default(), trns),
+        }
+    }
+
+    /// The grey of pixel `x` of a row; none if it is transparent.
+    fn grey(&self, row: &[u8], x: usize) -> Result<Option<Grey>, String> {
+        let PaletteEntry(color, alpha) = self.pixel(row, x)?;
+        if alpha == 0 || self.transparent == Some(color) {
+            return Ok(None);
+        }
+        match color {
+            [level, g, b] if level == g && g == b => {
+                let white = self.white;
+                Ok(Some(Grey { level, white }))
+            }
+            [r, g, b] => Err(format!("has the colour {r}, {g}, {b}")),
+        }
+    }
+
+    /// Colour and alpha of pixel `x` of a row.
+    fn pixel(&self, row: &[u8], x: usize) -> Result<PaletteEntry, String> {
+        const SEEN: u16 = u16::MAX;
+        let first = x * self.color.samples();
+        let sample = |k: usize| sample(row, self.bits, first + k);
+        let rgb = || [0, 1, 2].map(sample);
+        Ok(match self.color {
+            ColorType::Grayscale => PaletteEntry([sample(0); 3], SEEN),
+            ColorType::GrayscaleAlpha => PaletteEntry([sample(0); 3], sample(1)),
+            ColorType::Rgb => PaletteEntry(rgb(), SEEN),
+            ColorType::Rgba => PaletteEntry(rgb(), sample(3)),
+            ColorType::Indexed => {
+                let entry = self.palette.get(usize::from(sample(0)));
+                *entry.ok_or("has a colour that the palette lacks")?
+            }
+        })
+    }
+}
+
+/// The `k`th sample of a row of samples of so many bits.
+fn sample(row: &[u8], bits: usize, k: usize) -> u16 {
+    match bits {
+        16 => u16::from_be_bytes([row[2 * k], row[2 * k + 1]]),
+        8 => u16::from(row[k]),
+        _ => {
+            // The first one lies in the highest bits.
+            let packed = row[k * bits / 8] >> (8 - bits - k * bits % 8);
+            u16::from(packed) & ((1 << bits) - 1)
+        }
+    }
+}
+
+/// The colour in a tRNS chunk, of samples of so many bits; a grey has one sample.
+fn transparent_color(trns: &[u8], bits: usize) -> Option<[u16; 3]> {
+    // The decoder leaves a byte of each sample of up to 8 bits.
+    let sample = |k: usize| sample(trns, bits.max(8), k);
+    match trns.len() * 8 / bits.max(8) {
+        0 => None,
+        1 | 2 => Some([sample(0); 3]),
+        _ => Some([0, 1, 2].map(sample)),
+    }
+}
+
+/// The colours of a palette with their alphas; those without one are seen.
+fn entries(colors: &[u8], alphas: &[u8]) -> Vec<PaletteEntry> {
+    let alphas = alphas.iter().copied().chain(std::iter::repeat(u8::MAX));
+    let (colors, _) = colors.as_chunks::<3>();
+    let entry = |(color, alpha): (&[u8; 3], u8)| PaletteEntry(color.map(u16::from), alpha.into());
+    colors.iter().zip(alphas).map(entry).collect()
+}
+
+#[cfg(all(test, feature = "export"))]
+#[path = "picture_tests.rs"]
+mod tests;
