@@ -275,6 +275,7 @@ pub mod prelude {
         Brush, CommandApplied, CommandError, CommandRejected, PaintTarget, Recording, Scenario,
         TectonicCommand, TectonicCommandsExt, TimedCommand,
     };
+    pub use crate::climate::ClimateMaps;
     pub use crate::control::{BakeFinished, BakeSettings, PlanetBake};
     pub use crate::crust::{Crust, CrustKind, Frames, Ledger, Orogeny, PlanetSurface, Surface};
     pub use crate::events::{

@@ -19,10 +19,25 @@ use std::path::{Path, PathBuf};
 #[derive(Resource, Default)]
 pub struct Session {
     job: Option<PlanetJob>,
-    /// Where to save as soon as the planet stands between two steps.
-    save_to: Option<PathBuf>,
+    /// Files to write as soon as the planet stands between two steps, one after the other.
+    requests: Vec<SaveRequest>,
     saving: Option<Saving>,
     discard: Discard,
+}
+
+/// A file that the user asks for.
+struct SaveRequest {
+    path: PathBuf,
+    content: SaveContent,
+}
+
+/// The part of a planet that a file is to hold.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum SaveContent {
+    /// All of it.
+    Planet,
+    /// Its commands.
+    Scenario,
 }
 
 /// A save under way: the revision that it holds, and the note when it is written.
@@ -46,7 +61,7 @@ enum JobResult {
 impl Session {
     /// The work under way, in words.
     pub fn busy(&self) -> Option<&str> {
-        let saving = self.save_to.is_some() || self.saving.is_some();
+        let saving = !self.requests.is_empty() || self.saving.is_some();
         self.job
             .as_ref()
             .map(|job| job.title)
@@ -83,7 +98,14 @@ pub fn start_jobs(
             Action::Grow(_) | Action::Load(_) | Action::ReadPreset(_) => {
                 start_job(&mut session, &mut messages, action, now);
             }
-            Action::Save(path) => request_save(&mut session, &mut messages, path, now.is_some()),
+            Action::Save(path) => {
+                let request = SaveRequest::new(path, SaveContent::Planet);
+                request_save(&mut session, &mut messages, request, now.is_some());
+            }
+            Action::SaveScenario(path) => {
+                let request = SaveRequest::new(path, SaveContent::Scenario);
+                request_save(&mut session, &mut messages, request, now.is_some());
+            }
             _ => {}
         }
     }
@@ -130,13 +152,40 @@ fn read_preset(path: PathBuf) -> Result<JobResult, String> {
     Ok(JobResult::Preset(Box::new(PresetRead { recipe, path })))
 }
 
-fn request_save(session: &mut Session, messages: &mut MessageLog, path: &Path, has_planet: bool) {
+impl SaveRequest {
+    fn new(path: &Path, content: SaveContent) -> Self {
+        let path = path.to_path_buf();
+        Self { path, content }
+    }
+
+    /// Writes the file. Returns the note that says so.
+    fn write(&self, state: &PlanetState) -> Result<String, String> {
+        match self.content {
+            SaveContent::Planet => io::save(state, &self.path),
+            SaveContent::Scenario => io::save_scenario(state, &self.path),
+        }
+        .map_err(text)?;
+        Ok(format!("saved {}", self.path.display()))
+    }
+}
+
+fn request_save(
+    session: &mut Session,
+    messages: &mut MessageLog,
+    request: SaveRequest,
+    has_planet: bool,
+) {
+    let path = &request.path;
     if !has_planet {
         messages.error(format!("there is no planet to save as {}", path.display()));
     } else if path.as_os_str().is_empty() {
         messages.error("name a file to save the planet to");
     } else {
-        session.save_to = Some(path.to_path_buf());
+        // Of each kind the last wish counts.
+        session
+            .requests
+            .retain(|old| old.content != request.content);
+        session.requests.push(request);
     }
 }
 
@@ -217,29 +266,33 @@ fn revision(world: &World, planet: Entity) -> Option<PlanetRevision> {
 /// Takes the state for a save when the planet stands between two steps, and hands it to a thread.
 pub fn save_at_boundary(world: &mut World) {
     let session = world.resource::<Session>();
-    let (Some(planet), Some(path)) = (world.resource::<ShownPlanet>().0, &session.save_to) else {
+    let Some(planet) = world.resource::<ShownPlanet>().0 else {
         return;
     };
-    let path = path.clone();
+    if session.requests.is_empty() || session.saving.is_some() {
+        return;
+    }
     // In the middle of a step the state is torn: a save waits, and one at a time.
     let between = world
         .get::<StepCursor>(planet)
         .is_some_and(StepCursor::at_boundary);
-    if !between || session.saving.is_some() {
+    if !between {
         return;
     }
-    world.resource_mut::<Session>().save_to = None;
+    let request = world.resource_mut::<Session>().requests.remove(0);
     let Some(state) = io::capture(world, planet) else {
         let mut messages = world.resource_mut::<MessageLog>();
         messages.error("the planet cannot be saved now");
         return;
     };
+    // Commands alone are not the planet: it may not go without a question.
+    let revision = match request.content {
+        SaveContent::Planet => revision(world, planet),
+        SaveContent::Scenario => None,
+    };
     let saving = Saving {
-        revision: revision(world, planet),
-        work: Background::start(move || {
-            io::save(&state, &path).map_err(text)?;
-            Ok(format!("saved {}", path.display()))
-        }),
+        revision,
+        work: Background::start(move || request.write(&state)),
     };
     world.resource_mut::<Session>().saving = Some(saving);
 }
