@@ -2,6 +2,7 @@
 
 use crate::cli::GenerateArgs;
 use crate::error::CliError;
+use crate::ground::bake_planet;
 use crate::growth::GrowthPlan;
 use crate::headless::{Headless, initial_planet};
 use crate::interrupt;
@@ -34,21 +35,21 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     let climate = args.climate.load()?;
     // Refused before minutes are spent on growing.
     save::check_maps(&climate).map_err(CliError::input)?;
-    let scenario_out = args.scenario_out.as_deref();
-    scenario_out.map_or(Ok(()), check_file)?;
     let maps = MapSet::default();
     let mut files = Files::new(&args.out, file_names(&maps).iter().map(String::as_str))?;
-    let (mut headless, timings) = grow(&recipe, climate, plan)?;
-    headless.project();
-    headless.bake()?;
-    let state = headless.state()?;
+    let scenario_out = args.scenario_out.as_deref();
+    scenario_out.map_or(Ok(()), check_file)?;
+    let (state, timings) = grow(&recipe, climate, plan)?;
     let digest = add_planet(&state, &mut files)?;
+    let scenario = scenario_of(&state);
+    // Maps and figures are those that whoever loads the save gets.
+    let headless = bake_planet(state, ClimateMaps::default())?;
     maps.draw(&headless, &mut files)?;
     files.add(STATS_FILE, stats(&headless, digest, timings)?);
     interrupt::check()?;
     let written = files.write()?;
     if let Some(path) = scenario_out {
-        write_file(path, scenario_of(&state).as_bytes())?;
+        write_file(path, scenario.as_bytes())?;
     }
     say(&format!(
         "{} files in {}",
@@ -72,7 +73,7 @@ fn grow(
     recipe: &PlanetRecipe,
     climate: ClimateMaps,
     plan: GrowthPlan,
-) -> Result<(Headless, Timings), CliError> {
+) -> Result<(PlanetState, Timings), CliError> {
     let start = Instant::now();
     let (mut state, mesh_ms) = initial_planet(recipe)?;
     state.climate = climate;
@@ -80,7 +81,7 @@ fn grow(
     plan.run(&mut headless)?;
     let total_ms = start.elapsed().as_secs_f64() * 1e3;
     let timings = headless.timings(mesh_ms, total_ms)?;
-    Ok((headless, timings))
+    Ok((headless.state()?, timings))
 }
 
 /// Adds the save file and returns the digest.

@@ -18,8 +18,8 @@ use std::fmt::Write;
 pub fn info(args: &InfoArgs) -> Result<(), CliError> {
     let scenario_out = args.scenario_out.as_deref();
     scenario_out.map_or(Ok(()), check_file)?;
-    let version = save::version_of(&args.file)?;
     let state = load(&args.file)?;
+    let version = save::version_of(&args.file)?;
     if let Some(path) = scenario_out {
         write_file(path, scenario_of(&state).as_bytes())?;
     }

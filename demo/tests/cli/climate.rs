@@ -1,8 +1,12 @@
 //! Maps of a user that replace fields of the climate.
 
-use crate::program::{assert_refused_in, planet, succeed_with_input};
+use crate::program::{
+    assert_contains, assert_refused_in, pangaea_with_input, planet, small_planet, stderr, succeed,
+    succeed_with_input,
+};
 use std::fs;
 use std::path::Path;
+use tempfile::TempDir;
 
 /// A map of 8-bit grey, twice as wide as high.
 fn grey_map(path: &Path, grey: u8) {
@@ -39,6 +43,61 @@ fn maps_replace_fields_of_the_climate() {
     let (frozen, land) = frozen_and_land(folder.path(), &["--temperature", "t.png"]);
     assert!(mild < frozen, "{mild} {frozen}");
     assert!(frozen * 2 > land, "{frozen} of {land} points are frozen");
+}
+
+/// A folder with two maps of rain, and a planet that was grown with the first.
+fn dry_planet() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    for (name, grey) in [("dry", 10), ("wet", 250)] {
+        grey_map(&folder.path().join(format!("{name}.png")), grey);
+        let scale = folder.path().join(format!("{name}.json"));
+        fs::write(scale, r#"{"min": 0, "max": 4000}"#).unwrap();
+    }
+    small_planet(folder.path(), "a", &["--rain", "dry.png"]);
+    folder
+}
+
+/// Heights and kinds of the ground at 300 points, and what is said on stderr.
+fn ground(folder: &Path, maps: &[&str]) -> (String, String) {
+    let points: Vec<String> = (0..300)
+        .map(|i| format!("{},{}", 60 - i % 120, 3 * (i % 117) - 170))
+        .collect();
+    let args = [&["query", "a/planet.pangaea", "--level", "8"], maps].concat();
+    let output = pangaea_with_input(folder, &args, &points.join("\n"));
+    assert!(output.status.success(), "{}", stderr(&output));
+    let said = stderr(&output);
+    (String::from_utf8(output.stdout).unwrap(), said)
+}
+
+#[test]
+fn a_save_keeps_the_maps_that_it_was_grown_with() {
+    let folder = dry_planet();
+    let (kept, said) = ground(folder.path(), &[]);
+    assert_eq!(said, "");
+    let (repeated, said) = ground(folder.path(), &["--rain", "dry.png"]);
+    assert!(kept == repeated, "the ground is another one");
+    assert_eq!(said, "");
+    let (other, said) = ground(folder.path(), &["--rain", "wet.png"]);
+    assert!(kept != other, "the map that is given counts");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_contains(&said, &["--rain", "replaces"]);
+}
+
+#[test]
+fn info_shows_the_maps_of_a_save() {
+    let folder = dry_planet();
+    let text = succeed(folder.path(), &["info", "a/planet.pangaea"]);
+    let maps: Vec<&str> = text
+        .lines()
+        .filter(|line| line.starts_with("map "))
+        .collect();
+    assert_eq!(maps.len(), 1, "{text}");
+    assert_contains(
+        maps[0],
+        &["rain, 16 x 8 pixels", "0 of them void", "BLAKE3"],
+    );
+    let text = succeed(planet().path(), &["info", "planet.pangaea"]);
+    assert!(!text.lines().any(|line| line.starts_with("map ")), "{text}");
 }
 
 /// Asserts that a command refuses each map that is no climate.

@@ -6,6 +6,8 @@
 //! recipes      presets and scenarios
 //! generate     the files of a planet
 //! measures     info and bench
+//! maps         maps of a planet file
+//! scenarios    commands of a planet, written and played again
 //! files        written all or none: what is in the way, what stays
 //! interrupts   Ctrl-C, and a full disk
 //! explorer     what is refused before a window opens
@@ -24,6 +26,10 @@ mod recipes;
 mod generate;
 
 mod measures;
+
+mod maps;
+
+mod scenarios;
 
 mod files;
 

@@ -88,3 +88,18 @@ fn read_map(read: &mut Decoder, most: u64) -> Result<EquirectMap, SaveError> {
 fn refused(error: MapError) -> SaveError {
     invalid(error.to_string())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_save_holds_one_map_of_the_largest_size_and_no_more() {
+        let side = EquirectMap::MAX_SIDE;
+        let largest = pixels([side, side / 2]);
+        assert_eq!(within_limit(largest), Ok(()));
+        let problem = within_limit(largest + 1).unwrap_err().to_string();
+        assert!(problem.contains("536870913 pixels"), "{problem}");
+        assert_eq!(check_pixels(&ClimateMaps::default()), Ok(()));
+    }
+}
