@@ -1,4 +1,5 @@
-//! The ground of a planet file, as `export`, `relief`, `query` and `maps` ask for it.
+//! The climate and the ground of a planet file, as `export`, `relief`, `query` and `maps` ask for
+//! them.
 
 use crate::error::CliError;
 use crate::headless::Headless;
@@ -8,8 +9,8 @@ use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::query::{PlanetGround, Rules};
 use bevy_pangaea::spawn::PlanetState;
 
-/// Projects the surface of a planet that was loaded, and bakes its climate and its rivers. Maps that
-/// the user gives replace those of the save.
+/// Projects the surface of a planet that was loaded, and bakes its climate and its rivers. Maps
+/// that the user gives replace those of the save.
 ///
 /// # Errors
 /// If the planet cannot be baked.
@@ -22,7 +23,7 @@ pub fn bake_planet(mut state: PlanetState, given: ClimateMaps) -> Result<Headles
 }
 
 /// Replaces maps of a save by those that the user gives, and says so where they differ.
-fn replace_maps(saved: &mut ClimateMaps, given: &ClimateMaps) {
+pub fn replace_maps(saved: &mut ClimateMaps, given: &ClimateMaps) {
     for (field, map) in given.iter() {
         let name = field.name();
         if saved.get(field).is_some_and(|saved| saved != map) {

@@ -53,8 +53,8 @@ impl GrowthPlan {
     }
 }
 
-/// The scenario in a file, none of whose commands come after the end. At the end itself there may be
-/// some: those of a planet that rested there while it was recorded.
+/// The scenario in a file, none of whose commands come after the end. At the end itself there may
+/// be some: those of a planet that rested there while it was recorded.
 fn scenario_until(path: &Path, until: f64, time_step: f64) -> Result<Scenario, CliError> {
     let scenario = load_scenario(path)?;
     let steps = steps(until, time_step, &scenario);

@@ -3,20 +3,20 @@
 //! ```text
 //! recipe     a planet at time 0, how it grows, on how many threads
 //! climate    maps that replace fields of the climate
+//! ground     export, relief, query
 //! planets    generate, maps, bench, info
 //! pictures   render, views
-//! ground     export, relief, query
 //! ```
 
 mod recipe;
 
 mod climate;
 
+mod ground;
+
 mod planets;
 
 mod pictures;
-
-mod ground;
 
 pub use ground::{ExportArgs, QueryArgs, ReliefArgs};
 pub use pictures::{RenderArgs, ViewsArgs};

@@ -125,6 +125,8 @@ fn maps_that_are_no_climate_are_refused_before_anything_grows() {
     assert_checks_maps(&["generate", "--samples", "2000000", "--out", "out"]);
     let square = ["export", "planet.pangaea", "--region", "0,0,10"];
     assert_checks_maps(&[&square[..], &["--out", "a.tif"]].concat());
+    assert_checks_maps(&["maps", "planet.pangaea", "--out", "m"]);
+    assert_checks_maps(&["render", "planet.pangaea", "--out", "a.png"]);
     assert_checks_maps(&["relief", "planet.pangaea", "--json", "r.json"]);
     assert_checks_maps(&["query", "planet.pangaea", "--at", "0,0"]);
 }

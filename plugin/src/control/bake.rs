@@ -112,7 +112,8 @@ impl Bake {
     /// Largest radius in km: on larger planets the water of a year would not fit into 64 bits.
     pub const MAX_RADIUS: f64 = 100_000.0;
 
-    /// Bakes a planet of `radius` km, in whose climate `maps` replace fields. (Ground there is only for radii of 50 to 10,000 km.)
+    /// Bakes a planet of `radius` km, in whose climate `maps` replace fields. (Ground there is only
+    /// for radii of 50 to 10,000 km.)
     ///
     /// # Errors
     /// [`BakeError::Radius`], and [`BakeError::Map`] for maps with values out of range.

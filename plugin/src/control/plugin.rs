@@ -1,10 +1,10 @@
 //! A bake that follows a running planet in the background.
 //!
 //! A planet with [`BakeSettings`] is baked whenever its [`PlanetSurface`], its [`ClimateMaps`] or
-//! the settings have changed and no bake of it is under way. Bakes run on a thread pool of their own: they share the processors with the
-//! simulation, but a frame never waits for them. The finished bake is the component [`PlanetBake`],
-//! and [`BakeFinished`] is triggered on the planet. The planet's state and its digest are not
-//! touched.
+//! the settings have changed and no bake of it is under way. Bakes run on a thread pool of their
+//! own: they share the processors with the simulation, but a frame never waits for them. The
+//! finished bake is the component [`PlanetBake`], and [`BakeFinished`] is triggered on the planet.
+//! The planet's state and its digest are not touched.
 
 use super::bake::{Bake, BakeError, BakeFrame, BakeSource};
 use super::settings::BakeSettings;

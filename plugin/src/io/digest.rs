@@ -5,7 +5,7 @@ use super::sections;
 use crate::climate::{ClimateMaps, EquirectMap};
 use crate::spawn::PlanetState;
 
-/// What digests begin with: the header of the format in which they were first given, so that a
+/// The version of the format that digests begin with, the one in which they were first given: a
 /// planet keeps its digest when the format goes on.
 const BEGINNING: u32 = 3;
 

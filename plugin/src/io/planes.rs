@@ -1,8 +1,8 @@
 //! Numbers of a map in few bytes, and back to the last bit.
 //!
-//! The bytes of all numbers are sorted into four planes: all last bytes, then those before them, and
-//! so on. In a plane each byte is stored as its difference to the one before. So the slow changes of
-//! a map become long runs of equal bytes, which DEFLATE packs well. NaN keeps its bits.
+//! The bytes of all numbers are sorted into four planes: all last bytes, then those before them,
+//! and so on. In a plane each byte is stored as its difference to the one before. So the slow
+//! changes of a map become long runs of equal bytes, which DEFLATE packs well. NaN keeps its bits.
 
 use super::SaveError;
 use super::codec::invalid;
@@ -28,8 +28,8 @@ pub(super) fn pack(values: &[f32]) -> Vec<u8> {
     compress_to_vec(&planes, LEVEL)
 }
 
-/// The `count` numbers that were packed. A stream that holds more is left after so many: memory goes
-/// by what the bytes really hold, at most by `count`.
+/// The `count` numbers that were packed. A stream that holds more is left after so many: memory
+/// goes by what the bytes really hold, at most by `count`.
 ///
 /// # Errors
 /// [`SaveError::Invalid`] for bytes that [`pack`] did not make of so many numbers.

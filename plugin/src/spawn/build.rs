@@ -19,8 +19,8 @@ impl PlanetState {
     }
 
     /// Puts the planet onto an entity, in place of the planet that it may have been; what does not
-    /// belong to its state stays as it is: the clock's controls, the inbox, how it is drawn. Where a
-    /// task is building another planet on that entity, it is cancelled. Then [`PlanetReady`] is
+    /// belong to its state stays as it is: the clock's controls, the inbox, how it is drawn. Where
+    /// a task is building another planet on that entity, it is cancelled. Then [`PlanetReady`] is
     /// triggered.
     ///
     /// Nothing happens if the entity is gone.

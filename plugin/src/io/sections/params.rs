@@ -1,5 +1,5 @@
-//! The parameters of the model and the switches of processes, each with its name: a file from before
-//! one was added has the default of it, and one that this program does not know is refused.
+//! The parameters of the model and the switches of processes, each with its name: a file from
+//! before one was added has the default of it, and one that this program does not know is refused.
 
 use crate::io::SaveError;
 use crate::io::codec::{Decoder, Encoder, flag, invalid};
@@ -44,8 +44,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<TectonicParams, SaveError> {
     Ok(params)
 }
 
-/// A list of names with a value of `size` bytes each, in any order. `take` reads the value of a name
-/// and refuses names that it does not know.
+/// A list of names with a value of `size` bytes each, in any order. `take` reads the value of a
+/// name and refuses names that it does not know.
 fn read_named<'a>(
     read: &mut Decoder<'a>,
     size: usize,

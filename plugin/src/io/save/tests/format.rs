@@ -1,5 +1,5 @@
-//! Files of older and newer programs: what is missing has its default, what is unknown is passed over
-//! or refused by name.
+//! Files of older and newer programs: what is missing has its default, what is unknown is passed
+//! over or refused by name.
 
 use super::*;
 use crate::io::codec::Encoder;
