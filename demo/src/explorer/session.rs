@@ -7,6 +7,7 @@
 use super::background::Background;
 use super::discard::{DISCARD_QUESTION, Discard, PlanetRevision};
 use super::messages::MessageLog;
+use super::saving::{SaveContent, SaveOutcome, SaveQueue, SaveRequest};
 use super::state::{Action, PresetRead, Selection, ShownPlanet};
 use bevy::prelude::*;
 use bevy_pangaea::io;
@@ -19,31 +20,8 @@ use std::path::{Path, PathBuf};
 #[derive(Resource, Default)]
 pub struct Session {
     job: Option<PlanetJob>,
-    /// Files to write as soon as the planet stands between two steps, one after the other.
-    requests: Vec<SaveRequest>,
-    saving: Option<Saving>,
+    saves: SaveQueue,
     discard: Discard,
-}
-
-/// A file that the user asks for.
-struct SaveRequest {
-    path: PathBuf,
-    content: SaveContent,
-}
-
-/// The part of a planet that a file is to hold.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum SaveContent {
-    /// All of it.
-    Planet,
-    /// Its commands.
-    Scenario,
-}
-
-/// A save under way: the revision that it holds, and the note when it is written.
-struct Saving {
-    revision: Option<PlanetRevision>,
-    work: Background<String>,
 }
 
 /// A planet or a preset on its way; one at a time.
@@ -61,11 +39,10 @@ enum JobResult {
 impl Session {
     /// The work under way, in words.
     pub fn busy(&self) -> Option<&str> {
-        let saving = !self.requests.is_empty() || self.saving.is_some();
         self.job
             .as_ref()
             .map(|job| job.title)
-            .or(saving.then_some("Saving"))
+            .or(self.saves.is_busy().then_some("Saving"))
     }
 
     /// Whether a new planet is on its way.
@@ -152,23 +129,6 @@ fn read_preset(path: PathBuf) -> Result<JobResult, String> {
     Ok(JobResult::Preset(Box::new(PresetRead { recipe, path })))
 }
 
-impl SaveRequest {
-    fn new(path: &Path, content: SaveContent) -> Self {
-        let path = path.to_path_buf();
-        Self { path, content }
-    }
-
-    /// Writes the file. Returns the note that says so.
-    fn write(&self, state: &PlanetState) -> Result<String, String> {
-        match self.content {
-            SaveContent::Planet => io::save(state, &self.path),
-            SaveContent::Scenario => io::save_scenario(state, &self.path),
-        }
-        .map_err(text)?;
-        Ok(format!("saved {}", self.path.display()))
-    }
-}
-
 fn request_save(
     session: &mut Session,
     messages: &mut MessageLog,
@@ -181,11 +141,7 @@ fn request_save(
     } else if path.as_os_str().is_empty() {
         messages.error("name a file to save the planet to");
     } else {
-        // Of each kind the last wish counts.
-        session
-            .requests
-            .retain(|old| old.content != request.content);
-        session.requests.push(request);
+        session.saves.ask(request);
     }
 }
 
@@ -265,36 +221,19 @@ fn revision(world: &World, planet: Entity) -> Option<PlanetRevision> {
 
 /// Takes the state for a save when the planet stands between two steps, and hands it to a thread.
 pub fn save_at_boundary(world: &mut World) {
-    let session = world.resource::<Session>();
     let Some(planet) = world.resource::<ShownPlanet>().0 else {
         return;
     };
-    if session.requests.is_empty() || session.saving.is_some() {
-        return;
-    }
-    // In the middle of a step the state is torn: a save waits, and one at a time.
+    // In the middle of a step the state is torn: a save waits.
     let between = world
         .get::<StepCursor>(planet)
         .is_some_and(StepCursor::at_boundary);
-    if !between {
+    if !between || !world.resource::<Session>().saves.is_ready() {
         return;
     }
-    let request = world.resource_mut::<Session>().requests.remove(0);
-    let Some(state) = io::capture(world, planet) else {
-        let mut messages = world.resource_mut::<MessageLog>();
-        messages.error("the planet cannot be saved now");
-        return;
-    };
-    // Commands alone are not the planet: it may not go without a question.
-    let revision = match request.content {
-        SaveContent::Planet => revision(world, planet),
-        SaveContent::Scenario => None,
-    };
-    let saving = Saving {
-        revision,
-        work: Background::start(move || request.write(&state)),
-    };
-    world.resource_mut::<Session>().saving = Some(saving);
+    let (state, revision) = (io::capture(world, planet), revision(world, planet));
+    let mut session = world.resource_mut::<Session>();
+    session.saves.begin(state, revision);
 }
 
 /// Says how a save went.
@@ -303,14 +242,9 @@ pub fn finish_save(
     mut messages: ResMut<MessageLog>,
     shown: Res<ShownPlanet>,
 ) {
-    let Some(saving) = session.saving.as_mut() else {
+    let Some(SaveOutcome { revision, result }) = session.saves.take() else {
         return;
     };
-    let Some(result) = saving.work.take() else {
-        return;
-    };
-    let revision = saving.revision;
-    session.saving = None;
     match result {
         Ok(note) => {
             messages.note(note);
