@@ -44,6 +44,7 @@ fn damaged_command_lines_are_refused_or_understood() {
         "render\n--camera=-33,-70,1e6,90,-10\n--overlay\nplates\n--out=a.png",
         "export\na.pangaea\n--region=-33,-70,60\n--out\na.tif\n--pixels=64",
         "query\na.pangaea\n--at\n-33,-70\n--level\n12",
+        "maps\na.pangaea\n--out\nm\n--size\n64\n--overlay\nplates,rain",
         "bench\n--samples\n100,2000",
         "relief\na.pangaea",
         "views\n--size\n640x480",
@@ -72,6 +73,9 @@ fn assert_valid(cli: &Cli) {
                     .all(|at| at.lat.abs() <= 90.0 && at.lon.abs() <= 360.0)
             );
             assert!(args.level <= 17);
+        }
+        Some(Command::Maps(args)) => {
+            assert!((16..=8192).contains(&args.size) && args.size.is_multiple_of(2));
         }
         Some(Command::Generate(args)) => assert!(args.growth.until() > 0.0),
         // A recipe is checked as a whole, and refused or not.

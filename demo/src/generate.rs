@@ -2,26 +2,22 @@
 
 use crate::cli::GenerateArgs;
 use crate::error::CliError;
+use crate::ground::bake_planet;
 use crate::growth::GrowthPlan;
 use crate::headless::{Headless, initial_planet};
 use crate::interrupt;
-use crate::output::{Files, json, say};
-use crate::progress;
+use crate::maps::MapSet;
+use crate::output::{Files, check_file, json, say, write_file};
+use bevy_pangaea::climate::ClimateMaps;
 use bevy_pangaea::control::PlanetBake;
-use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::{MarkedJson, Stats, Timings, digest, png, save};
-use bevy_pangaea::overlay::{MapProjection, Overlay};
+use bevy_pangaea::io::scenario::scenario_of;
+use bevy_pangaea::io::{MarkedJson, Stats, Timings, digest, save};
 use bevy_pangaea::planet::PlanetRecipe;
-use std::fmt::Display;
+use bevy_pangaea::spawn::PlanetState;
 use std::time::Instant;
-
-/// Size of the maps in pixels.
-const MAP_SIZE: (u32, u32) = (2048, 1024);
 
 /// The save file.
 const PLANET_FILE: &str = "planet.pangaea";
-/// The elevation in 16 bits.
-const ELEVATION_FILE: &str = "elevation.png";
 /// The figures.
 const STATS_FILE: &str = "stats.json";
 
@@ -29,7 +25,8 @@ const STATS_FILE: &str = "stats.json";
 ///
 /// # Errors
 /// If an option, or a command of the scenario, is refused, or the user interrupts it; nothing is
-/// written then.
+/// written then. A scenario that cannot be written in the end leaves the planet, which holds its
+/// commands.
 pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     interrupt::watch();
     args.growth.threads.start()?;
@@ -37,15 +34,23 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     let plan = GrowthPlan::new(&args.growth, recipe.params.time_step)?;
     let climate = args.climate.load()?;
     // Refused before minutes are spent on growing.
-    let mut files = Files::new(&args.out, file_names().iter().map(String::as_str))?;
-    let (mut headless, timings) = grow(&recipe, plan)?;
-    headless.project();
-    headless.bake(climate)?;
-    let digest = add_planet(&headless, &mut files)?;
-    add_maps(&headless, &mut files)?;
+    save::check_maps(&climate).map_err(CliError::input)?;
+    let maps = MapSet::default();
+    let mut files = Files::new(&args.out, file_names(&maps).iter().map(String::as_str))?;
+    let scenario_out = args.scenario_out.as_deref();
+    scenario_out.map_or(Ok(()), check_file)?;
+    let (state, timings) = grow(&recipe, climate, plan)?;
+    let digest = add_planet(&state, &mut files)?;
+    let scenario = scenario_of(&state);
+    // Maps and figures are those that whoever loads the save gets.
+    let headless = bake_planet(state, ClimateMaps::default())?;
+    maps.draw(&headless, &mut files)?;
     files.add(STATS_FILE, stats(&headless, digest, timings)?);
     interrupt::check()?;
     let written = files.write()?;
+    if let Some(path) = scenario_out {
+        write_file(path, scenario.as_bytes())?;
+    }
     say(&format!(
         "{} files in {}",
         written.len(),
@@ -55,63 +60,36 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
 }
 
 /// The names of all files.
-fn file_names() -> Vec<String> {
-    [PLANET_FILE, ELEVATION_FILE, STATS_FILE]
+fn file_names(maps: &MapSet) -> Vec<String> {
+    [PLANET_FILE, STATS_FILE]
         .map(String::from)
         .into_iter()
-        .chain(Overlay::ALL.map(map_name))
+        .chain(maps.names())
         .collect()
 }
 
-/// Grows a planet, and says how long that took.
-fn grow(recipe: &PlanetRecipe, plan: GrowthPlan) -> Result<(Headless, Timings), CliError> {
+/// Grows a planet with maps of its climate, and says how long that took.
+fn grow(
+    recipe: &PlanetRecipe,
+    climate: ClimateMaps,
+    plan: GrowthPlan,
+) -> Result<(PlanetState, Timings), CliError> {
     let start = Instant::now();
-    let (state, mesh_ms) = initial_planet(recipe)?;
+    let (mut state, mesh_ms) = initial_planet(recipe)?;
+    state.climate = climate;
     let mut headless = Headless::new(state);
     plan.run(&mut headless)?;
     let total_ms = start.elapsed().as_secs_f64() * 1e3;
     let timings = headless.timings(mesh_ms, total_ms)?;
-    Ok((headless, timings))
+    Ok((headless.state()?, timings))
 }
 
 /// Adds the save file and returns the digest.
-fn add_planet(headless: &Headless, files: &mut Files) -> Result<String, CliError> {
-    let state = headless.state()?;
+fn add_planet(state: &PlanetState, files: &mut Files) -> Result<String, CliError> {
     let mut bytes = Vec::new();
-    save::write_to(&state, &mut bytes).map_err(CliError::input)?;
+    save::write_to(state, &mut bytes).map_err(CliError::input)?;
     files.add(PLANET_FILE, bytes);
-    Ok(digest(&state))
-}
-
-/// Adds the elevation in 16 bits and a colour map of every overlay, with a progress bar.
-fn add_maps(headless: &Headless, files: &mut Files) -> Result<(), CliError> {
-    let plates = headless.plates();
-    let input = headless.overlay_input(&plates)?;
-    let map = MapProjection::new(input.mesh, MAP_SIZE.0, MAP_SIZE.1);
-    let elevation = map.elevation(headless.get::<PlanetSurface>()?);
-    let grey = png::elevation_png(map.width(), &elevation).map_err(not_encoded)?;
-    files.add(ELEVATION_FILE, grey);
-    let bar = progress::bar(Overlay::ALL.len() as u64, "maps", "drawing");
-    for overlay in Overlay::ALL {
-        interrupt::check()?;
-        let picture = png::rgb_png(&map.draw(overlay, &input)).map_err(not_encoded)?;
-        files.add(&map_name(overlay), picture);
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    Ok(())
-}
-
-fn not_encoded(error: impl Display) -> CliError {
-    CliError::Failed(format!("cannot encode a map: {error}"))
-}
-
-/// The file name of an overlay's colour map; `elevation.png` is the grey one.
-fn map_name(overlay: Overlay) -> String {
-    match overlay {
-        Overlay::Elevation => "elevation_color.png".into(),
-        other => format!("{}.png", other.name()),
-    }
+    Ok(digest(state))
 }
 
 /// The file of statistics.

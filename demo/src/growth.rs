@@ -47,20 +47,21 @@ impl GrowthPlan {
             headless.step()?;
             bar.set_position(headless.get::<GeologicClock>()?.time.min(self.until) as u64);
         }
+        headless.obey_due()?;
         bar.finish_and_clear();
         Ok(())
     }
 }
 
-/// The scenario in a file, all of whose commands come before the end.
+/// The scenario in a file, none of whose commands come after the end. At the end itself there may
+/// be some: those of a planet that rested there while it was recorded.
 fn scenario_until(path: &Path, until: f64, time_step: f64) -> Result<Scenario, CliError> {
     let scenario = load_scenario(path)?;
     let steps = steps(until, time_step, &scenario);
-    match scenario.0.iter().position(|timed| timed.step >= steps) {
+    match scenario.0.iter().position(|timed| timed.step > steps) {
         None => Ok(scenario),
         Some(late) => Err(CliError::input(format!(
-            "{}: command {} (step {}) comes after the end: {until} My are {steps} steps, counted \
-             from 0",
+            "{}: command {} (step {}) comes after the end: {until} My are {steps} steps",
             path.display(),
             late + 1,
             scenario.0[late].step,

@@ -6,9 +6,8 @@ use crate::interrupt;
 use crate::output::say;
 use bevy::prelude::*;
 use bevy_pangaea::PangaeaPlugins;
-use bevy_pangaea::authoring::{CommandRejected, Scenario};
-use bevy_pangaea::climate::ClimateMaps;
-use bevy_pangaea::control::{BakeRules, BakeSettings, PlanetBake, bake_now};
+use bevy_pangaea::authoring::{CommandRejected, Scenario, apply_pending};
+use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::crust::{Crust, Ledger, PlanetSurface};
 use bevy_pangaea::io::stats::StatsInput;
 use bevy_pangaea::io::{Timings, capture};
@@ -69,20 +68,11 @@ impl Headless {
         project_now(self.app.world_mut(), self.planet);
     }
 
-    /// Bakes the climate, in which `maps` replace fields, the rivers and the control maps of the
-    /// surface as it was last projected.
+    /// Bakes the climate, the rivers and the control maps of the surface as it was last projected.
     ///
     /// # Errors
     /// If the planet cannot be baked.
-    pub fn bake(&mut self, maps: ClimateMaps) -> Result<(), CliError> {
-        let rules = BakeRules {
-            climate: maps,
-            ..default()
-        };
-        self.app
-            .world_mut()
-            .entity_mut(self.planet)
-            .insert(BakeSettings { rules, ..default() });
+    pub fn bake(&mut self) -> Result<(), CliError> {
         bake_now(self.app.world_mut(), self.planet)
             .map_err(|error| CliError::Failed(error.to_string()))
     }
@@ -95,6 +85,21 @@ impl Headless {
         interrupt::check()?;
         let step = self.get::<GeologicClock>()?.step;
         run_steps(self.app.world_mut(), self.planet, 1);
+        self.check_refusal(step)
+    }
+
+    /// Carries out the commands that are due between two steps.
+    ///
+    /// # Errors
+    /// The first command that the planet refuses.
+    pub fn obey_due(&mut self) -> Result<(), CliError> {
+        let step = self.get::<GeologicClock>()?.step;
+        apply_pending(self.app.world_mut(), self.planet);
+        self.check_refusal(step)
+    }
+
+    /// The first command that the planet refused at a step, as an error.
+    fn check_refusal(&mut self, step: u64) -> Result<(), CliError> {
         match self.app.world_mut().resource_mut::<FirstRefusal>().0.take() {
             None => Ok(()),
             Some(problem) => Err(CliError::input(format!(

@@ -1,20 +1,28 @@
-//! `pangaea info`: the facts of a planet file.
+//! `pangaea info`: the facts of a planet file, and its commands as a scenario.
 
 use crate::cli::InfoArgs;
 use crate::error::CliError;
 use crate::headless::Headless;
-use crate::output::print;
+use crate::output::{check_file, print, write_file};
 use bevy_pangaea::authoring::Recording;
-use bevy_pangaea::io::{Stats, Timings, digest, load, save};
+use bevy_pangaea::climate::{ClimateField, ClimateMaps, EquirectMap};
+use bevy_pangaea::io::scenario::scenario_of;
+use bevy_pangaea::io::{Stats, Timings, digest, load, map_digest, save};
 use bevy_pangaea::planet::Planet;
 use std::fmt::Write;
 
 /// Runs the command.
 ///
 /// # Errors
-/// If the file is refused.
+/// If the file is refused, or the scenario cannot be written.
 pub fn info(args: &InfoArgs) -> Result<(), CliError> {
+    let scenario_out = args.scenario_out.as_deref();
+    scenario_out.map_or(Ok(()), check_file)?;
     let state = load(&args.file)?;
+    let version = save::version_of(&args.file)?;
+    if let Some(path) = scenario_out {
+        write_file(path, scenario_of(&state).as_bytes())?;
+    }
     let hash = digest(&state);
     let headless = Headless::new(state);
     let stats = Stats::new(
@@ -22,15 +30,15 @@ pub fn info(args: &InfoArgs) -> Result<(), CliError> {
         hash,
         Timings::default(),
     );
-    print(&facts(&headless, &stats)?)
+    print(&facts(version, &headless, &stats)?)
 }
 
 /// The facts as lines of a name and a value.
-fn facts(headless: &Headless, stats: &Stats) -> Result<String, CliError> {
+fn facts(version: u32, headless: &Headless, stats: &Stats) -> Result<String, CliError> {
     let planet = headless.get::<Planet>()?;
     let commands = headless.get::<Recording>()?.0.len();
     let origin = [
-        ("format", save::VERSION.to_string()),
+        ("format", version.to_string()),
         ("digest", stats.digest.clone()),
         ("seed", planet.seed.to_string()),
         ("radius", format!("{} km", planet.radius)),
@@ -42,11 +50,30 @@ fn facts(headless: &Headless, stats: &Stats) -> Result<String, CliError> {
         ),
         ("commands", commands.to_string()),
     ];
+    let maps = maps(headless.get::<ClimateMaps>()?);
     let mut text = String::new();
-    for (name, value) in origin.into_iter().chain(measures(stats)) {
+    for (name, value) in origin.into_iter().chain(maps).chain(measures(stats)) {
         let _ = writeln!(text, "{name:<12} {value}");
     }
     Ok(text)
+}
+
+/// The maps that replace fields of the climate.
+fn maps(maps: &ClimateMaps) -> Vec<(&'static str, String)> {
+    maps.iter()
+        .map(|(field, map)| ("map", described(field, map)))
+        .collect()
+}
+
+/// A map in words, with enough of its checksum to tell it from others.
+fn described(field: ClimateField, map: &EquirectMap) -> String {
+    let [width, height] = map.size();
+    let voids = map.values().iter().filter(|value| value.is_nan()).count();
+    format!(
+        "{}, {width} x {height} pixels, {voids} of them void, BLAKE3 {:.16}",
+        field.name(),
+        map_digest(map)
+    )
 }
 
 /// The facts that were measured on the surface.

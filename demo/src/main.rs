@@ -22,10 +22,11 @@ mod growth;
 mod source;
 
 mod bench;
+mod ground;
+mod maps;
+
 mod generate;
 mod info;
-
-mod ground;
 
 mod export;
 mod query;
@@ -53,6 +54,7 @@ fn main() -> ExitCode {
     let result = match &cli.command {
         None => explore(&cli),
         Some(Command::Generate(args)) => generate::generate(args),
+        Some(Command::Maps(args)) => maps::maps(args),
         Some(Command::Render(args)) => picture::render(args),
         Some(Command::Views(args)) => picture::views(args),
         Some(Command::Bench(args)) => bench::bench(args),

@@ -3,6 +3,7 @@
 
 use crate::cli::{RenderArgs, ViewsArgs};
 use crate::error::CliError;
+use crate::ground::replace_maps;
 use crate::interrupt;
 use crate::offscreen::{Offscreen, OffscreenError};
 use crate::output::{Files, check_file, print, write_file};
@@ -59,6 +60,7 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     interrupt::watch();
     // All that can be refused is refused before the planet grows.
     let source = PlanetSource::new(args.planet.as_deref(), &args.growth)?;
+    let climate = args.climate.load()?;
     check_file(&args.out)?;
     let view = view(&args.camera, source.radius());
     let globe = Globe {
@@ -67,7 +69,9 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
         ..default()
     };
     let mut offscreen = Offscreen::new(args.size).map_err(PictureError::from)?;
-    offscreen.show(source.planet()?);
+    let mut planet = source.planet()?;
+    replace_maps(&mut planet.climate, &climate);
+    offscreen.show(planet);
     let picture = offscreen.picture(view, globe);
     // An interrupt is the reason that is told.
     interrupt::check()?;

@@ -184,6 +184,13 @@ fn side(text: &str) -> Option<u32> {
     integer(text, 16, 8192).ok()
 }
 
+/// The width of a map in pixels, which is half as high.
+pub fn map_width(text: &str) -> Result<u32, String> {
+    side(text)
+        .filter(|width| width.is_multiple_of(2))
+        .ok_or_else(|| "it must be an even number of pixels from 16 to 8192".into())
+}
+
 /// Numbers of samples, separated by commas.
 pub fn sample_counts(text: &str) -> Result<SampleCounts, String> {
     let counts: Result<Vec<u32>, String> = text.split(',').map(samples).collect();

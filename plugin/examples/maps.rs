@@ -96,12 +96,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         None => EquirectMap::from_fn(512, crust)?,
     };
     let terrain = terrain(crust)?;
-    let rules = BakeRules {
-        climate: climate()?,
-        ..BakeRules::default()
-    };
+    let (climate, rules) = (climate()?, BakeRules::default());
     let frame = Arc::new(BakeFrame::new(7, BASE_SPACING, None)?);
-    let bake = Bake::new(&frame, RADIUS_KM, &BakeSource::Maps(&terrain), &rules)?;
+    let source = BakeSource::Maps(&terrain);
+    let bake = Bake::new(&frame, RADIUS_KM, &source, &climate, &rules)?;
     let vertices = bake.mesh().len();
     let greatest = (0..vertices)
         .map(|i| bake.drainage.discharge_m3s(i))

@@ -114,7 +114,8 @@
 //!
 //! # The ground
 //!
-//! A planet with [`BakeSettings`] is baked whenever its surface has changed. Its [`PlanetBake`]
+//! A planet with [`BakeSettings`] is baked whenever its surface has changed. Its [`ClimateMaps`],
+//! if you give it some, replace fields of the climate, and are saved with it. Its [`PlanetBake`]
 //! makes a [`PlanetGround`], which answers without a GPU, and with the same bits on every machine.
 //!
 //! ```
@@ -170,6 +171,7 @@
 //!
 //! [`BakeFinished`]: control::BakeFinished
 //! [`BakeSettings`]: control::BakeSettings
+//! [`ClimateMaps`]: climate::ClimateMaps
 //! [`ClockControls`]: planet::ClockControls
 //! [`CommandApplied`]: authoring::CommandApplied
 //! [`CommandRejected`]: authoring::CommandRejected
@@ -275,6 +277,7 @@ pub mod prelude {
         Brush, CommandApplied, CommandError, CommandRejected, PaintTarget, Recording, Scenario,
         TectonicCommand, TectonicCommandsExt, TimedCommand,
     };
+    pub use crate::climate::ClimateMaps;
     pub use crate::control::{BakeFinished, BakeSettings, PlanetBake};
     pub use crate::crust::{Crust, CrustKind, Frames, Ledger, Orogeny, PlanetSurface, Surface};
     pub use crate::events::{

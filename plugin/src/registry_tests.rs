@@ -9,6 +9,7 @@ const COMPONENTS: &[&str] = &[
     "authoring::inbox::Inbox",
     "authoring::scenario::Recording",
     "authoring::scenario::Scenario",
+    "climate::fields::ClimateMaps",
     "crust::ledger::Ledger",
     "ids::PlateId",
     "io::preset::follow::PlanetPreset",

@@ -2,11 +2,12 @@
 
 use super::lively;
 use bevy::prelude::*;
-use bevy_pangaea::io::scenario::parse_scenario;
+use bevy_pangaea::authoring::apply_pending;
+use bevy_pangaea::io::scenario::{parse_scenario, scenario_of};
 use bevy_pangaea::plate::PlateId;
 use bevy_pangaea::prelude::*;
 use pangaea_tests::order::{paint, paint_all, rift, set_crust, set_motion, set_param, set_process};
-use pangaea_tests::world::{command, digest, get, heard, listen, planet_app, steps};
+use pangaea_tests::world::{command, digest, get, heard, listen, obey, planet_app, state, steps};
 
 /// Commands of a user, each with the step before which it comes; two are refused.
 fn session() -> Vec<(u64, TectonicCommand)> {
@@ -59,6 +60,47 @@ fn a_recording_replays_to_the_same_digest() {
     let world = again.world_mut();
     world.entity_mut(replayed).insert(Scenario::from(recording));
     steps(&mut again, replayed, STEPS);
+    assert_eq!(digest(&app, planet), digest(&again, replayed));
+}
+
+#[test]
+fn the_scenario_of_a_planet_gives_the_same_planet() {
+    let recipe = lively(11, 3000);
+    let (mut app, planet) = played(&recipe);
+    // The planet rests, and its user goes on.
+    assert!(obey(&mut app, planet, paint_all(Brush::Raise(0.3))));
+    let text = scenario_of(&state(&app, planet));
+    assert_eq!(
+        text.lines()
+            .filter(|line| line.contains("command:"))
+            .count(),
+        session().len() - 1
+    );
+    let (mut again, replayed) = planet_app(&recipe);
+    let scenario = parse_scenario(&text).unwrap();
+    again.world_mut().entity_mut(replayed).insert(scenario);
+    steps(&mut again, replayed, STEPS);
+    apply_pending(again.world_mut(), replayed);
+    assert_eq!(digest(&app, planet), digest(&again, replayed));
+}
+
+#[test]
+fn commands_to_come_are_part_of_the_scenario_of_a_planet() {
+    let recipe = lively(12, 1000);
+    let (mut app, planet) = planet_app(&recipe);
+    let to_come = vec![TimedCommand {
+        step: 9,
+        command: set_param("erosion", 0.1 + 0.2),
+    }];
+    let scenario = Scenario(to_come.clone());
+    app.world_mut().entity_mut(planet).insert(scenario);
+    command(&mut app, planet, TectonicCommand::Resample);
+    steps(&mut app, planet, 2);
+    let written = parse_scenario(&scenario_of(&state(&app, planet))).unwrap();
+    assert_eq!((written.0.len(), &written.0[1..]), (2, &to_come[..]));
+    let (mut again, replayed) = planet_app(&recipe);
+    again.world_mut().entity_mut(replayed).insert(written);
+    steps(&mut again, replayed, 2);
     assert_eq!(digest(&app, planet), digest(&again, replayed));
 }
 

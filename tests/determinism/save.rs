@@ -2,12 +2,14 @@
 
 use super::lively;
 use bevy::prelude::*;
+use bevy_pangaea::climate::EquirectMap;
+use bevy_pangaea::control::{BakeSettings, PlanetBake, bake_now};
 use bevy_pangaea::io;
 use bevy_pangaea::io::save::{load, read_from, save, write_to};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::spawn::PlanetState;
 use pangaea_tests::order::{rift, set_param};
-use pangaea_tests::world::{command, digest, heard, listen, planet_app, spawn, state, steps};
+use pangaea_tests::world::{command, digest, get, heard, listen, planet_app, spawn, state, steps};
 
 const STEPS: u64 = 34;
 
@@ -81,7 +83,7 @@ fn a_file_holds_all_state_and_replaces_an_older_one() {
 }
 
 /// Small changes of the state, one of each kind.
-const CHANGES: [fn(&mut PlanetState); 12] = [
+const CHANGES: [fn(&mut PlanetState); 13] = [
     |s| s.crust.thickness[3] += 1e-5,
     |s| s.crust.elevation[499] += 1e-6,
     |s| s.crust.ocean_age[7] += 1e-4,
@@ -94,6 +96,7 @@ const CHANGES: [fn(&mut PlanetState); 12] = [
     |s| s.clock.step += 1,
     |s| s.params.erosion += 1e-9,
     |s| s.planet.seed += 1,
+    |s| s.climate.rain = EquirectMap::from_fn(4, |_, _| 800.0).ok(),
 ];
 
 #[test]
@@ -142,4 +145,44 @@ fn commands_that_are_still_to_come_are_saved() {
     let [old, new] = [state(&app, planet), state(&again, loaded)];
     assert_eq!(new.recording.0.len(), old.recording.0.len());
     assert!(new.pending.0.is_empty());
+}
+
+/// The control maps of a planet, from which all of its ground follows.
+fn control_maps(state: PlanetState) -> String {
+    let (mut app, planet) = spawn(state);
+    let coarse = BakeSettings {
+        spacing: 0.05,
+        ..default()
+    };
+    app.world_mut().entity_mut(planet).insert(coarse);
+    bake_now(app.world_mut(), planet).unwrap();
+    format!("{:?}", get::<PlanetBake>(&app, planet).control)
+}
+
+#[test]
+fn a_loaded_planet_has_the_climate_that_it_was_given() {
+    let (mut app, planet) = planet_app(&lively(9, 2000));
+    let own = control_maps(state(&app, planet));
+    let drought = ClimateMaps {
+        rain: EquirectMap::from_fn(18, |lat, _| if lat > 0.0 { 40.0 } else { 2000.0 }).ok(),
+        ..default()
+    };
+    app.world_mut().entity_mut(planet).insert(drought.clone());
+    let given = state(&app, planet);
+    let bytes = saved(&given);
+    let given = control_maps(given);
+    assert!(given != own, "a map of rain changes the rivers");
+    let loaded = read_from(&bytes).unwrap();
+    assert_eq!(loaded.climate, drought);
+    assert!(control_maps(loaded) == given);
+}
+
+#[test]
+fn maps_stay_with_a_planet_that_grows() {
+    let mut given = PlanetState::new(&lively(10, 500)).unwrap();
+    given.climate.wetness = EquirectMap::from_fn(4, |_, _| 0.5).ok();
+    let climate = given.climate.clone();
+    let (mut app, planet) = spawn(given);
+    steps(&mut app, planet, 3);
+    assert_eq!(state(&app, planet).climate, climate);
 }

@@ -1,6 +1,7 @@
 //! Saves.
 
 use super::{Trial, saved, tiny};
+use bevy_pangaea::climate::EquirectMap;
 use bevy_pangaea::io::save::read_from;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::spawn::PlanetState;
@@ -32,11 +33,16 @@ const WORDS: &[&str] = &[
     "FAGE",
     "OROG",
     "FOLD",
+    "CLIM",
+    "note",
     "erosion",
     "drift",
+    "rain",
+    "temperature",
 ];
 
-/// A planet on which something has happened, with a command recorded and one to come.
+/// A planet on which something has happened, with a command recorded, one to come, and maps of its
+/// climate.
 fn grown() -> PlanetState {
     let (mut app, planet) = spawn(tiny(2));
     let erosion = TectonicCommand::SetParam {
@@ -46,6 +52,12 @@ fn grown() -> PlanetState {
     command(&mut app, planet, erosion);
     steps(&mut app, planet, 12);
     command(&mut app, planet, TectonicCommand::Resample);
+    let maps = ClimateMaps {
+        rain: EquirectMap::from_fn(16, |lat, lon| (900.0 + lat + lon) as f32).ok(),
+        wetness: EquirectMap::from_fn(32, |_, _| 0.5).ok(),
+        ..ClimateMaps::default()
+    };
+    app.world_mut().entity_mut(planet).insert(maps);
     state(&app, planet)
 }
 

@@ -65,8 +65,8 @@ fn baked_earth() -> Option<Bake> {
         hills: None,
     };
     let frame = Arc::new(BakeFrame::new(1, BASE_SPACING, None).expect("a base mesh"));
-    let source = BakeSource::Maps(&maps);
-    let bake = Bake::new(&frame, 6370.0, &source, &BakeRules::default());
+    let (source, own) = (BakeSource::Maps(&maps), ClimateMaps::default());
+    let bake = Bake::new(&frame, 6370.0, &source, &own, &BakeRules::default());
     Some(bake.expect("a bake"))
 }
 

@@ -3,7 +3,7 @@
 use crate::error::CliError;
 use crate::headless::Headless;
 use bevy::math::DVec3;
-use bevy_pangaea::climate::Climate;
+use bevy_pangaea::climate::{Climate, ClimateMaps};
 use bevy_pangaea::control::{Bake, BakeFrame, BakeRules, BakeSource};
 use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::hydrology::BASE_SPACING;
@@ -57,11 +57,11 @@ pub(super) fn ground_timings(headless: &Headless) -> Result<Option<GroundTimings
     let base = base.map_err(CliError::input)?;
     let lattice = headless.get::<Lattice>()?;
     let frame = Arc::new(BakeFrame::with_base(base, BASE_SPACING, Some(lattice)));
-    let rules = BakeRules::default();
+    let (maps, rules) = (ClimateMaps::default(), BakeRules::default());
     let source = BakeSource::Surface(surface);
-    let (bake, bake_ms) = timed(|| Bake::new(&frame, planet.radius, &source, &rules));
+    let (bake, bake_ms) = timed(|| Bake::new(&frame, planet.radius, &source, &maps, &rules));
     let bake = bake.map_err(CliError::input)?;
-    let (climate_ms, drainage_ms) = parts_of_bake(planet, &frame, &bake, &rules);
+    let (climate_ms, drainage_ms) = parts_of_bake(planet, &frame, &bake, &maps);
     let Ok(ground) = PlanetGround::of_bake(&bake, Rules::default()) else {
         return Ok(None);
     };
@@ -78,11 +78,16 @@ pub(super) fn ground_timings(headless: &Headless) -> Result<Option<GroundTimings
 }
 
 /// Milliseconds of the climate and of the drainage of a bake, each made again.
-fn parts_of_bake(planet: &Planet, frame: &BakeFrame, bake: &Bake, rules: &BakeRules) -> (f64, f64) {
+fn parts_of_bake(
+    planet: &Planet,
+    frame: &BakeFrame,
+    bake: &Bake,
+    maps: &ClimateMaps,
+) -> (f64, f64) {
     let (base, terrain) = (&frame.base, &bake.terrain);
     let (climate, climate_ms) = timed(|| {
         let elevation_km = terrain.elevation_km();
-        Climate::new(&base.mesh, &base.winds, &elevation_km, &rules.climate)
+        Climate::new(&base.mesh, &base.winds, &elevation_km, maps)
     });
     let network = RiverNetwork::default();
     let (_, drainage_ms) = timed(|| Drainage::new(base, planet.radius, terrain, &climate, network));

@@ -3,24 +3,24 @@
 //! ```text
 //! recipe     a planet at time 0, how it grows, on how many threads
 //! climate    maps that replace fields of the climate
-//! planets    generate, bench, info
-//! pictures   render, views
 //! ground     export, relief, query
+//! planets    generate, maps, bench, info
+//! pictures   render, views
 //! ```
 
 mod recipe;
 
 mod climate;
 
+mod ground;
+
 mod planets;
 
 mod pictures;
 
-mod ground;
-
 pub use ground::{ExportArgs, QueryArgs, ReliefArgs};
 pub use pictures::{RenderArgs, ViewsArgs};
-pub use planets::{BenchArgs, GenerateArgs, InfoArgs};
+pub use planets::{BenchArgs, GenerateArgs, InfoArgs, MapsArgs};
 pub use recipe::GrowthArgs;
 
 use self::recipe::RecipeArgs;
@@ -78,13 +78,15 @@ pub struct StartArgs {
 pub enum Command {
     /// Grow a planet and write it, its maps and its figures into a folder
     Generate(GenerateArgs),
+    /// Draw equirectangular maps of a planet file: what `generate` draws, in any size
+    Maps(MapsArgs),
     /// Render a picture of the globe
     Render(RenderArgs),
     /// Render the globe from eight sides, as `demo/run` does where there is no display
     Views(ViewsArgs),
     /// Measure how fast this machine grows planets
     Bench(BenchArgs),
-    /// Print the facts of a planet file
+    /// Print the facts of a planet file, or write its commands as a scenario
     Info(InfoArgs),
     /// Write the height of a square of the ground: GeoTIFF, 16-bit PNG or a mesh
     Export(ExportArgs),

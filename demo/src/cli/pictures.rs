@@ -1,5 +1,6 @@
 //! Options of the commands that draw globes: `render` and `views`.
 
+use super::climate::ClimateArgs;
 use super::recipe::GrowthArgs;
 use crate::values::{CameraSpec, camera, overlay, size};
 use bevy_pangaea::overlay::Overlay;
@@ -18,6 +19,9 @@ pub struct RenderArgs {
     /// How to grow the planet.
     #[command(flatten)]
     pub growth: GrowthArgs,
+    /// Maps that replace fields of the climate.
+    #[command(flatten)]
+    pub climate: ClimateArgs,
     /// Where the camera stands and looks: degrees, degrees, metres above the sea; heading and pitch
     /// in degrees
     ///

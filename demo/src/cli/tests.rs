@@ -98,6 +98,23 @@ fn squares_in_the_south_and_west_are_accepted_in_both_forms() {
 }
 
 #[test]
+fn maps_are_asked_for_by_their_names() {
+    let line = [
+        "maps",
+        "a.pangaea",
+        "--out",
+        "m",
+        "--overlay",
+        "plates,rain",
+    ];
+    let Some(Command::Maps(args)) = parse(&line).command else {
+        panic!()
+    };
+    assert_eq!(args.overlay, [Overlay::Plates, Overlay::Rain]);
+    assert_eq!(args.size, 2048);
+}
+
+#[test]
 fn the_help_names_every_overlay_and_the_true_defaults() {
     let mut help = Cli::command();
     let render = help.find_subcommand_mut("render").unwrap();

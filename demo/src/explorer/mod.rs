@@ -10,6 +10,7 @@
 //! actions     the clock of the planet, its plates and the selection
 //! messages    the log; event_log writes events of the planet into it
 //! discard     the question before a planet that is not saved goes
+//! saving      files that are to be written of the planet
 //! session     growing, loading and saving planets in the background
 //! capture     pictures of the window
 //! orbit       the geometry of a camera that circles the globe
@@ -42,6 +43,8 @@ mod messages;
 mod event_log;
 
 mod discard;
+
+mod saving;
 
 mod session;
 

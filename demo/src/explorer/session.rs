@@ -7,6 +7,7 @@
 use super::background::Background;
 use super::discard::{DISCARD_QUESTION, Discard, PlanetRevision};
 use super::messages::MessageLog;
+use super::saving::{SaveContent, SaveOutcome, SaveQueue, SaveRequest};
 use super::state::{Action, PresetRead, Selection, ShownPlanet};
 use bevy::prelude::*;
 use bevy_pangaea::io;
@@ -19,16 +20,8 @@ use std::path::{Path, PathBuf};
 #[derive(Resource, Default)]
 pub struct Session {
     job: Option<PlanetJob>,
-    /// Where to save as soon as the planet stands between two steps.
-    save_to: Option<PathBuf>,
-    saving: Option<Saving>,
+    saves: SaveQueue,
     discard: Discard,
-}
-
-/// A save under way: the revision that it holds, and the note when it is written.
-struct Saving {
-    revision: Option<PlanetRevision>,
-    work: Background<String>,
 }
 
 /// A planet or a preset on its way; one at a time.
@@ -46,11 +39,10 @@ enum JobResult {
 impl Session {
     /// The work under way, in words.
     pub fn busy(&self) -> Option<&str> {
-        let saving = self.save_to.is_some() || self.saving.is_some();
         self.job
             .as_ref()
             .map(|job| job.title)
-            .or(saving.then_some("Saving"))
+            .or(self.saves.is_busy().then_some("Saving"))
     }
 
     /// Whether a new planet is on its way.
@@ -83,7 +75,14 @@ pub fn start_jobs(
             Action::Grow(_) | Action::Load(_) | Action::ReadPreset(_) => {
                 start_job(&mut session, &mut messages, action, now);
             }
-            Action::Save(path) => request_save(&mut session, &mut messages, path, now.is_some()),
+            Action::Save(path) => {
+                let request = SaveRequest::new(path, SaveContent::Planet);
+                request_save(&mut session, &mut messages, request, now.is_some());
+            }
+            Action::SaveScenario(path) => {
+                let request = SaveRequest::new(path, SaveContent::Scenario);
+                request_save(&mut session, &mut messages, request, now.is_some());
+            }
             _ => {}
         }
     }
@@ -135,13 +134,19 @@ fn read_preset(path: PathBuf) -> Result<JobResult, String> {
     Ok(JobResult::Preset(Box::new(PresetRead { recipe, path })))
 }
 
-fn request_save(session: &mut Session, messages: &mut MessageLog, path: &Path, has_planet: bool) {
+fn request_save(
+    session: &mut Session,
+    messages: &mut MessageLog,
+    request: SaveRequest,
+    has_planet: bool,
+) {
+    let path = &request.path;
     if !has_planet {
         messages.error(format!("there is no planet to save as {}", path.display()));
     } else if path.as_os_str().is_empty() {
         messages.error("name a file to save the planet to");
     } else {
-        session.save_to = Some(path.to_path_buf());
+        session.saves.ask(request);
     }
 }
 
@@ -221,32 +226,19 @@ fn revision(world: &World, planet: Entity) -> Option<PlanetRevision> {
 
 /// Takes the state for a save when the planet stands between two steps, and hands it to a thread.
 pub fn save_at_boundary(world: &mut World) {
-    let session = world.resource::<Session>();
-    let (Some(planet), Some(path)) = (world.resource::<ShownPlanet>().0, &session.save_to) else {
+    let Some(planet) = world.resource::<ShownPlanet>().0 else {
         return;
     };
-    let path = path.clone();
-    // In the middle of a step the state is torn: a save waits, and one at a time.
+    // In the middle of a step the state is torn: a save waits.
     let between = world
         .get::<StepCursor>(planet)
         .is_some_and(StepCursor::at_boundary);
-    if !between || session.saving.is_some() {
+    if !between || !world.resource::<Session>().saves.is_ready() {
         return;
     }
-    world.resource_mut::<Session>().save_to = None;
-    let Some(state) = io::capture(world, planet) else {
-        let mut messages = world.resource_mut::<MessageLog>();
-        messages.error("the planet cannot be saved now");
-        return;
-    };
-    let saving = Saving {
-        revision: revision(world, planet),
-        work: Background::start(move || {
-            io::save(&state, &path).map_err(text)?;
-            Ok(format!("saved {}", path.display()))
-        }),
-    };
-    world.resource_mut::<Session>().saving = Some(saving);
+    let (state, revision) = (io::capture(world, planet), revision(world, planet));
+    let mut session = world.resource_mut::<Session>();
+    session.saves.begin(state, revision);
 }
 
 /// Says how a save went.
@@ -255,14 +247,9 @@ pub fn finish_save(
     mut messages: ResMut<MessageLog>,
     shown: Res<ShownPlanet>,
 ) {
-    let Some(saving) = session.saving.as_mut() else {
+    let Some(SaveOutcome { revision, result }) = session.saves.take() else {
         return;
     };
-    let Some(result) = saving.work.take() else {
-        return;
-    };
-    let revision = saving.revision;
-    session.saving = None;
     match result {
         Ok(note) => {
             messages.note(note);

@@ -124,6 +124,37 @@ fn a_saved_planet_comes_back() {
 }
 
 #[test]
+fn the_commands_so_far_are_saved_as_a_scenario_and_the_planet_is_not() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("planet.scenario.ron");
+    let (mut app, planet) = grown();
+    let timed = TimedCommand {
+        step: 0,
+        command: TectonicCommand::Resample,
+    };
+    let mut recording = app.world_mut().get_mut::<Recording>(planet).unwrap();
+    recording.0.push(timed.clone());
+    assert_done(&mut app, Action::SaveScenario(path.clone()), "saved");
+    assert_eq!(io::load_scenario(&path).unwrap().0, [timed]);
+    assert_done(&mut app, Action::Grow(recipe()), DISCARD_QUESTION);
+    assert_refused(&mut app, Action::SaveScenario(PathBuf::new()));
+}
+
+#[test]
+fn wishes_to_save_wait_for_each_other() {
+    let folder = TempDir::new().unwrap();
+    let [planet, scenario] = ["a.pangaea", "a.scenario.ron"].map(|name| folder.path().join(name));
+    let (mut app, _) = grown();
+    app.world_mut().write_message(Action::Save(planet.clone()));
+    assert_done(&mut app, Action::SaveScenario(scenario.clone()), "saved");
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while !(planet.exists() && scenario.exists()) {
+        app.update();
+        assert!(Instant::now() < deadline, "a file is missing");
+    }
+}
+
+#[test]
 fn bad_files_are_refused() {
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("planet.pangaea");

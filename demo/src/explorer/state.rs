@@ -32,6 +32,8 @@ pub enum Action {
     Load(PathBuf),
     /// Save the planet at the next step boundary.
     Save(PathBuf),
+    /// Save the commands so far, as a scenario, at the next step boundary.
+    SaveScenario(PathBuf),
     /// Save a picture of the window; without a path under the next free number.
     Screenshot(Option<PathBuf>),
     /// A command to the planet.

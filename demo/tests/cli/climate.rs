@@ -1,7 +1,8 @@
 //! Maps of a user that replace fields of the climate.
 
 use crate::program::{
-    assert_contains, assert_refused_in, pangaea, planet, stderr, succeed_with_input,
+    assert_contains, assert_refused_in, pangaea, pangaea_with_input, planet, small_planet, stderr,
+    succeed, succeed_with_input,
 };
 use std::fs;
 use std::path::Path;
@@ -86,6 +87,61 @@ fn surface(answer: &Output) -> String {
     text.trim().rsplit(',').next().unwrap().into()
 }
 
+/// A folder with two maps of rain, and a planet that was grown with the first.
+fn dry_planet() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    for (name, grey) in [("dry", 10), ("wet", 250)] {
+        grey_map(&folder.path().join(format!("{name}.png")), grey);
+        let scale = folder.path().join(format!("{name}.json"));
+        fs::write(scale, r#"{"min": 0, "max": 4000}"#).unwrap();
+    }
+    small_planet(folder.path(), "a", &["--rain", "dry.png"]);
+    folder
+}
+
+/// Heights and kinds of the ground at 300 points, and what is said on stderr.
+fn ground(folder: &Path, maps: &[&str]) -> (String, String) {
+    let points: Vec<String> = (0..300)
+        .map(|i| format!("{},{}", 60 - i % 120, 3 * (i % 117) - 170))
+        .collect();
+    let args = [&["query", "a/planet.pangaea", "--level", "8"], maps].concat();
+    let output = pangaea_with_input(folder, &args, &points.join("\n"));
+    assert!(output.status.success(), "{}", stderr(&output));
+    let said = stderr(&output);
+    (String::from_utf8(output.stdout).unwrap(), said)
+}
+
+#[test]
+fn a_save_keeps_the_maps_that_it_was_grown_with() {
+    let folder = dry_planet();
+    let (kept, said) = ground(folder.path(), &[]);
+    assert_eq!(said, "");
+    let (repeated, said) = ground(folder.path(), &["--rain", "dry.png"]);
+    assert!(kept == repeated, "the ground is another one");
+    assert_eq!(said, "");
+    let (other, said) = ground(folder.path(), &["--rain", "wet.png"]);
+    assert!(kept != other, "the map that is given counts");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_contains(&said, &["--rain", "replaces"]);
+}
+
+#[test]
+fn info_shows_the_maps_of_a_save() {
+    let folder = dry_planet();
+    let text = succeed(folder.path(), &["info", "a/planet.pangaea"]);
+    let maps: Vec<&str> = text
+        .lines()
+        .filter(|line| line.starts_with("map "))
+        .collect();
+    assert_eq!(maps.len(), 1, "{text}");
+    assert_contains(
+        maps[0],
+        &["rain, 16 x 8 pixels", "0 of them void", "BLAKE3"],
+    );
+    let text = succeed(planet().path(), &["info", "planet.pangaea"]);
+    assert!(!text.lines().any(|line| line.starts_with("map ")), "{text}");
+}
+
 /// Asserts that a command refuses each map that is no climate.
 fn assert_checks_maps(command: &[&str]) {
     let folder = planet();
@@ -111,6 +167,8 @@ fn maps_that_are_no_climate_are_refused_before_anything_grows() {
     assert_checks_maps(&["generate", "--samples", "2000000", "--out", "out"]);
     let square = ["export", "planet.pangaea", "--region", "0,0,10"];
     assert_checks_maps(&[&square[..], &["--out", "a.tif"]].concat());
+    assert_checks_maps(&["maps", "planet.pangaea", "--out", "m"]);
+    assert_checks_maps(&["render", "planet.pangaea", "--out", "a.png"]);
     assert_checks_maps(&["relief", "planet.pangaea", "--json", "r.json"]);
     assert_checks_maps(&["query", "planet.pangaea", "--at", "0,0"]);
 }

@@ -6,6 +6,8 @@
 //! recipes      presets and scenarios
 //! generate     the files of a planet
 //! measures     info and bench
+//! maps         maps of a planet file
+//! scenarios    commands of a planet, written and played again
 //! files        written all or none: what is in the way, what stays
 //! interrupts   signals, and a full disk
 //! pipes        questions and answers through pipes
@@ -25,6 +27,10 @@ mod recipes;
 mod generate;
 
 mod measures;
+
+mod maps;
+
+mod scenarios;
 
 mod files;
 

@@ -54,6 +54,19 @@ fn bad_sizes_and_overlays_are_refused() {
     }
     let args = ["render", "--overlay", "rainbow", "--out", "a.png"];
     assert_refused(&args, &["--overlay", "ocean_age"]);
+    let args = [
+        "maps",
+        "a.pangaea",
+        "--overlay",
+        "plates,rainbow",
+        "--out",
+        "m",
+    ];
+    assert_refused(&args, &["--overlay", "ocean_age"]);
+    for size in ["0", "15", "17", "8194", "1e3", "-64"] {
+        let args = ["maps", "a.pangaea", "--size", size, "--out", "m"];
+        assert_refused(&args, &["--size", "even", "8192"]);
+    }
 }
 
 #[test]
@@ -86,7 +99,10 @@ fn assert_prints(args: &[&str], words: &[&str]) {
 #[test]
 fn help_and_version_go_to_stdout() {
     assert_prints(&["--version"], &["pangaea 0."]);
-    assert_prints(&["--help"], &["generate", "render", "views", "bench"]);
+    assert_prints(
+        &["--help"],
+        &["generate", "maps", "render", "views", "bench"],
+    );
     assert_prints(&["--help"], &["info", "export", "relief", "query"]);
     let words = ["--samples", "60000", "--until", "250", "pangaea-out"];
     assert_prints(&["generate", "--help"], &words);

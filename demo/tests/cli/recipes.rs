@@ -160,9 +160,9 @@ fn a_planet_grows_until_the_time_even_where_a_scenario_changes_the_step() {
 fn commands_after_the_end_are_refused_before_the_planet_grows() {
     let step_of_4 = "SetParam(name: \"time_step\", value: 4)";
     for (first, late, steps) in [
-        ("Resample", 15, "15 steps"),
+        ("Resample", 16, "15 steps"),
         ("Resample", 1000, "15 steps"),
-        (step_of_4, 8, "8 steps"),
+        (step_of_4, 9, "8 steps"),
     ] {
         let text = format!("[(step: 1, command: {first}), (step: {late}, command: Resample)]");
         let folder = with_scenario(&text);

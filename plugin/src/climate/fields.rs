@@ -7,7 +7,8 @@ use super::wetness::{open_water_loss, potential_evaporation, runoff, wetness};
 use super::wind::Winds;
 use crate::parallel;
 use crate::sphere::SphereMesh;
-use bevy::reflect::Reflect;
+use bevy::prelude::*;
+use bevy::reflect::{ReflectDeserialize, ReflectSerialize};
 use core::ops::RangeInclusive;
 
 /// Annual means at every vertex of a mesh.
@@ -26,9 +27,12 @@ pub struct Climate {
     pub open_water_loss: Vec<f32>,
 }
 
-/// Maps that replace fields of the climate, but for their voids: there the field is the planet's
-/// own.
-#[derive(Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
+/// Maps that replace fields of the climate, but for their voids, where the field is the planet's
+/// own: a component of the planet, and part of its state, so that a save holds them.
+#[derive(
+    Component, Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize,
+)]
+#[reflect(Component, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ClimateMaps {
     /// Temperature at the ground in °C, -150..=150.

@@ -199,6 +199,11 @@ impl EquirectMap {
         Self::new(2 * height, height, values)
     }
 
+    /// All values, rows from the top.
+    pub fn values(&self) -> &[f32] {
+        &self.values
+    }
+
     /// Width and height in pixels.
     pub fn size(&self) -> [u32; 2] {
         [self.width, self.height]

@@ -11,6 +11,7 @@
 //! wind          the prevailing winds of six belts, and the point upwind of each vertex
 //! rain          moisture carried along the wind: distance to the sea, uplift, rain shadow
 //! fields        all of them together
+//! by_field      the maps of a user by the field that they replace
 //! ```
 //!
 //! Lengths along the ground are those of an Earth-sized planet ([`EARTH_RADIUS`]): a small planet
@@ -35,6 +36,9 @@ mod rain;
 
 mod fields;
 
+mod by_field;
+
+pub use by_field::ClimateField;
 pub use fields::{Climate, ClimateMaps};
 pub use map::{EquirectMap, MapError};
 pub use scale::EARTH_RADIUS;

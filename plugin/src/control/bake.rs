@@ -82,8 +82,6 @@ pub struct Bake {
 #[derive(Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct BakeRules {
-    /// Maps that replace fields of the climate.
-    pub climate: ClimateMaps,
     /// How the network of rivers is found.
     pub network: RiverNetwork,
     /// Which vertices are rivers.
@@ -114,23 +112,24 @@ impl Bake {
     /// Largest radius in km: on larger planets the water of a year would not fit into 64 bits.
     pub const MAX_RADIUS: f64 = 100_000.0;
 
-    /// Bakes a planet of `radius` km. (Ground there is only for radii of 50 to 10,000 km.)
+    /// Bakes a planet of `radius` km, in whose climate `maps` replace fields. (Ground there is only
+    /// for radii of 50 to 10,000 km.)
     ///
     /// # Errors
     /// [`BakeError::Radius`], and [`BakeError::Map`] for maps with values out of range.
     ///
     /// ```
-    /// use bevy_pangaea::climate::EquirectMap;
+    /// use bevy_pangaea::climate::{ClimateMaps, EquirectMap};
     /// use bevy_pangaea::control::{Bake, BakeFrame, BakeRules, BakeSource};
     /// use bevy_pangaea::hydrology::TerrainMaps;
     /// use std::sync::Arc;
     ///
     /// // A coarse planet of a user's map: land in the north, sea in the south.
     /// let crust = EquirectMap::from_fn(32, |lat, _| lat as f32 / 60.0)?;
-    /// let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
+    /// let terrain = TerrainMaps { crust, age: None, plateau: None, hills: None };
     /// let frame = Arc::new(BakeFrame::new(1, 0.06, None)?);
-    /// let bake =
-    ///     Bake::new(&frame, 6370.0, &BakeSource::Maps(&maps), &BakeRules::default())?;
+    /// let (source, rules) = (BakeSource::Maps(&terrain), BakeRules::default());
+    /// let bake = Bake::new(&frame, 6370.0, &source, &ClimateMaps::default(), &rules)?;
     /// assert_eq!(bake.control.vertices.len(), bake.mesh().len());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -138,20 +137,21 @@ impl Bake {
         frame: &Arc<BakeFrame>,
         radius: f64,
         source: &BakeSource,
+        maps: &ClimateMaps,
         rules: &BakeRules,
     ) -> Result<Self, BakeError> {
         if !(radius > 0.0 && radius <= Self::MAX_RADIUS) {
             return Err(BakeError::Radius(radius));
         }
         // Maps come from users: refused before anything is built on them.
-        rules.climate.check()?;
-        if let BakeSource::Maps(maps) = source {
-            maps.check()?;
+        maps.check()?;
+        if let BakeSource::Maps(terrain) = source {
+            terrain.check()?;
         }
         let base = &frame.base;
         let terrain = source.terrain(frame);
         let elevation = terrain.elevation_km();
-        let climate = Climate::new(&base.mesh, &base.winds, &elevation, &rules.climate);
+        let climate = Climate::new(&base.mesh, &base.winds, &elevation, maps);
         let drainage = Drainage::new(base, radius, &terrain, &climate, rules.network);
         let control = control_mesh(&ControlInput {
             mesh: &base.mesh,

@@ -29,22 +29,18 @@ fn bake(
     radius: f64,
     maps: &TerrainMaps,
     spacing: f64,
-    rules: &BakeRules,
+    climate: &ClimateMaps,
 ) -> Result<Bake, BakeError> {
     let frame = Arc::new(BakeFrame::new(1, spacing, None).unwrap());
-    Bake::new(&frame, radius, &BakeSource::Maps(maps), rules)
+    let source = BakeSource::Maps(maps);
+    Bake::new(&frame, radius, &source, climate, &BakeRules::default())
 }
 
 fn rough(seed: u64, spacing: f64) -> Bake {
     let frame = Arc::new(BakeFrame::new(seed, spacing, None).unwrap());
-    let maps = maps(seed);
-    Bake::new(
-        &frame,
-        6370.0,
-        &BakeSource::Maps(&maps),
-        &BakeRules::default(),
-    )
-    .unwrap()
+    let (terrain, own) = (maps(seed), ClimateMaps::default());
+    let source = BakeSource::Maps(&terrain);
+    Bake::new(&frame, 6370.0, &source, &own, &BakeRules::default()).unwrap()
 }
 
 #[test]
@@ -144,7 +140,7 @@ fn a_bake_is_the_same_on_any_number_of_threads() {
 #[test]
 fn planets_without_a_size_are_not_baked() {
     for radius in [0.0, -6370.0, f64::NAN, f64::INFINITY, 1e6] {
-        let refused = bake(radius, &maps(1), 0.2, &BakeRules::default()).map(|_| ());
+        let refused = bake(radius, &maps(1), 0.2, &ClimateMaps::default()).map(|_| ());
         assert!(matches!(refused, Err(BakeError::Radius(_))), "{radius}");
     }
 }
@@ -152,14 +148,11 @@ fn planets_without_a_size_are_not_baked() {
 #[test]
 fn maps_out_of_range_are_not_baked() {
     let metres = maps_of(|lat, _| (100.0 * lat) as f32);
-    let refused = bake(6370.0, &metres, 0.2, &BakeRules::default()).map(|_| ());
+    let refused = bake(6370.0, &metres, 0.2, &ClimateMaps::default()).map(|_| ());
     assert!(matches!(refused, Err(BakeError::Map(_))));
-    let negative = BakeRules {
-        climate: ClimateMaps {
-            rain: EquirectMap::from_fn(8, |_, _| -1.0).ok(),
-            ..ClimateMaps::default()
-        },
-        ..BakeRules::default()
+    let negative = ClimateMaps {
+        rain: EquirectMap::from_fn(8, |_, _| -1.0).ok(),
+        ..ClimateMaps::default()
     };
     let refused = bake(6370.0, &maps(1), 0.2, &negative).map(|_| ());
     assert!(matches!(refused, Err(BakeError::Map(_))));
@@ -175,7 +168,7 @@ fn planets_that_are_too_small_or_too_large_have_drainage_but_no_ground() {
         (10_001.0, false),
         (1e5, false),
     ] {
-        let bake = bake(radius, &maps(2), 0.08, &BakeRules::default()).unwrap();
+        let bake = bake(radius, &maps(2), 0.08, &ClimateMaps::default()).unwrap();
         let ground = PlanetGround::of_bake(&bake, Rules::default());
         assert_eq!(ground.is_ok(), has_ground, "{radius} km");
     }

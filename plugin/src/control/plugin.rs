@@ -1,13 +1,14 @@
 //! A bake that follows a running planet in the background.
 //!
-//! A planet with [`BakeSettings`] is baked whenever its [`PlanetSurface`] has changed and no bake
-//! of it is under way. Bakes run on a thread pool of their own: they share the processors with the
-//! simulation, but a frame never waits for them. The finished bake is the component [`PlanetBake`],
-//! and [`BakeFinished`] is triggered on the planet. The planet's state and its digest are not
-//! touched.
+//! A planet with [`BakeSettings`] is baked whenever its [`PlanetSurface`], its [`ClimateMaps`] or
+//! the settings have changed and no bake of it is under way. Bakes run on a thread pool of their
+//! own: they share the processors with the simulation, but a frame never waits for them. The
+//! finished bake is the component [`PlanetBake`], and [`BakeFinished`] is triggered on the planet.
+//! The planet's state and its digest are not touched.
 
 use super::bake::{Bake, BakeError, BakeFrame, BakeSource};
 use super::settings::BakeSettings;
+use crate::climate::ClimateMaps;
 use crate::crust::{PlanetSurface, Surface};
 use crate::planet::{Lattice, Planet};
 use crate::sphere::SphereMesh;
@@ -31,16 +32,25 @@ impl Plugin for BakePlugin {
 #[reflect(Component, Clone)]
 pub struct PlanetBake(pub Arc<Bake>);
 
+/// All but the planet and its surface that a bake follows from.
+#[derive(Clone, Default)]
+struct BakeWish {
+    settings: BakeSettings,
+    maps: ClimateMaps,
+}
+
+impl BakeWish {
+    fn asks_for_the_same(&self, other: &Self) -> bool {
+        self.settings.asks_for_the_same(&other.settings) && self.maps == other.maps
+    }
+}
+
 /// Bakes a planet as its [`Surface`] is now, and waits for it: for tools and tests. Uses its
-/// [`BakeSettings`], or the default ones.
+/// [`BakeSettings`], or the default ones, and its [`ClimateMaps`].
 ///
 /// # Errors
 /// [`BakeError`] for settings that no bake can have; the planet keeps its last one.
 pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
-    let settings = world
-        .get::<BakeSettings>(planet)
-        .cloned()
-        .unwrap_or_default();
     let Ok(entity) = world.get_entity(planet) else {
         return Ok(());
     };
@@ -49,9 +59,13 @@ pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
     else {
         return Ok(());
     };
-    settings.check()?;
-    let frame = reusable(entity.get::<PlanetBake>(), own, lattice, &settings);
-    let bake = bake(frame, own, &lattice.0, surface, &settings)?;
+    let wish = BakeWish {
+        settings: entity.get().cloned().unwrap_or_default(),
+        maps: entity.get().cloned().unwrap_or_default(),
+    };
+    wish.settings.check()?;
+    let frame = reusable(entity.get::<PlanetBake>(), own, lattice, &wish.settings);
+    let bake = bake(frame, own, &lattice.0, surface, &wish)?;
     world.entity_mut(planet).insert(PlanetBake(Arc::new(bake)));
     Ok(())
 }
@@ -62,13 +76,13 @@ fn bake(
     planet: &Planet,
     lattice: &SphereMesh,
     surface: &Surface,
-    settings: &BakeSettings,
+    wish: &BakeWish,
 ) -> Result<Bake, BakeError> {
     let frame = match frame {
         Some(frame) => frame,
         None => Arc::new(BakeFrame::new(
             planet.seed,
-            settings.spacing,
+            wish.settings.spacing,
             Some(lattice),
         )?),
     };
@@ -76,7 +90,8 @@ fn bake(
         &frame,
         planet.radius,
         &BakeSource::Surface(surface),
-        &settings.rules,
+        &wish.maps,
+        &wish.settings.rules,
     )
 }
 
@@ -127,12 +142,12 @@ struct BakeOutcome {
     milliseconds: f64,
 }
 
-/// The surface and settings of a planet's last bake, so that a failure is not tried again and
+/// The surface and the wish of a planet's last bake, so that a failure is not tried again and
 /// again.
 #[derive(Component)]
 struct Baked {
     version: u64,
-    settings: BakeSettings,
+    wish: BakeWish,
 }
 
 /// The pool of all bakes: two threads, or the half of a large machine's.
@@ -156,21 +171,29 @@ struct BakeQuery {
     lattice: &'static Lattice,
     surface: &'static PlanetSurface,
     settings: &'static BakeSettings,
+    maps: &'static ClimateMaps,
     last: Option<&'static PlanetBake>,
     baked: Option<&'static Baked>,
 }
 
 impl BakeQueryItem<'_, '_> {
-    /// Whether the surface was baked, or refused, with the same settings.
+    fn wish(&self) -> BakeWish {
+        BakeWish {
+            settings: self.settings.clone(),
+            maps: self.maps.clone(),
+        }
+    }
+
+    /// Whether the surface was baked, or refused, with the same wish.
     fn is_done(&self) -> bool {
-        self.same_settings()
+        self.same_wish()
             .is_some_and(|baked| baked.version == self.surface.version)
     }
 
-    /// The last attempt, if it had the same settings.
-    fn same_settings(&self) -> Option<&Baked> {
+    /// The last attempt, if it followed from the same wish.
+    fn same_wish(&self) -> Option<&Baked> {
         self.baked
-            .filter(|baked| baked.settings.asks_for_the_same(self.settings))
+            .filter(|baked| baked.wish.asks_for_the_same(&self.wish()))
     }
 
     /// Starts a job on a pool. It takes copies along: the planet may change or go meanwhile.
@@ -181,12 +204,12 @@ impl BakeQueryItem<'_, '_> {
         let planet = *self.planet;
         let lattice = self.lattice.0.clone();
         let surface = self.surface.0.clone();
-        let settings = self.settings.clone();
+        let wish = self.wish();
         let slot = Arc::new(Mutex::new(None));
         let result = slot.clone();
         pool.spawn(move || {
             let began = std::time::Instant::now();
-            let bake = bake(frame, &planet, &lattice, &surface, &settings);
+            let bake = bake(frame, &planet, &lattice, &surface, &wish);
             let milliseconds = began.elapsed().as_secs_f64() * 1e3;
             if let Ok(mut slot) = result.lock() {
                 *slot = Some(BakeOutcome { bake, milliseconds });
@@ -207,11 +230,11 @@ fn start(mut commands: Commands, planets: Query<(Entity, BakeQuery), Without<Bak
         }
         let attempt = Baked {
             version: planet.surface.version,
-            settings: planet.settings.clone(),
+            wish: planet.wish(),
         };
         if let Err(error) = planet.settings.check() {
             // Told once, not at every new surface.
-            if planet.same_settings().is_none() {
+            if planet.same_wish().is_none() {
                 warn!("the planet is not baked: {error}");
                 commands.entity(entity).insert(attempt);
             }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::climate::EquirectMap;
 use crate::plate::PlateId;
 
 /// A surface of 500 samples without crust.
@@ -34,4 +35,18 @@ fn a_planet_that_cannot_be_baked_is_refused_once() {
     }
     let refused = bake_now(app.world_mut(), planet);
     assert!(matches!(refused, Err(BakeError::Spacing(_))));
+}
+
+#[test]
+fn another_map_of_the_climate_asks_for_another_bake() {
+    let rain = |height| BakeWish {
+        maps: ClimateMaps {
+            rain: EquirectMap::from_fn(height, |_, _| 900.0).ok(),
+            ..ClimateMaps::default()
+        },
+        ..BakeWish::default()
+    };
+    let none = BakeWish::default();
+    assert!(none.asks_for_the_same(&none) && rain(4).asks_for_the_same(&rain(4)));
+    assert!(!rain(4).asks_for_the_same(&rain(5)) && !rain(4).asks_for_the_same(&none));
 }

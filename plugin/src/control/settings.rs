@@ -1,11 +1,13 @@
 //! The settings of a planet's bakes.
 
 use super::bake::{BakeError, BakeRules};
+use crate::climate::ClimateMaps;
 use crate::hydrology::BASE_SPACING;
 use bevy::prelude::*;
 use bevy::reflect::{ReflectDeserialize, ReflectSerialize};
 
-/// Asks for bakes of a planet, and says how.
+/// Asks for bakes of a planet, and says how. Maps that replace fields of the climate are the
+/// planet's own [`ClimateMaps`].
 ///
 /// ```
 /// use bevy::prelude::*;
@@ -21,11 +23,12 @@ use bevy::reflect::{ReflectDeserialize, ReflectSerialize};
 /// ```
 #[derive(Component, Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[reflect(Component, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[require(ClimateMaps)]
 #[serde(default, deny_unknown_fields)]
 pub struct BakeSettings {
     /// Smallest distance of the base mesh's vertices in radians.
     pub spacing: f64,
-    /// Maps, network and rivers.
+    /// Network and rivers.
     pub rules: BakeRules,
 }
 
@@ -46,16 +49,11 @@ impl BakeSettings {
     /// Whether both ask for the same bake. Numbers are compared by their bits: NaN never equals
     /// itself, and the planet would be baked for ever.
     pub(super) fn asks_for_the_same(&self, other: &Self) -> bool {
-        let BakeRules {
-            climate,
-            network,
-            rivers,
-        } = &self.rules;
+        let BakeRules { network, rivers } = &self.rules;
         self.spacing.to_bits() == other.spacing.to_bits()
             && rivers.discharge.to_bits() == other.rules.rivers.discharge.to_bits()
             && rivers.order == other.rules.rivers.order
             && *network == other.rules.network
-            && *climate == other.rules.climate
     }
 }
 

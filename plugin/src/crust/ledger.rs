@@ -14,7 +14,8 @@ use serde::{Deserialize, Serialize};
 
 named_enum! {
     /// Why continental crust grew or shrank. The list is closed but for [`Custom`](Self::Custom):
-    /// resampling is no cause. Names are those of files.
+    /// resampling is no cause. Names are those of files; saves know causes by their place, so that
+    /// new ones come last.
     #[derive(Serialize, Deserialize)]
     pub enum Cause {
         /// Ocean crust of an overriding plate rose above the sea and became land.

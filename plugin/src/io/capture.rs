@@ -1,6 +1,7 @@
 //! From a planet in a world to its state.
 
 use crate::authoring::{Inbox, Recording, Scenario, TimedCommand};
+use crate::climate::ClimateMaps;
 use crate::crust::{Crust, Frames, Ledger};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlateNumbers};
@@ -56,6 +57,7 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
         pending: pending(entity)?,
         polarity: entity.get::<PolarityMemory>()?.clone(),
         fronts: entity.get::<FrontField>()?.clone(),
+        climate: entity.get::<ClimateMaps>().cloned().unwrap_or_default(),
     })
 }
 

@@ -61,6 +61,11 @@ impl<'a> Decoder<'a> {
         Ok(*taken)
     }
 
+    /// Four letters.
+    pub(super) fn tag(&mut self) -> Result<[u8; 4], SaveError> {
+        self.array()
+    }
+
     pub(super) fn u8(&mut self) -> Result<u8, SaveError> {
         Ok(u8::from_le_bytes(self.array()?))
     }

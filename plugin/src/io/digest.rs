@@ -1,9 +1,16 @@
 //! One hash over all state: two planets are the same, to the last bit, if their digests are.
 
-use super::save::write_hashed;
+use super::save::MAGIC;
+use super::sections;
+use crate::climate::{ClimateMaps, EquirectMap};
 use crate::spawn::PlanetState;
 
-/// The digest of a planet: the BLAKE3 hash of its save file in hexadecimal digits.
+/// The version of the format that digests begin with, the one in which they were first given: a
+/// planet keeps its digest when the format goes on.
+const BEGINNING: u32 = 3;
+
+/// The digest of a planet in hexadecimal digits: the BLAKE3 hash of all its state, as a save holds
+/// it but for the compression of maps.
 ///
 /// ```
 /// use bevy_pangaea::{io, prelude::*, spawn::PlanetState};
@@ -17,7 +24,51 @@ use crate::spawn::PlanetState;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn digest(state: &PlanetState) -> String {
-    // A sink takes everything: there is no error to report.
-    write_hashed(state, &mut std::io::sink())
-        .map_or_else(|_| String::new(), |hash| hash.to_hex().to_string())
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(MAGIC);
+    hasher.update(&BEGINNING.to_le_bytes());
+    for (tag, content) in sections::encode(state) {
+        hasher.update(&tag);
+        hasher.update(&(content.len() as u64).to_le_bytes());
+        hasher.update(&content);
+    }
+    add_maps(&mut hasher, &state.climate);
+    hasher.finalize().to_hex().to_string()
+}
+
+/// The digest of a map in hexadecimal digits: the BLAKE3 hash of its size and the bits of its
+/// values.
+///
+/// ```
+/// use bevy_pangaea::{climate::EquirectMap, io};
+///
+/// let dry = EquirectMap::from_fn(4, |_, _| 50.0)?;
+/// let same = EquirectMap::new(8, 4, vec![50.0; 32])?;
+/// assert_eq!(io::map_digest(&dry), io::map_digest(&same));
+/// # Ok::<(), bevy_pangaea::climate::MapError>(())
+/// ```
+pub fn map_digest(map: &EquirectMap) -> String {
+    map_hash(map).to_hex().to_string()
+}
+
+fn add_maps(hasher: &mut blake3::Hasher, maps: &ClimateMaps) {
+    for (field, map) in maps.iter() {
+        hasher.update(field.name().as_bytes());
+        hasher.update(map_hash(map).as_bytes());
+    }
+}
+
+fn map_hash(map: &EquirectMap) -> blake3::Hash {
+    let mut hasher = blake3::Hasher::new();
+    for side in map.size() {
+        hasher.update(&side.to_le_bytes());
+    }
+    // Values go in by rows: the hash is slow with few bytes at a time.
+    let mut row = Vec::new();
+    for values in map.values().chunks(map.size()[0] as usize) {
+        row.clear();
+        row.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+        hasher.update(&row);
+    }
+    hasher.finalize()
 }

@@ -142,14 +142,33 @@ pub enum SaveError {
     NotASave,
     /// The file was written in another version of the format.
     #[error(
-        "format version {found} is {}; this program reads version {supported}",
-        age(*found, *supported)
+        "format version {found} is {}; this program reads versions {oldest} to {newest}",
+        age(*found, *newest)
     )]
     Version {
         /// The file's version.
         found: u32,
-        /// The version that this program reads.
-        supported: u32,
+        /// The oldest version that this program reads.
+        oldest: u32,
+        /// The newest version that it reads, and the one that it writes.
+        newest: u32,
+    },
+    /// The file holds something that this program does not know, and without which the planet would
+    /// be another one.
+    #[error("unknown {what} `{}`: a newer program wrote the file", name.escape_debug())]
+    Unknown {
+        /// The kind of thing.
+        what: &'static str,
+        /// Its name in the file.
+        name: String,
+    },
+    /// The maps of the planet's climate have more pixels than a save holds.
+    #[error("the maps of the climate have {pixels} pixels together; a save holds {max}")]
+    TooLarge {
+        /// Pixels of all maps.
+        pixels: u64,
+        /// The most pixels.
+        max: u64,
     },
     /// The file ends too early.
     #[error("the file is cut short")]
@@ -162,14 +181,23 @@ pub enum SaveError {
     Invalid(String),
 }
 
+impl SaveError {
+    pub(super) fn unknown(what: &'static str, name: &str) -> Self {
+        Self::Unknown {
+            what,
+            name: name.to_string(),
+        }
+    }
+}
+
 impl From<ColumnError> for SaveError {
     fn from(error: ColumnError) -> Self {
         Self::Invalid(error.to_string())
     }
 }
 
-fn age(found: u32, supported: u32) -> &'static str {
-    if found > supported {
+fn age(found: u32, newest: u32) -> &'static str {
+    if found > newest {
         "newer than this program"
     } else {
         "no longer supported"

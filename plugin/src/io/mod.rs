@@ -4,6 +4,7 @@
 //! error      why a file could not be read or written
 //! files      writing whole or not at all
 //! codec      numbers and texts in bytes
+//! planes     maps in few bytes
 //! sections   the parts of a save
 //! save       *.pangaea: all state of a planet, checksummed
 //! digest     one hash over all state
@@ -27,6 +28,8 @@ mod error;
 mod files;
 
 mod codec;
+
+mod planes;
 
 mod sections;
 
@@ -62,7 +65,7 @@ mod maps;
 pub use capture::capture;
 #[cfg(feature = "dem")]
 pub use dem::{Dem, DemError, dem_files, load_dem};
-pub use digest::digest;
+pub use digest::{digest, map_digest};
 pub use error::{IoError, SaveError};
 #[cfg(feature = "export")]
 pub use export::{ExportError, export};
@@ -71,7 +74,7 @@ pub use files::{MarkedJson, Output, check_outputs, is_marked, write_all, write_a
 pub use maps::{MapFileError, load_map};
 pub use preset::{PlanetPreset, PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{load, save};
-pub use scenario::load_scenario;
+pub use scenario::{load_scenario, save_scenario};
 #[cfg(any(feature = "dem", feature = "export"))]
 pub use sidecar::Sidecar;
 pub use stats::{Stats, Timings};

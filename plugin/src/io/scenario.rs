@@ -9,9 +9,11 @@
 //! ]
 //! ```
 
-use super::IoError;
 use super::text::{TextError, parse, read_text};
+use super::{IoError, write_atomically};
 use crate::authoring::{Scenario, TimedCommand};
+use crate::spawn::PlanetState;
+use ron::ser::PrettyConfig;
 use std::path::Path;
 
 /// Reads a scenario and checks all that needs no planet: names, limits and coordinates.
@@ -46,6 +48,55 @@ pub fn parse_scenario(text: &str) -> Result<Scenario, TextError> {
 /// [`IoError`] names the file and, where there is one, the line.
 pub fn load_scenario(path: &Path) -> Result<Scenario, IoError> {
     parse_scenario(&read_text(path)?).map_err(|error| error.in_file(path))
+}
+
+/// All commands of a planet as the text of a scenario: those that were carried out, then those that
+/// are still to come.
+///
+/// Played on the recipe of the planet for as many steps, it gives the same planet to the last bit.
+/// Commands of a planet that rests at its last step are due after that step.
+///
+/// ```
+/// use bevy_pangaea::io::scenario::{parse_scenario, scenario_of};
+/// use bevy_pangaea::prelude::*;
+///
+/// let recipe = PlanetRecipe { samples: 500, plate_count: 8, ..PlanetRecipe::default() };
+/// let mut planet = PlanetState::new(&recipe)?;
+/// let timed = TimedCommand { step: 0, command: TectonicCommand::Resample };
+/// planet.recording.0.push(timed.clone());
+///
+/// let text = scenario_of(&planet);
+/// assert!(text.contains("(step: 0, command: Resample),"));
+/// assert_eq!(parse_scenario(&text)?.0, [timed]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn scenario_of(state: &PlanetState) -> String {
+    let commands: Vec<&TimedCommand> = (state.recording.0.iter()).chain(&state.pending.0).collect();
+    // A command is a line.
+    let style = PrettyConfig::new().depth_limit(1);
+    // Plain lists of numbers and names always have a text.
+    let list = ron::ser::to_string_pretty(&commands, style).unwrap_or_default();
+    format!("{}{list}\n", head(state))
+}
+
+/// The planet that the commands belong to, as a comment.
+fn head(state: &PlanetState) -> String {
+    let (clock, seed) = (&state.clock, state.planet.seed);
+    let samples = state.lattice.0.len();
+    format!(
+        "// The commands of a planet of seed {seed} and {samples} samples after {} My, {} steps.\n\
+         // Played on the same recipe for as long, they give the same planet.\n",
+        clock.time, clock.step
+    )
+}
+
+/// Writes all commands of a planet as a scenario, whole or not at all; see [`scenario_of`].
+///
+/// # Errors
+/// [`IoError::Write`]; an older file of that name is untouched then.
+pub fn save_scenario(state: &PlanetState, path: &Path) -> Result<(), IoError> {
+    let text = scenario_of(state);
+    write_atomically(path, |out| out.write_all(text.as_bytes()))
 }
 
 #[cfg(test)]

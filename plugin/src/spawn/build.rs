@@ -4,6 +4,7 @@ use super::events::{PlanetFailed, PlanetReady};
 use super::prepare::PreparedPlanet;
 use super::state::PlanetState;
 use crate::authoring::Inbox;
+use crate::climate::ClimateMaps;
 use crate::parallel;
 use crate::planet::{PlanetError, PlanetRecipe};
 use bevy::prelude::*;
@@ -32,7 +33,8 @@ impl PlanetState {
     }
 }
 
-/// Builds a planet on every entity that gets a [`PlanetRecipe`].
+/// Builds a planet on every entity that gets a [`PlanetRecipe`]. Where there are [`ClimateMaps`] on
+/// it already, they are those of the planet.
 ///
 /// The planet is built on [`AsyncComputeTaskPool`], by threads of its own for the parallel parts,
 /// and put onto its entity in [`PreUpdate`], in the frame in which it is found ready.
@@ -78,7 +80,13 @@ fn finish(world: &mut World, tasks: &mut QueryState<(Entity, &mut PlanetTask)>) 
     while let Some((planet, built)) = next_built(world, tasks) {
         world.entity_mut(planet).remove::<PlanetTask>();
         match built {
-            Ok(prepared) => enter(world, planet, prepared),
+            Ok(mut prepared) => {
+                // A recipe says nothing of maps: those that the game gave stay.
+                if let Some(maps) = world.get::<ClimateMaps>(planet) {
+                    prepared.set_climate(maps.clone());
+                }
+                enter(world, planet, prepared);
+            }
             Err(error) => {
                 error!("there is no planet of this recipe: {error}");
                 world.trigger(PlanetFailed { planet, error });

@@ -3,6 +3,7 @@
 
 use super::state::PlanetState;
 use crate::authoring::{Inbox, Recording, Scenario};
+use crate::climate::ClimateMaps;
 use crate::crust::{Crust, Frames, Ledger, PlanetSurface};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlateNumbers};
@@ -35,6 +36,7 @@ struct StateBundle {
     recording: Recording,
     polarity: PolarityMemory,
     fronts: FrontField,
+    climate: ClimateMaps,
 }
 
 /// All that follows from the state or is worked on in time slices: never saved.
@@ -79,6 +81,7 @@ impl PlanetState {
             recording: self.recording,
             polarity: self.polarity,
             fronts: self.fronts,
+            climate: self.climate,
         };
         let (caches, progress) = (CacheBundle::default(), ProgressBundle::default());
         let mut world = World::new();
@@ -114,6 +117,11 @@ fn find_caches(world: &mut World, planet: Entity) {
 }
 
 impl PreparedPlanet {
+    /// Gives the planet maps that replace fields of its climate.
+    pub(super) fn set_climate(&mut self, maps: ClimateMaps) {
+        self.world.entity_mut(self.planet).insert(maps);
+    }
+
     /// Moves the planet onto an entity of another world, in place of the planet that it may have
     /// been. Returns whether the entity is there to take it.
     pub(super) fn insert(mut self, world: &mut World, planet: Entity) -> bool {

@@ -1,6 +1,7 @@
 //! The state of a planet, before it is in a world.
 
 use crate::authoring::{Recording, Scenario};
+use crate::climate::ClimateMaps;
 use crate::crust::{Crust, Frame, Frames, Ledger, ledger};
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe, PlateNumbers};
@@ -44,6 +45,8 @@ pub struct PlanetState {
     pub polarity: PolarityMemory,
     /// Distances to fronts.
     pub fronts: FrontField,
+    /// Maps that replace fields of the climate.
+    pub climate: ClimateMaps,
 }
 
 impl PlanetState {
@@ -97,6 +100,7 @@ impl PlanetState {
             recording: Recording::default(),
             pending: Scenario::default(),
             polarity: PolarityMemory::default(),
+            climate: ClimateMaps::default(),
         })
     }
 }

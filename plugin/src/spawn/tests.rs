@@ -3,6 +3,7 @@
 use super::*;
 use crate::PangaeaPlugins;
 use crate::authoring::{Recording, TectonicCommand, TectonicCommandsExt};
+use crate::climate::{ClimateMaps, EquirectMap};
 use crate::crust::{Crust, PlanetSurface};
 use crate::io;
 use crate::planet::{ClockControls, GeologicClock, Planet, PlanetRecipe};
@@ -115,6 +116,27 @@ fn commands_wait_for_the_planet() {
     app.update();
     let recording = app.world().get::<Recording>(planet).unwrap();
     assert_eq!(recording.0[0].command, TectonicCommand::Resample);
+}
+
+#[test]
+fn maps_that_a_game_gives_stay_with_a_recipe_and_go_with_a_state() {
+    let mut app = app();
+    let given = ClimateMaps {
+        rain: EquirectMap::from_fn(4, |_, _| 900.0).ok(),
+        ..default()
+    };
+    let planet = app
+        .world_mut()
+        .spawn((recipe(6), still(), given.clone()))
+        .id();
+    wait(&mut app, 1, 0);
+    assert_eq!(app.world().get::<ClimateMaps>(planet), Some(&given));
+    assert_eq!(io::capture(app.world(), planet).unwrap().climate, given);
+
+    let state = PlanetState::new(&recipe(7)).unwrap();
+    state.insert(app.world_mut(), planet);
+    let own = ClimateMaps::default();
+    assert_eq!(app.world().get::<ClimateMaps>(planet), Some(&own));
 }
 
 #[test]

@@ -52,6 +52,11 @@ impl PlanetForm {
         PathBuf::from(self.file.trim())
     }
 
+    /// The file beside it for the commands of the planet.
+    fn scenario_file(&self) -> PathBuf {
+        self.file().with_extension("scenario.ron")
+    }
+
     /// Forgets the plates, continents and parameters of a preset.
     fn forget_preset(&mut self) {
         let PlanetRecipe { seed, samples, .. } = self.recipe;
@@ -195,6 +200,15 @@ fn files(
             ui.label(busy.color(ACCENT));
         }
     });
+    let scenario = form.scenario_file();
+    let button = Button::new("Save as scenario");
+    let button = ui.add_enabled(has_planet, button).on_hover_text(format!(
+        "Writes the commands so far to {}; played on the same recipe, they give the same planet",
+        scenario.display()
+    ));
+    if button.clicked() {
+        out.ask(Action::SaveScenario(scenario));
+    }
 }
 
 fn picture(ui: &mut Ui, form: &mut PlanetForm, out: &mut Outbox) {

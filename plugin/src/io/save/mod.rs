@@ -3,33 +3,52 @@
 //! ```text
 //! 8 bytes     magic
 //! u32         format version
-//! sections    tag (4 letters), length (u64), content; all present, in a fixed order
+//! sections    tag (4 letters), length (u64), content
 //! 32 bytes    BLAKE3 hash of everything before
 //! ```
 //! All numbers are little-endian. Fibonacci samples are not stored, they are made again from their
 //! number. Neither the wall clock nor the speed and pauses of the geological clock are state: equal
 //! planets give equal files.
+//!
+//! # Older and newer files
+//!
+//! The format is made to outlive additions to the model:
+//!
+//! - Sections are known by their tags, a column of the crust has one each. A section that a program
+//!   does not know is passed over where its tag begins with a small letter (`note`), and refused by
+//!   name where it begins with a capital (`NOTE`): without it the planet would be another one.
+//! - Parameters and switches of processes are known by their names. One that the file lacks has its
+//!   default, and must be within its limits like any other; one that the program does not know
+//!   refuses the file by name.
+//! - Causes of the ledger are known by their place: new ones come last.
+//! - The version counts changes that older programs could not read right. Version 4 added the
+//!   section `CLIM`: the maps that replace fields of the climate, compressed without loss, together
+//!   at most 2^29 pixels. Version 3 is still read; older ones are not.
 
 use super::codec::Decoder;
-use super::sections;
+use super::sections::{self, Tag};
 use super::{IoError, SaveError, write_atomically};
+use crate::climate::ClimateMaps;
 use crate::spawn::PlanetState;
-use std::fs;
-use std::io::{self, Write};
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
 use std::path::Path;
 
-const MAGIC: &[u8; 8] = b"PANGAEA\x1a";
+pub(super) const MAGIC: &[u8; 8] = b"PANGAEA\x1a";
 
-/// The version of the format that this program writes and reads.
-pub const VERSION: u32 = 3;
+/// The version of the format that this program writes, and the newest that it reads.
+pub const VERSION: u32 = 4;
+
+/// The oldest version of the format that this program reads.
+pub const OLDEST_VERSION: u32 = 3;
 
 /// Bytes of magic and version.
 const HEADER_BYTES: usize = 12;
 /// Bytes of the hash at the end.
 const HASH_BYTES: usize = 32;
 
-/// Larger files hold no planet: two million samples take 140 MB.
-const MAX_FILE_BYTES: u64 = 1 << 30;
+/// Larger files hold no planet: two million samples take 140 MB, the largest maps 2 GiB.
+const MAX_FILE_BYTES: u64 = 3 << 30;
 
 /// Passes bytes on, and hashes them.
 struct Hashing<W> {
@@ -42,56 +61,63 @@ impl<W: Write> Hashing<W> {
         self.hasher.update(bytes);
         self.out.write_all(bytes)
     }
+
+    fn put_section(&mut self, (tag, content): (Tag, Vec<u8>)) -> io::Result<()> {
+        self.put(&tag)?;
+        self.put(&(content.len() as u64).to_le_bytes())?;
+        self.put(&content)
+    }
+}
+
+/// Refuses maps that no save can hold, so that it is known before a planet grows.
+///
+/// # Errors
+/// [`SaveError::TooLarge`].
+pub fn check_maps(maps: &ClimateMaps) -> Result<(), SaveError> {
+    sections::check_pixels(maps)
 }
 
 /// Writes a planet. Equal state gives equal bytes.
 ///
 /// # Errors
-/// The error of `out`.
+/// The error of `out`, or [`io::ErrorKind::InvalidInput`] with a [`SaveError`] for maps that
+/// [`check_maps`] refuses.
 pub fn write_to(state: &PlanetState, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
-    write_hashed(state, out).map(|_| ())
-}
-
-/// Writes a planet and returns its hash.
-pub(super) fn write_hashed(
-    state: &PlanetState,
-    out: &mut (impl Write + ?Sized),
-) -> io::Result<blake3::Hash> {
+    check_maps(&state.climate)
+        .map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
     let mut out = Hashing {
         out,
         hasher: blake3::Hasher::new(),
     };
     out.put(MAGIC)?;
     out.put(&VERSION.to_le_bytes())?;
-    for (tag, content) in sections::encode(state) {
-        out.put(tag)?;
-        out.put(&(content.len() as u64).to_le_bytes())?;
-        out.put(&content)?;
+    for section in sections::encode(state) {
+        out.put_section(section)?;
+    }
+    if let Some(section) = sections::encode_climate(&state.climate) {
+        out.put_section(section)?;
     }
     // The hash is not part of what it covers.
     let hash = out.hasher.finalize();
-    out.out.write_all(hash.as_bytes())?;
-    Ok(hash)
+    out.out.write_all(hash.as_bytes())
 }
 
 /// Reads a planet and makes its mesh.
 ///
 /// # Errors
-/// [`SaveError`] for bytes that [`write_to`] did not write.
+/// [`SaveError`] for bytes that no [`write_to`] of a version that is read has written.
 pub fn read_from(bytes: &[u8]) -> Result<PlanetState, SaveError> {
-    sections::decode(&split(checked(bytes)?)?)
+    sections::decode(checked(bytes)?)
 }
 
 /// The sections of a file with a good header and hash.
 fn checked(bytes: &[u8]) -> Result<&[u8], SaveError> {
-    if bytes.get(..MAGIC.len()) != Some(MAGIC) {
-        return Err(SaveError::NotASave);
-    }
-    let found = Decoder(&bytes[MAGIC.len()..]).u32()?;
-    if found != VERSION {
+    let found = version(bytes)?;
+    if !(OLDEST_VERSION..=VERSION).contains(&found) {
         return Err(SaveError::Version {
             found,
-            supported: VERSION,
+            oldest: OLDEST_VERSION,
+            newest: VERSION,
         });
     }
     let end = bytes
@@ -106,19 +132,24 @@ fn checked(bytes: &[u8]) -> Result<&[u8], SaveError> {
     Ok(&bytes[HEADER_BYTES..end])
 }
 
-/// The contents of all sections.
-fn split(sections: &[u8]) -> Result<Vec<&[u8]>, SaveError> {
-    let mut decoder = Decoder(sections);
-    let mut contents = Vec::new();
-    for tag in sections::tags() {
-        if decoder.take(4)? != tag {
-            return Err(SaveError::Invalid("a section is missing".into()));
-        }
-        let length = usize::try_from(decoder.u64()?).map_err(|_| SaveError::Truncated)?;
-        contents.push(decoder.take(length)?);
+/// The version of the format that the first bytes of a file name.
+fn version(bytes: &[u8]) -> Result<u32, SaveError> {
+    match bytes.strip_prefix(MAGIC) {
+        Some(rest) => Decoder(rest).u32(),
+        None => Err(SaveError::NotASave),
     }
-    decoder.end()?;
-    Ok(contents)
+}
+
+/// The version of the format that a file was written in.
+///
+/// # Errors
+/// As [`load`]; nothing but the beginning of the file is read.
+pub fn version_of(path: &Path) -> Result<u32, IoError> {
+    let mut beginning = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(HEADER_BYTES as u64).read_to_end(&mut beginning))
+        .map_err(|source| IoError::read(path, source))?;
+    version(&beginning).map_err(|source| IoError::save(path, source))
 }
 
 /// Saves a planet, whole or not at all.

@@ -23,14 +23,15 @@ pub(super) fn write_ledger(state: &PlanetState) -> Vec<u8> {
 
 pub(super) fn read_ledger(bytes: &[u8]) -> Result<Ledger, SaveError> {
     let mut read = Decoder(bytes);
-    // Causes are known by their place.
-    if read.count(16)? != Cause::ALL.len() {
-        return Err(invalid(
-            "its ledger has other causes than this program".into(),
-        ));
+    // Causes are known by their place: new ones come last, and older files book nothing to them.
+    let causes = read.count(16)?;
+    if causes > Cause::ALL.len() {
+        let name = causes.to_string();
+        return Err(SaveError::unknown("cause of the ledger, number", &name));
     }
     let mut ledger = Ledger::default();
-    for amount in core::iter::once(&mut ledger.initial).chain(&mut ledger.booked) {
+    let booked = ledger.booked.iter_mut().take(causes);
+    for amount in core::iter::once(&mut ledger.initial).chain(booked) {
         *amount = Amount {
             area: read.f64()?,
             volume: read.f64()?,

@@ -1,22 +1,33 @@
 //! The sections of a save file: the state that each holds, and the limits that it must keep to be
 //! read.
 
+mod split;
+
 mod account;
+mod climate;
 mod crust;
 mod fronts;
 mod params;
 mod planet;
 mod plates;
 
+pub(super) use climate::check_pixels;
+use split::FileSections;
+pub(super) use split::Tag;
+
 use super::SaveError;
+use crate::climate::ClimateMaps;
 use crate::crust::Crust;
 use crate::spawn::PlanetState;
 
-/// A part of the file.
+/// A part of the file that every planet has.
 struct SaveSection {
-    tag: &'static [u8; 4],
+    tag: &'static Tag,
     encode: fn(&PlanetState) -> Vec<u8>,
 }
+
+/// The section that only planets with maps have.
+const CLIMATE: Tag = *b"CLIM";
 
 /// The sections before the columns of the crust, in the order of the file.
 const SECTIONS: &[SaveSection] = &[
@@ -32,58 +43,50 @@ const SECTIONS: &[SaveSection] = &[
     section(b"MESH", crust::write_mesh),
 ];
 
-const fn section(tag: &'static [u8; 4], encode: fn(&PlanetState) -> Vec<u8>) -> SaveSection {
+const fn section(tag: &'static Tag, encode: fn(&PlanetState) -> Vec<u8>) -> SaveSection {
     SaveSection { tag, encode }
 }
 
-/// The tags of all sections in the order of the file.
-pub(super) fn tags() -> impl Iterator<Item = &'static [u8; 4]> {
-    let columns = Crust::COLUMNS.iter().map(|column| column.tag);
-    SECTIONS.iter().map(|section| section.tag).chain(columns)
+/// The tags of all sections that this program knows.
+fn tags() -> impl Iterator<Item = Tag> {
+    let columns = Crust::COLUMNS.iter().map(|column| *column.tag);
+    let always = SECTIONS.iter().map(|section| *section.tag).chain(columns);
+    always.chain([CLIMATE])
 }
 
-/// Tags and contents of all sections in the order of the file.
-pub(super) fn encode(
-    state: &PlanetState,
-) -> impl Iterator<Item = (&'static [u8; 4], Vec<u8>)> + '_ {
-    let tags = Crust::COLUMNS.iter().map(|column| column.tag);
+/// Tags and contents of the sections that every planet has, in the order of the file.
+pub(super) fn encode(state: &PlanetState) -> impl Iterator<Item = (Tag, Vec<u8>)> + '_ {
+    let tags = Crust::COLUMNS.iter().map(|column| *column.tag);
     let columns = tags.zip(state.crust.encode_columns());
     (SECTIONS.iter())
-        .map(|section| (section.tag, (section.encode)(state)))
+        .map(|section| (*section.tag, (section.encode)(state)))
         .chain(columns)
 }
 
-/// Makes a planet of the contents of all sections. The mesh, which takes longest, comes last.
-pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
-    let &[
-        head,
-        parm,
-        plat,
-        frms,
-        ledg,
-        reco,
-        pend,
-        pola,
-        fron,
-        mesh,
-        ref columns @ ..,
-    ] = contents
-    else {
-        return Err(SaveError::Truncated);
-    };
-    let (planet, clock, numbers) = planet::read(head)?;
-    let (plates, stats) = plates::read_plates(plat, numbers.next)?;
-    let frames = plates::read_frames(frms, numbers.next)?;
+/// Tag and content of the section of the climate's maps, if there are any.
+pub(super) fn encode_climate(maps: &ClimateMaps) -> Option<(Tag, Vec<u8>)> {
+    let some = maps.iter().next().is_some();
+    some.then(|| (CLIMATE, climate::write(maps)))
+}
+
+/// Makes a planet of all sections. The mesh, which takes longest, comes last.
+pub(super) fn decode(bytes: &[u8]) -> Result<PlanetState, SaveError> {
+    let file = FileSections::split(bytes, tags())?;
+    let (planet, clock, numbers) = planet::read(file.require(*b"PLAN")?)?;
+    let (plates, stats) = plates::read_plates(file.require(*b"PLAT")?, numbers.next)?;
+    let frames = plates::read_frames(file.require(*b"FRMS")?, numbers.next)?;
     // Only the count is read of the mesh; it is made when all else is good.
+    let mesh = file.require(*b"MESH")?;
     let samples = crust::sample_count(mesh)?;
-    let crust = Crust::decode_columns(columns, samples as usize)?;
+    let crust = read_columns(&file, samples)?;
     crust::check_frames(&crust, &frames, &plates)?;
-    let fronts = fronts::read_fronts(fron, samples)?;
-    let params = params::read(parm)?;
-    let ledger = account::read_ledger(ledg)?;
-    let recording = account::read_recording(reco)?;
-    let pending = account::read_pending(pend)?;
-    let polarity = fronts::read_polarity(pola)?;
+    let fronts = fronts::read_fronts(file.require(*b"FRON")?, samples)?;
+    let params = params::read(file.require(*b"PARM")?)?;
+    let ledger = account::read_ledger(file.require(*b"LEDG")?)?;
+    let recording = account::read_recording(file.require(*b"RECO")?)?;
+    let pending = account::read_pending(file.require(*b"PEND")?)?;
+    let polarity = fronts::read_polarity(file.require(*b"POLA")?)?;
+    let climate = file.get(CLIMATE).map(climate::read).transpose()?;
     let lattice = crust::read_mesh(mesh)?;
     let fronts = fronts.on_mesh(&lattice);
     Ok(PlanetState {
@@ -101,5 +104,15 @@ pub(super) fn decode(contents: &[&[u8]]) -> Result<PlanetState, SaveError> {
         pending,
         polarity,
         fronts,
+        climate: climate.unwrap_or_default(),
     })
+}
+
+/// The crust of so many samples, each column from the section of its tag.
+fn read_columns(file: &FileSections, samples: u32) -> Result<Crust, SaveError> {
+    let columns: Result<Vec<&[u8]>, SaveError> = Crust::COLUMNS
+        .iter()
+        .map(|column| file.require(*column.tag))
+        .collect();
+    Ok(Crust::decode_columns(&columns?, samples as usize)?)
 }

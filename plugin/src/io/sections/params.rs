@@ -1,4 +1,5 @@
-//! The parameters of the model and the switches of processes.
+//! The parameters of the model and the switches of processes, each with its name: a file from
+//! before one was added has the default of it, and one that this program does not know is refused.
 
 use crate::io::SaveError;
 use crate::io::codec::{Decoder, Encoder, flag, invalid};
@@ -25,51 +26,47 @@ pub(super) fn write(state: &PlanetState) -> Vec<u8> {
 pub(super) fn read(bytes: &[u8]) -> Result<TectonicParams, SaveError> {
     let mut read = Decoder(bytes);
     let mut params = TectonicParams::default();
-    read_numbers(&mut read, &mut params)?;
-    read_switches(&mut read, &mut params)?;
+    read_named(&mut read, size_of::<f64>(), |name, read| {
+        params.set(name, read.f64()?).map_err(refused)
+    })?;
+    read_named(&mut read, size_of::<u8>(), |name, read| {
+        *params.processes.get_mut(name).map_err(refused)? = flag(read.u8()?)?;
+        Ok(())
+    })?;
     params.ocean_floor = match read.u8()? {
         0 => OceanFloor::Relaxing,
         1 => OceanFloor::Paper,
         other => return Err(invalid(format!("unknown law {other} of the ocean floor"))),
     };
     read.end()?;
+    // A default may not go with the values that the file gives.
+    params.validate().map_err(refused)?;
     Ok(params)
 }
 
-/// Parameters by name, in the order of the table.
-fn read_numbers(read: &mut Decoder, params: &mut TectonicParams) -> Result<(), SaveError> {
-    if read.count(12)? != TectonicParams::TABLE.len() {
-        return Err(invalid(
-            "its parameters are not those of this program".into(),
-        ));
-    }
-    for info in TectonicParams::TABLE {
+/// A list of names with a value of `size` bytes each, in any order. `take` reads the value of a
+/// name and refuses names that it does not know.
+fn read_named<'a>(
+    read: &mut Decoder<'a>,
+    size: usize,
+    mut take: impl FnMut(&'a str, &mut Decoder<'a>) -> Result<(), SaveError>,
+) -> Result<(), SaveError> {
+    const LENGTH_BYTES: usize = 4;
+    let mut names = Vec::new();
+    for _ in 0..read.count(LENGTH_BYTES + size)? {
         let name = read.text()?;
-        if name != info.name {
-            return Err(invalid(format!(
-                "unknown parameter `{}`",
-                name.escape_debug()
-            )));
+        take(name, read)?;
+        if names.contains(&name) {
+            return Err(invalid(format!("it gives `{name}` twice")));
         }
-        params.set(name, read.f64()?).map_err(refused)?;
-    }
-    Ok(())
-}
-
-/// Switches of processes by name.
-fn read_switches(read: &mut Decoder, params: &mut TectonicParams) -> Result<(), SaveError> {
-    if read.count(5)? != ProcessSwitches::NAMES.len() {
-        return Err(invalid(
-            "its processes are not those of this program".into(),
-        ));
-    }
-    for _ in ProcessSwitches::NAMES {
-        let name = read.text()?;
-        *params.processes.get_mut(name).map_err(refused)? = flag(read.u8()?)?;
+        names.push(name);
     }
     Ok(())
 }
 
 fn refused(error: ParamError) -> SaveError {
-    invalid(error.to_string())
+    match error {
+        ParamError::Unknown(name) => SaveError::unknown("parameter", &name),
+        other => invalid(other.to_string()),
+    }
 }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::climate::EquirectMap;
+use crate::climate::{ClimateMaps, EquirectMap};
 use crate::control::{BakeFrame, BakeRules, BakeSource};
 use crate::hydrology::TerrainMaps;
 use std::collections::BTreeSet;
@@ -15,8 +15,8 @@ pub(crate) fn bake() -> Bake {
         hills: None,
     };
     let frame = Arc::new(BakeFrame::new(1, 0.04, None).unwrap());
-    let source = BakeSource::Maps(&maps);
-    Bake::new(&frame, 6370.0, &source, &BakeRules::default()).unwrap()
+    let (source, own) = (BakeSource::Maps(&maps), ClimateMaps::default());
+    Bake::new(&frame, 6370.0, &source, &own, &BakeRules::default()).unwrap()
 }
 
 /// The colour of a pixel.

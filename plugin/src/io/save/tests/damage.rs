@@ -21,11 +21,12 @@ fn older_and_newer_versions_are_named() {
     saved[8] = VERSION as u8 + 1;
     let newer = SaveError::Version {
         found: VERSION + 1,
-        supported: VERSION,
+        oldest: OLDEST_VERSION,
+        newest: VERSION,
     };
     assert_eq!(refusal(&saved), newer);
     assert!(newer.to_string().contains("newer"), "{newer}");
-    saved[8] = VERSION as u8 - 1;
+    saved[8] = OLDEST_VERSION as u8 - 1;
     let older = refusal(&saved).to_string();
     assert!(older.contains("no longer"), "{older}");
 }
@@ -138,7 +139,20 @@ fn fronts_clocks_and_parameters_that_cannot_be_are_refused() {
         ("age of a front", |s| s.fronts.front[0].1 = 4),
         ("length of fronts", |s| s.fronts = FrontField::new(149)),
         ("parameter", |s| s.params.uplift = 1e9),
+        ("depths", |s| {
+            s.params.trench_elevation = -6.0;
+            s.params.abyss_elevation = -9.0;
+        }),
         ("clock", |s| s.clock.time = f64::NAN),
+    ]);
+}
+
+#[test]
+fn maps_of_impossible_climates_are_refused() {
+    assert_refused(&[
+        ("kelvin", |s| s.climate.temperature = uniform(288.0)),
+        ("negative rain", |s| s.climate.rain = uniform(-1.0)),
+        ("wetness", |s| s.climate.wetness = uniform(1.5)),
     ]);
 }
 

@@ -1,10 +1,13 @@
 //! Tests of the save file on a small planet with every kind of state.
 
+mod climate;
 mod damage;
+mod format;
 mod round_trip;
 
 use super::*;
 use crate::authoring::{Brush, PaintTarget, Recording, Scenario, TectonicCommand, TimedCommand};
+use crate::climate::EquirectMap;
 use crate::crust::{Cause, Crust, CrustKind, Frame, Frames, Ledger, Orogeny};
 use crate::math;
 use crate::params::TectonicParams;
@@ -42,6 +45,7 @@ fn state() -> PlanetState {
         pending: Scenario(vec![painting_at(40)]),
         polarity: polarity(),
         fronts: fronts(&mesh),
+        climate: maps(),
         lattice: Lattice(mesh),
     }
 }
@@ -143,6 +147,20 @@ fn fronts(mesh: &SphereMesh) -> FrontField {
     let chord2 = mesh.point(70).distance_squared(mesh.point(3));
     fronts.nearest.set(70, 3, chord2 as f32);
     fronts
+}
+
+/// Maps of two fields.
+fn maps() -> ClimateMaps {
+    ClimateMaps {
+        temperature: EquirectMap::from_fn(4, |lat, _| 30.0 - lat.abs() as f32).ok(),
+        rain: EquirectMap::from_fn(3, |lat, lon| (500.1 + lat + 0.1 * lon) as f32).ok(),
+        wetness: None,
+    }
+}
+
+/// A map of one value.
+fn uniform(value: f32) -> Option<EquirectMap> {
+    EquirectMap::from_fn(2, |_, _| value).ok()
 }
 
 fn bytes(state: &PlanetState) -> Vec<u8> {
