@@ -31,17 +31,30 @@ pub fn write_atomically(
 /// # Errors
 /// [`IoError::Write`]; the files are as they were before, but if a rename fails half way through.
 pub fn write_all_atomically(files: &[(PathBuf, Vec<u8>)]) -> Result<(), IoError> {
-    if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
+    let paths: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
+    write_all_streamed(&paths, |k, out| out.write_all(&files[k].1))
+}
+
+/// Writes several files, all or none, one after the other as their content comes: `content` is told
+/// the number of the file.
+///
+/// # Errors
+/// As [`write_all_atomically`], and the errors of `content`.
+pub fn write_all_streamed(
+    paths: &[PathBuf],
+    mut content: impl FnMut(usize, &mut dyn Write) -> io::Result<()>,
+) -> Result<(), IoError> {
+    if let Some(path) = paths.iter().find(|path| path.is_dir()) {
         return Err(IoError::write(path, io::ErrorKind::IsADirectory.into()));
     }
     // A device is written directly: there is nothing to rename.
-    if let [(path, content)] = files
+    if let [path] = paths
         && is_device(path)
     {
-        return write_atomically(path, |out| out.write_all(content));
+        return write_atomically(path, |out| content(0, out));
     }
-    let mut hidden = Vec::with_capacity(files.len());
-    let result = write_hidden(files, &mut hidden).and_then(|()| reveal(files, &hidden));
+    let mut hidden = Vec::with_capacity(paths.len());
+    let result = write_hidden(paths, content, &mut hidden).and_then(|()| reveal(paths, &hidden));
     if result.is_err() {
         for file in &hidden {
             // What cannot be removed was never written, or is renamed already.
@@ -58,8 +71,12 @@ struct HiddenFile {
 }
 
 /// Writes all files under hidden names, which `hidden` takes in even on an error.
-fn write_hidden(files: &[(PathBuf, Vec<u8>)], hidden: &mut Vec<HiddenFile>) -> Result<(), IoError> {
-    for (path, content) in files {
+fn write_hidden(
+    paths: &[PathBuf],
+    mut content: impl FnMut(usize, &mut dyn Write) -> io::Result<()>,
+    hidden: &mut Vec<HiddenFile>,
+) -> Result<(), IoError> {
+    for (k, path) in paths.iter().enumerate() {
         let failed = |source| IoError::write(path, source);
         let target = target_of(path);
         let part = hidden_beside(&target).map_err(failed)?;
@@ -69,15 +86,15 @@ fn write_hidden(files: &[(PathBuf, Vec<u8>)], hidden: &mut Vec<HiddenFile>) -> R
             target,
         });
         File::create(&part)
-            .and_then(|file| fill(file, |out| out.write_all(content), true))
+            .and_then(|file| fill(file, |out| content(k, out), true))
             .map_err(failed)?;
     }
     Ok(())
 }
 
 /// Gives all files their names.
-fn reveal(files: &[(PathBuf, Vec<u8>)], hidden: &[HiddenFile]) -> Result<(), IoError> {
-    for (file, (path, _)) in hidden.iter().zip(files) {
+fn reveal(paths: &[PathBuf], hidden: &[HiddenFile]) -> Result<(), IoError> {
+    for (file, path) in hidden.iter().zip(paths) {
         fs::rename(&file.part, &file.target).map_err(|source| IoError::write(path, source))?;
     }
     Ok(())

@@ -14,7 +14,7 @@
 //! stats      figures of a planet
 //! png        16-bit elevation, RGB maps
 //! sidecar    the scale of a picture of heights
-//! export     squares of the ground: GeoTIFF, 16-bit PNG, glTF
+//! export     the ground: GeoTIFF, EXR, 16-bit greys, glTF; squares, tiles, boxes of degrees
 //! dem        elevation models of real ground
 //! maps       maps of the whole planet: climate, terrain
 //! ```
@@ -66,7 +66,7 @@ pub use digest::digest;
 pub use error::{IoError, SaveError};
 #[cfg(feature = "export")]
 pub use export::{ExportError, export};
-pub use files::{write_all_atomically, write_atomically};
+pub use files::{write_all_atomically, write_all_streamed, write_atomically};
 #[cfg(feature = "dem")]
 pub use maps::{MapFileError, load_map};
 pub use preset::{PlanetPreset, PlanetRecipeLoader, PresetPlugin, load_preset};

@@ -1,0 +1,117 @@
+//! 16-bit greys: PNG, and raw values as engines import them; and the sidecar that decodes them.
+
+use super::encoding::Encoding;
+use crate::io::Sidecar;
+use crate::io::png::write_grey_png;
+use crate::math;
+use crate::query::{MapGrid, MapProjection};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// The heights that black and white stand for.
+#[derive(Clone, Copy)]
+pub(super) struct GreyRange {
+    /// Height of black in m.
+    pub(super) low: f64,
+    /// Height of white in m.
+    pub(super) high: f64,
+}
+
+impl GreyRange {
+    /// The grey of a height, rounded; beyond the range black or white.
+    fn grey(self, z: f32) -> u16 {
+        // Casts saturate.
+        (self.exact_grey(f64::from(z)) + 0.5) as u16
+    }
+
+    /// The same before it is rounded, with 0 and 65,535 as bounds of the range alone.
+    pub(super) fn exact_grey(self, z: f64) -> f64 {
+        (z - self.low) * self.steps_per_metre()
+    }
+
+    /// Level ground is black, and its range is empty.
+    fn steps_per_metre(self) -> f64 {
+        if self.high > self.low {
+            65_535.0 / (self.high - self.low)
+        } else {
+            0.0
+        }
+    }
+}
+
+/// A grey PNG.
+pub(super) fn write_png(
+    source: &Encoding,
+    range: GreyRange,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let size = [source.grid.columns(), source.grid.rows()].map(|n| n as u32);
+    write_grey_png(out, size, |out| {
+        write_greys(source, range, out, u16::to_be_bytes)
+    })
+}
+
+/// Greys without a header, little endian.
+pub(super) fn write_raw(
+    source: &Encoding,
+    range: GreyRange,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write_greys(source, range, out, u16::to_le_bytes)
+}
+
+fn write_greys(
+    source: &Encoding,
+    range: GreyRange,
+    out: &mut dyn Write,
+    bytes_of: fn(u16) -> [u8; 2],
+) -> io::Result<()> {
+    source.for_each_band(|band| {
+        let greys = band.iter().flat_map(|&z| bytes_of(range.grey(z)));
+        out.write_all(&greys.collect::<Vec<u8>>())
+    })
+}
+
+/// The sidecar of a file of greys. That of a box tells degrees instead of metres to a pixel.
+pub(super) fn sidecar(grid: &MapGrid, range: GreyRange) -> Value {
+    match grid.projection() {
+        MapProjection::Azimuthal(_) => json!(square_sidecar(grid, range)),
+        MapProjection::PlateCarree { .. } => box_sidecar(grid, range),
+    }
+}
+
+fn square_sidecar(grid: &MapGrid, range: GreyRange) -> Sidecar {
+    let (lat, lon) = middle(grid);
+    Sidecar {
+        min_m: Some(range.low),
+        max_m: Some(range.high),
+        metres_per_unit: None,
+        metres_per_pixel: grid.step().x,
+        lat: Some(lat),
+        lon: Some(lon),
+    }
+}
+
+fn box_sidecar(grid: &MapGrid, range: GreyRange) -> Value {
+    let (corner, step) = (grid.plane(0, 0), grid.step());
+    let [west, north] = [corner.x - 0.5 * step.x, corner.y + 0.5 * step.y];
+    json!({
+        "min_m": range.low,
+        "max_m": range.high,
+        "degrees_per_pixel": [step.x, step.y],
+        "south": north - step.y * grid.rows() as f64,
+        "west": west,
+        "north": north,
+        "east": west + step.x * grid.columns() as f64,
+    })
+}
+
+/// Latitude and longitude of the middle of a grid in degrees.
+pub(super) fn middle(grid: &MapGrid) -> (f64, f64) {
+    let plane = grid.plane_middle();
+    match grid.projection() {
+        // As they were given, not as they come out of a direction.
+        MapProjection::Azimuthal(about) if plane.length() == 0.0 => about.lat_lon(),
+        projection => math::lat_lon(projection.direction(plane)),
+    }
+}
