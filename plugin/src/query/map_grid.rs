@@ -151,14 +151,24 @@ impl MapGrid {
 
     /// A point in the plane, in m or degrees; rows count from the north.
     pub fn plane(&self, column: usize, row: usize) -> DVec2 {
-        let from_middle = |k: usize, axis: usize| {
-            (self.first[axis] + k) as f64 - 0.5 * (self.whole[axis] as f64 - 1.0)
-        };
-        self.middle
-            + DVec2::new(
-                from_middle(column, 0) * self.step.x,
-                -from_middle(row, 1) * self.step.y,
-            )
+        self.plane_at([column as f64, row as f64])
+    }
+
+    /// The north western corner in the plane: the first vertex, or the corner of the first pixel.
+    pub fn north_west(&self) -> DVec2 {
+        match self.point {
+            GridPoint::Vertex => self.plane_at([0.0, 0.0]),
+            GridPoint::PixelCentre => self.plane_at([-0.5, -0.5]),
+        }
+    }
+
+    /// The place of a column and a row, or of one between them.
+    fn plane_at(&self, place: [f64; 2]) -> DVec2 {
+        let [x, y] = [0, 1].map(|axis| {
+            let last = self.whole[axis] as f64 - 1.0;
+            self.first[axis] as f64 + place[axis] - 0.5 * last
+        });
+        self.middle + DVec2::new(x * self.step.x, -y * self.step.y)
     }
 
     /// The middle of the window in the plane.
@@ -196,6 +206,16 @@ mod tests {
         assert_eq!(grid().plane(0, 0), DVec2::new(-200.0, 100.0));
         assert_eq!(grid().plane(4, 2), DVec2::new(200.0, -100.0));
         assert_eq!(grid().plane(2, 1), DVec2::ZERO);
+    }
+
+    #[test]
+    fn corners_are_vertices_or_half_a_pixel_off() {
+        assert_eq!(grid().north_west(), DVec2::new(-200.0, 100.0));
+        let pixels = MapGrid {
+            point: GridPoint::PixelCentre,
+            ..grid()
+        };
+        assert_eq!(pixels.north_west(), DVec2::new(-250.0, 150.0));
     }
 
     #[test]

@@ -49,7 +49,7 @@ impl TileFrame {
     /// The corner of the first vertex in cm; z is the height of the middle grey.
     fn unreal(&self) -> Value {
         let middle = self.base + self.span * UNREAL_MIDDLE / 65_535.0;
-        let location = [self.west, -self.north, middle];
+        let location = [self.west, 0.0 - self.north, middle];
         json!(location.map(|m| 100.0 * m))
     }
 
@@ -60,7 +60,7 @@ impl TileFrame {
 
     /// The corner of the first vertex.
     fn godot(&self) -> Value {
-        json!([self.west, 0.0, -self.north])
+        json!([self.west, 0.0, 0.0 - self.north])
     }
 
     /// The middle; z is the height of black.

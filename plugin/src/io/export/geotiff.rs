@@ -5,7 +5,7 @@
 use super::encoding::Encoding;
 use super::geo_keys::GeoKeys;
 use super::scratch::write_floats;
-use crate::query::{GridPoint, MapGrid};
+use crate::query::MapGrid;
 use core::ops::Range;
 use std::io::{self, Cursor, Seek, Write};
 use tiff::TiffResult;
@@ -94,22 +94,13 @@ fn write_place<W: Write + Seek, K: TiffKind>(
 ) -> TiffResult<()> {
     let step = grid.step();
     let scale = [step.x, step.y, 0.0];
-    let [x, y] = north_west(grid);
+    // Raster point (0, 0) is the first vertex, or the corner of the first pixel.
+    let corner = grid.north_west();
+    let tie = [0.0, 0.0, 0.0, corner.x, corner.y, 0.0];
     let keys = GeoKeys::new(grid);
     tags.write_tag(Tag::ModelPixelScaleTag, &scale[..])?;
-    tags.write_tag(Tag::ModelTiepointTag, &[0.0, 0.0, 0.0, x, y, 0.0][..])?;
+    tags.write_tag(Tag::ModelTiepointTag, &tie[..])?;
     tags.write_tag(Tag::GeoKeyDirectoryTag, &keys.directory[..])?;
     tags.write_tag(Tag::GeoDoubleParamsTag, &keys.doubles[..])?;
     tags.write_tag(Tag::GeoAsciiParamsTag, keys.text.as_str())
-}
-
-/// The place of raster point (0, 0): of the first vertex, or of the first pixel's corner.
-fn north_west(grid: &MapGrid) -> [f64; 2] {
-    let half = match grid.point_kind() {
-        GridPoint::Vertex => 0.0,
-        GridPoint::PixelCentre => 0.5,
-    };
-    let first = grid.plane(0, 0);
-    let step = grid.step();
-    [first.x - half * step.x, first.y + half * step.y]
 }

@@ -4,7 +4,7 @@ use super::encoding::Encoding;
 use crate::io::Sidecar;
 use crate::io::png::write_grey_png;
 use crate::math;
-use crate::query::{MapGrid, MapProjection};
+use crate::query::{DegreeBox, MapGrid, MapProjection};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -72,37 +72,30 @@ fn write_greys(
     })
 }
 
-/// The sidecar of a file of greys. That of a box tells degrees instead of metres to a pixel.
-pub(super) fn sidecar(grid: &MapGrid, range: GreyRange) -> Value {
-    match grid.projection() {
-        MapProjection::Azimuthal(_) => json!(square_sidecar(grid, range)),
-        MapProjection::PlateCarree { .. } => box_sidecar(grid, range),
-    }
-}
-
-fn square_sidecar(grid: &MapGrid, range: GreyRange) -> Sidecar {
+/// The sidecar of a square or a tile.
+pub(super) fn square_sidecar(grid: &MapGrid, range: GreyRange) -> Value {
     let (lat, lon) = middle(grid);
-    Sidecar {
+    json!(Sidecar {
         min_m: Some(range.low),
         max_m: Some(range.high),
         metres_per_unit: None,
         metres_per_pixel: grid.step().x,
         lat: Some(lat),
         lon: Some(lon),
-    }
+    })
 }
 
-fn box_sidecar(grid: &MapGrid, range: GreyRange) -> Value {
-    let (corner, step) = (grid.plane(0, 0), grid.step());
-    let [west, north] = [corner.x - 0.5 * step.x, corner.y + 0.5 * step.y];
+/// The sidecar of a box: it tells degrees instead of metres to a pixel.
+pub(super) fn box_sidecar(degrees: &DegreeBox, range: GreyRange) -> Value {
+    let [south, west, north, east] = degrees.bounds();
     json!({
         "min_m": range.low,
         "max_m": range.high,
-        "degrees_per_pixel": [step.x, step.y],
-        "south": north - step.y * grid.rows() as f64,
+        "degrees_per_pixel": degrees.grid().step().to_array(),
+        "south": south,
         "west": west,
         "north": north,
-        "east": west + step.x * grid.columns() as f64,
+        "east": east,
     })
 }
 

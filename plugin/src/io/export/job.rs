@@ -11,6 +11,7 @@ use super::scratch::HeightScratch;
 use super::{exr, geotiff, mesh};
 use crate::io::write_all_streamed;
 use crate::query::{Ground, MapGrid};
+use serde::Serialize;
 use serde_json::Value;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -135,13 +136,23 @@ impl ExportJob {
         range: GreyRange,
     ) -> Result<Vec<Vec<u8>>, ExportError> {
         let range = self.files.format().has_greys().then_some(range);
-        let sidecar = |k: usize| range.map(|range| greys::sidecar(&self.area.file(k), range));
-        let mut texts: Vec<Value> = (0..self.files.named().len()).filter_map(sidecar).collect();
+        let mut texts = range.map_or_else(Vec::new, |range| self.sidecars(range));
         if let ExportArea::Tiles(block) = &self.area {
             let level = self.grid().level();
             texts.push(manifest(&self.files, block, level, heights.range, range));
         }
         texts.iter().map(json_text).collect()
+    }
+
+    /// The sidecar of each file of greys.
+    fn sidecars(&self, range: GreyRange) -> Vec<Value> {
+        let files = 0..self.files.named().len();
+        files
+            .map(|k| match &self.area {
+                ExportArea::Box(degrees) => greys::box_sidecar(degrees, range),
+                area => greys::square_sidecar(&area.file(k), range),
+            })
+            .collect()
     }
 
     /// Writes the `k`-th file with heights.
@@ -168,9 +179,21 @@ impl ExportJob {
     }
 }
 
+/// A text that says first who made it, by which an older one is known for ours.
+#[derive(Serialize)]
+struct SignedText<'a> {
+    generator: &'static str,
+    #[serde(flatten)]
+    content: &'a Value,
+}
+
 /// A value as the text of a file.
-fn json_text(value: &Value) -> Result<Vec<u8>, ExportError> {
-    let mut text = serde_json::to_vec_pretty(value).map_err(cannot_encode)?;
+fn json_text(content: &Value) -> Result<Vec<u8>, ExportError> {
+    let signed = SignedText {
+        generator: "Pangaea",
+        content,
+    };
+    let mut text = serde_json::to_vec_pretty(&signed).map_err(cannot_encode)?;
     text.push(b'\n');
     Ok(text)
 }

@@ -19,7 +19,6 @@ pub(super) fn manifest(
     let format = files.format();
     let (lat, lon) = block.projection().lat_lon();
     let mut manifest = json!({
-        "generator": "Pangaea",
         "format": format.name(),
         "radius_m": block.projection().radius_m(),
         "lat": lat,

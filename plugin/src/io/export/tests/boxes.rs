@@ -67,6 +67,7 @@ fn the_sidecar_of_a_box_tells_its_bounds() {
     let pixels = degrees([-20.0, 170.0, -10.0, -170.0], [40, 10]);
     let (_folder, files) = written("a.png", pixels, Some([-500.0, 500.0]));
     let expected = serde_json::json!({
+        "generator": "Pangaea",
         "min_m": -500.0, "max_m": 500.0, "degrees_per_pixel": [0.5, 1.0],
         "south": -20.0, "west": 170.0, "north": -10.0, "east": 190.0,
     });
