@@ -1,7 +1,10 @@
 //! The end of memory: one line and exit code 1, where Rust would abort with a backtrace.
 
 use std::alloc::{GlobalAlloc, Layout, System};
-use std::io::Write;
+use std::io::{self, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+use std::{process, thread};
 
 /// The system's allocator; where it has nothing left, the program says so and ends.
 pub struct FiniteMemory;
@@ -35,12 +38,23 @@ unsafe impl GlobalAlloc for FiniteMemory {
 /// The memory that was asked for; the program ends where there is none.
 fn given(place: *mut u8, size: usize) -> *mut u8 {
     if place.is_null() {
-        // Neither allocates, and nobody needs to hear it.
-        let _ = writeln!(
-            std::io::stderr(),
-            "error: memory is full: {size} bytes more are needed; nothing is written"
-        );
-        std::process::exit(1);
+        end(size);
     }
     place
+}
+
+/// Says that memory is full, once, and ends the program.
+fn end(size: usize) -> ! {
+    static HAS_ENDED: AtomicBool = AtomicBool::new(false);
+    if HAS_ENDED.swap(true, Ordering::Relaxed) {
+        // Another thread ends the program; if it cannot, this one does.
+        thread::sleep(Duration::from_secs(5));
+        process::abort();
+    }
+    // It does not allocate, and nobody needs to hear it.
+    let _ = writeln!(
+        io::stderr(),
+        "error: memory is full: {size} bytes more are needed; nothing is written"
+    );
+    process::exit(1);
 }
