@@ -16,15 +16,13 @@ pub enum CliError {
     /// The machine lacks something that the command needs, such as a GPU adapter. Exit code 1.
     #[error("{0}")]
     Failed(String),
-    /// The user interrupted the command. Exit code 130, as from a shell.
+    /// A signal of this number ended the command. Exit code 128 and the number, as from a shell: 130
+    /// after Ctrl-C.
     #[error("interrupted; nothing is written")]
-    Interrupted,
+    Interrupted(u8),
 }
 
 impl CliError {
-    /// Exit code of an interrupt: 128 and the number of the signal.
-    pub const INTERRUPTED: u8 = 130;
-
     /// Bad input, in the words of `problem`.
     pub fn input(problem: impl Display) -> Self {
         Self::Input(problem.to_string())
@@ -35,7 +33,7 @@ impl CliError {
         match self {
             Self::Input(_) => ExitCode::from(2),
             Self::Failed(_) => ExitCode::from(1),
-            Self::Interrupted => ExitCode::from(Self::INTERRUPTED),
+            Self::Interrupted(signal) => ExitCode::from(128 + signal),
         }
     }
 }

@@ -4,13 +4,13 @@ use crate::cli::ExportArgs;
 use crate::error::CliError;
 use crate::ground::{bake_planet, ground};
 use crate::interrupt;
-use crate::output::{check_file, say};
+use crate::output::say;
 use crate::progress;
 use crate::values::{BoxSpec, PixelsSpec, RegionSpec, TilesSpec};
 use bevy_pangaea::io::export::{
     ExportArea, ExportError, ExportFiles, ExportFormat, ExportJob, Exported,
 };
-use bevy_pangaea::io::load;
+use bevy_pangaea::io::{check_outputs, load};
 use bevy_pangaea::query::{
     AzimuthalEquidistant, DegreeBox, Ground, GroundError, MapGrid, MapProjection, MapSquare,
     TileBlock,
@@ -145,10 +145,7 @@ fn check_output(args: &ExportArgs, shape: &Shape) -> Result<(), CliError> {
     if args.range.is_some() && !format.has_greys() {
         return Err(ExportError::NoGreys(format.name()).into());
     }
-    for path in files.all() {
-        check_file(&path)?;
-    }
-    Ok(())
+    Ok(check_outputs(&files.outputs())?)
 }
 
 /// Level and resolution of a grid, for the user.

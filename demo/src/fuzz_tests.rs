@@ -1,7 +1,7 @@
 //! Damaged command lines and lists of points: each is refused in words or understood.
 
 use crate::cli::{Cli, Command};
-use crate::query::read_places;
+use crate::query::places::places_in;
 use clap::Parser;
 use pangaea_tests::fuzz::{Format, fuzz};
 
@@ -91,14 +91,16 @@ fn damaged_lists_of_points_are_refused_or_places() {
         ]),
         words: WORDS,
     };
-    fuzz(&format, |text| match read_places(text) {
-        Err(error) => assert!(!error.to_string().contains('\n'), "{error}"),
-        Ok(places) => {
-            assert!(
-                places
-                    .iter()
-                    .all(|at| at.lat.abs() <= 90.0 && at.lon.abs() <= 360.0)
-            );
+    fuzz(&format, |text| {
+        match places_in(text).collect::<Result<Vec<_>, _>>() {
+            Err(error) => assert!(!error.to_string().contains('\n'), "{error}"),
+            Ok(places) => {
+                assert!(
+                    places
+                        .iter()
+                        .all(|at| at.lat.abs() <= 90.0 && at.lon.abs() <= 360.0)
+                );
+            }
         }
     });
 }

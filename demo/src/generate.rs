@@ -9,7 +9,7 @@ use crate::output::{Files, json, say};
 use crate::progress;
 use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::{Stats, Timings, digest, png, save};
+use bevy_pangaea::io::{MarkedJson, Stats, Timings, digest, png, save};
 use bevy_pangaea::overlay::{MapProjection, Overlay};
 use bevy_pangaea::planet::PlanetRecipe;
 use std::fmt::Display;
@@ -117,5 +117,8 @@ fn map_name(overlay: Overlay) -> String {
 /// The file of statistics.
 fn stats(headless: &Headless, digest: String, timings: Timings) -> Result<Vec<u8>, CliError> {
     let input = headless.stats_input(headless.plates().rows().len())?;
-    json(&Stats::new(&input, digest, timings).with_bake(headless.get::<PlanetBake>()?))
+    let stats = Stats::new(&input, digest, timings);
+    json(&MarkedJson::new(
+        stats.with_bake(headless.get::<PlanetBake>()?),
+    ))
 }

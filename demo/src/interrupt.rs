@@ -1,30 +1,76 @@
-//! Ctrl-C: long commands look for it where they can stop, and leave nothing half done.
+//! Signals that end a program: long commands look for them where they can stop, and leave nothing
+//! half done.
+//!
+//! Ctrl-C is SIGINT; terminals that are closed send SIGHUP; `docker stop`, systemd, batch systems and
+//! `timeout` send SIGTERM.
 
 use crate::error::CliError;
-use std::sync::atomic::{AtomicBool, Ordering};
+#[cfg(unix)]
+use signal_hook::consts::{SIGHUP, SIGQUIT};
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
+use std::io;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, LazyLock, Once};
 
-static INTERRUPT_ASKED: AtomicBool = AtomicBool::new(false);
+/// The signals that end a program.
+#[cfg(unix)]
+const SIGNALS: [i32; 4] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT];
+/// The signals that end a program.
+#[cfg(not(unix))]
+const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
 
-/// From now on an interrupt is only noted, for [`check`] to find; a second one ends the program at
-/// once.
+/// The number of the last signal, 0 before the first.
+static SIGNAL: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
+
+/// From now on a signal is only noted, for [`check`] to find; a second one ends the program at once.
 ///
-/// Where that cannot be arranged, an interrupt ends the program as it always did.
+/// Where that cannot be arranged, a signal ends the program as it always did.
 pub fn watch() {
-    let _ = ctrlc::set_handler(|| {
-        if INTERRUPT_ASKED.swap(true, Ordering::Relaxed) {
-            std::process::exit(CliError::INTERRUPTED.into());
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let is_asked = Arc::default();
+        for signal in SIGNALS.into_iter().filter(|&signal| !is_ignored(signal)) {
+            let _ = note(signal, &is_asked);
         }
     });
+}
+
+/// Notes a signal. The order matters: the first one must not find itself noted already.
+fn note(signal: i32, is_asked: &Arc<AtomicBool>) -> io::Result<()> {
+    flag::register_conditional_shutdown(signal, 128 + signal, is_asked.clone())?;
+    flag::register(signal, is_asked.clone())?;
+    flag::register_usize(signal, SIGNAL.clone(), signal as usize)?;
+    Ok(())
+}
+
+/// Whether the program was started so that this signal does not end it: `nohup` does so with SIGHUP.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    if signal != SIGHUP {
+        return false;
+    }
+    let mut now = core::mem::MaybeUninit::<libc::sigaction>::zeroed();
+    // SAFETY: without a new action the call changes nothing, and writes the present one to `now`,
+    // for which zeros are a value, too.
+    unsafe {
+        libc::sigaction(signal, core::ptr::null(), now.as_mut_ptr()) == 0
+            && now.assume_init().sa_sigaction == libc::SIG_IGN
+    }
+}
+
+#[cfg(not(unix))]
+fn is_ignored(_signal: i32) -> bool {
+    false
 }
 
 /// Whether the command may go on.
 ///
 /// # Errors
-/// [`CliError::Interrupted`] after an interrupt.
+/// [`CliError::Interrupted`] after a signal.
 pub fn check() -> Result<(), CliError> {
-    if INTERRUPT_ASKED.load(Ordering::Relaxed) {
-        Err(CliError::Interrupted)
-    } else {
-        Ok(())
+    match SIGNAL.load(Ordering::Relaxed) {
+        0 => Ok(()),
+        signal => Err(CliError::Interrupted(signal as u8)),
     }
 }

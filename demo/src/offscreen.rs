@@ -3,7 +3,8 @@
 //! The app is updated frame by frame until the globe shows the planet as it is; then the image is
 //! read back.
 
-use bevy::app::PluginsState;
+use crate::interrupt;
+use bevy::app::{PluginsState, TerminalCtrlCHandlerPlugin};
 use bevy::camera::RenderTarget;
 use bevy::core_pipeline::tonemapping::Tonemapping;
 use bevy::image::Image;
@@ -52,6 +53,9 @@ pub enum OffscreenError {
     /// The renderer stopped.
     #[error("the renderer stopped: {0}")]
     Renderer(String),
+    /// The user interrupted it.
+    #[error("interrupted")]
+    Interrupted,
 }
 
 /// An app that draws one planet into an image.
@@ -106,7 +110,7 @@ impl Offscreen {
     ///
     /// # Errors
     /// [`OffscreenError::Renderer`] if the renderer stopped, or did not answer in minutes;
-    /// [`OffscreenError::Planet`] if the overlay needs what the planet does not have.
+    /// [`OffscreenError::Interrupted`]; [`OffscreenError::Planet`] if the overlay needs what the planet does not have.
     pub fn picture(&mut self, view: Transform, globe: Globe) -> Result<Raster, OffscreenError> {
         let Some(planet) = self.planet else {
             return Err(OffscreenError::Renderer("there is no planet".into()));
@@ -148,6 +152,9 @@ impl Offscreen {
         done: impl Fn(&World) -> bool,
     ) -> Result<(), OffscreenError> {
         while !done(self.app.world()) {
+            if interrupt::check().is_err() {
+                return Err(OffscreenError::Interrupted);
+            }
             if Instant::now() > deadline {
                 return Err(OffscreenError::Renderer("it did not answer".into()));
             }
@@ -190,11 +197,13 @@ fn windowless_app(adapter: RenderCreation) -> App {
         filter: "error".into(),
         ..default()
     };
+    // Signals are noted by `interrupt`.
     // One frame is rendered per update, so that `run_until` sees what it waits for.
     let plugins = DefaultPlugins
         .set(window)
         .set(renderer)
         .set(log)
+        .disable::<TerminalCtrlCHandlerPlugin>()
         .disable::<WinitPlugin>()
         .disable::<PipelinedRenderingPlugin>();
     let mut app = App::new();

@@ -1,7 +1,8 @@
 //! Files that a command writes, all of them or not one, and text on stdout.
 
 use crate::error::CliError;
-use bevy_pangaea::io::{write_all_atomically, write_atomically};
+use crate::interrupt;
+use bevy_pangaea::io::{Output, check_outputs, write_all, write_atomically};
 use serde::Serialize;
 use std::fs;
 use std::io::{self, Write};
@@ -12,12 +13,12 @@ pub struct Files {
     folder: PathBuf,
     /// Folders that were made for the files, the innermost first.
     made: Vec<PathBuf>,
-    files: Vec<(PathBuf, Vec<u8>)>,
+    files: Vec<(Output, Vec<u8>)>,
 }
 
 impl Files {
     /// Makes the folder where it is missing, and tries whether files of these names can be written
-    /// to it.
+    /// to it. Older files of these names must be ours.
     ///
     /// # Errors
     /// If one of them cannot be written.
@@ -31,20 +32,27 @@ impl Files {
             made: missing_folders(folder),
             files: Vec::new(),
         };
-        fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
-        for name in names {
-            check_file(&folder.join(name))?;
-        }
-        let probe = folder.join(format!(".pangaea.{}.part", std::process::id()));
-        let probed = fs::write(&probe, [0; 4096]);
-        let _ = fs::remove_file(&probe);
-        probed.map_err(|error| unwritable(folder, &error))?;
+        files.make_folder()?;
+        let outputs: Vec<Output> = names.into_iter().map(|name| files.output(name)).collect();
+        check_outputs(&outputs)?;
         Ok(files)
+    }
+
+    fn make_folder(&self) -> Result<(), CliError> {
+        fs::create_dir_all(&self.folder).map_err(|error| {
+            let folder = self.folder.display();
+            CliError::input(format!("cannot write to {folder}: {error}"))
+        })
+    }
+
+    /// The names in the folder are ours to choose, what they name may not be.
+    fn output(&self, name: &str) -> Output {
+        Output::beside(self.folder.join(name))
     }
 
     /// Adds a file.
     pub fn add(&mut self, name: &str, content: Vec<u8>) {
-        self.files.push((self.folder.join(name), content));
+        self.files.push((self.output(name), content));
     }
 
     /// Writes all files, or not one, and returns their paths in the order in which they were added.
@@ -52,9 +60,12 @@ impl Files {
     /// # Errors
     /// If one cannot be written; no file is changed then.
     pub fn write(mut self) -> Result<Vec<PathBuf>, CliError> {
-        write_all_atomically(&self.files)?;
+        // Another run, which had made the folder, may have failed and removed it.
+        self.make_folder()?;
+        let (outputs, contents): (Vec<_>, Vec<_>) = self.files.drain(..).unzip();
+        write_all(&outputs, |k, out| out.write_all(&contents[k]))?;
         self.made.clear();
-        Ok(self.files.drain(..).map(|(path, _)| path).collect())
+        Ok(outputs.iter().map(|file| file.path().into()).collect())
     }
 }
 
@@ -77,29 +88,12 @@ fn missing_folders(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-fn unwritable(folder: &Path, error: &io::Error) -> CliError {
-    CliError::input(format!("cannot write to {}: {error}", folder.display()))
-}
-
-/// Refuses a path at which no file can be, before minutes are spent on its content.
+/// Refuses a path at which no file can be written, before minutes are spent on its content.
 ///
 /// # Errors
-/// If it is a folder, or its folder does not exist.
+/// If it cannot be written.
 pub fn check_file(path: &Path) -> Result<(), CliError> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let problem = if path.is_dir() {
-        "it is a folder"
-    } else if folder.is_some_and(|folder| !folder.is_dir()) {
-        "its folder does not exist"
-    } else {
-        return Ok(());
-    };
-    Err(CliError::input(format!(
-        "cannot write {}: {problem}",
-        path.display()
-    )))
+    Ok(check_outputs(&[Output::named(path)])?)
 }
 
 /// Writes one file, whole or not at all.
@@ -107,6 +101,8 @@ pub fn check_file(path: &Path) -> Result<(), CliError> {
 /// # Errors
 /// If it cannot be written.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<(), CliError> {
+    // From here on an interrupt waits until nothing hidden is left.
+    interrupt::watch();
     Ok(write_atomically(path, |out| out.write_all(content))?)
 }
 
@@ -126,13 +122,40 @@ pub fn json(value: &impl Serialize) -> Result<Vec<u8>, CliError> {
 /// # Errors
 /// If stdout cannot take the text, as on a full disk.
 pub fn print(text: &str) -> Result<(), CliError> {
-    let mut out = io::stdout().lock();
+    print_to(&mut io::stdout().lock(), text).map(drop)
+}
+
+/// Prints to `out`, and says whether somebody still reads it.
+///
+/// # Errors
+/// If it cannot take the text.
+pub fn print_to(out: &mut impl Write, text: &str) -> Result<bool, CliError> {
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(CliError::input(format!("cannot write to stdout: {error}")))
-        }
-        _ => Ok(()),
+        Ok(()) => Ok(true),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
+        Err(error) => Err(CliError::input(format!("cannot write to stdout: {error}"))),
     }
+}
+
+/// Whether somebody still reads stdout, as far as the system says: of a pipe whose other end was
+/// closed it does.
+#[cfg(unix)]
+pub fn has_reader() -> bool {
+    use rustix::event::{PollFd, PollFlags, Timespec, poll};
+
+    let out = io::stdout();
+    let mut ends = [PollFd::new(&out, PollFlags::empty())];
+    let is_known = poll(&mut ends, Some(&Timespec::default())).is_ok();
+    let is_closed = ends[0]
+        .revents()
+        .intersects(PollFlags::ERR | PollFlags::HUP);
+    !(is_known && is_closed)
+}
+
+/// The next line that is printed will tell.
+#[cfg(not(unix))]
+pub fn has_reader() -> bool {
+    true
 }
 
 /// Says something on stderr; whether anyone hears it does not matter.

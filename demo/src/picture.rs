@@ -68,8 +68,10 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     };
     let mut offscreen = Offscreen::new(args.size).map_err(PictureError::from)?;
     offscreen.show(source.planet()?);
-    let picture = offscreen.picture(view, globe).map_err(PictureError::from)?;
+    let picture = offscreen.picture(view, globe);
+    // An interrupt is the reason that is told.
     interrupt::check()?;
+    let picture = picture.map_err(PictureError::from)?;
     write_file(&args.out, &png(&picture)?)
 }
 
@@ -87,10 +89,10 @@ pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
     let radius = source.radius();
     offscreen.show(source.planet()?);
     for (name, (_, lat, lon)) in names.iter().zip(ORBIT_VIEWS) {
+        let picture = orbit_view(&mut offscreen, radius, lat, lon);
         interrupt::check()?;
-        files.add(name, orbit_view(&mut offscreen, radius, lat, lon)?);
+        files.add(name, picture?);
     }
-    interrupt::check()?;
     let list: String = files
         .write()?
         .iter()

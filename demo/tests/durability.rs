@@ -1,4 +1,5 @@
-//! A program that is killed while it writes: every file is the old one or the new one, whole.
+//! A program that is killed while it writes: every file is the old one or the new one, whole, and the
+//! next run removes what is hidden.
 //!
 //! A few kills in a usual run, a hundred with `PANGAEA_SOAK=1`.
 
@@ -12,8 +13,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 use tempfile::TempDir;
 
-/// The file that is written first, and the one whose content is another in each run.
-const PLANET: &str = "planet.pangaea";
+/// The file whose content is another in each run.
 const FIGURES: &str = "stats.json";
 
 /// Names and contents of the files of one run.
@@ -56,6 +56,24 @@ fn files_in(folder: &Path) -> Files {
         .collect()
 }
 
+/// The hidden names in a folder.
+fn hidden_in(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("the folder is there");
+    entries
+        .map(|entry| entry.expect("a readable folder").file_name())
+        .map(|name| name.to_string_lossy().into_owned())
+        .filter(|name| name.starts_with('.'))
+        .collect()
+}
+
+/// Whether a file grows in a hidden folder; those of the trial before the work are empty.
+fn is_written_to(folder: &Path) -> bool {
+    let length = |name: &String| fs::metadata(folder.join(name).join("0")).map(|meta| meta.len());
+    hidden_in(folder)
+        .iter()
+        .any(|name| length(name).is_ok_and(|length| length > 0))
+}
+
 /// The files of a whole run.
 fn whole(seed: &str) -> Files {
     let folder = TempDir::new().unwrap();
@@ -66,9 +84,8 @@ fn whole(seed: &str) -> Files {
 
 /// Kills a run some time after it has begun to write. Returns whether it was in time.
 fn kill_while_writing(mut run: Child, folder: &Path, delay: Duration) -> bool {
-    let part = folder.join(format!(".{PLANET}.{}.part", run.id()));
     let is_running = |run: &mut Child| run.try_wait().unwrap().is_none();
-    while is_running(&mut run) && !part.exists() {
+    while is_running(&mut run) && !is_written_to(folder) {
         std::thread::sleep(Duration::from_micros(100));
     }
     std::thread::sleep(delay);
@@ -113,6 +130,10 @@ fn killed_while_it_writes_the_program_leaves_whole_files() {
         let delay = Duration::from_micros(kill * 7919 % 40_000);
         in_time += u64::from(kill_while_writing(run, folder.path(), delay));
         assert_whole(&files_in(folder.path()), old, &second, kill);
+        let mut next = generate(folder.path(), "1");
+        assert!(next.wait().unwrap().success());
+        let left = hidden_in(folder.path());
+        assert!(left.is_empty(), "{left:?} after kill {kill}");
     }
     assert!(
         2 * in_time > kills,

@@ -121,7 +121,8 @@ pub struct QueryArgs {
     pub ground: GroundArgs,
     /// The point in degrees; without it, lines "lat,lon" are read from the standard input
     ///
-    /// Printed are comma separated values with a header, in the order of the input. The normal is
+    /// Printed are comma separated values with a header, in the order of the input. Lines are
+    /// answered as they come, and up to the first wrong one, which ends the command. The normal is
     /// given in the planet's axes: +z is the north pole, +x is 0° N 0° E. Where it is dry, water_m
     /// is height_m.
     #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true, value_parser = place)]

@@ -31,6 +31,11 @@ use std::path::PathBuf;
 /// Grows planets: plates drift, collide, subduct, rift and make new ocean floor.
 ///
 /// Without a command the explorer opens in a window.
+///
+/// Whether files can be written is tried before the work begins, and all files of a command are
+/// written or none. A file that an option names replaces an older one, which keeps its mode; links
+/// stay links. Files whose names follow from it, in a folder or beside it, replace only what Pangaea
+/// made: any other file of such a name is refused.
 #[derive(Parser, Debug)]
 #[command(
     name = "pangaea",

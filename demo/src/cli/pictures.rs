@@ -57,6 +57,8 @@ pub struct ViewsArgs {
     #[command(flatten)]
     pub growth: GrowthArgs,
     /// Folder for the pictures; it is made if it does not exist
+    ///
+    /// They are orbit-1.png to orbit-6.png, orbit-7-north.png and orbit-8-south.png.
     #[arg(long, value_name = "DIR", default_value = "pangaea-views")]
     pub out: PathBuf,
 }

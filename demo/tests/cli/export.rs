@@ -74,6 +74,35 @@ fn unwritable_places_are_refused() {
 }
 
 #[test]
+fn a_sidecar_replaces_only_a_sidecar_of_ours() {
+    let folder = planet();
+    let path = folder.path().join("a.json");
+    exported(folder.path(), "a.png");
+    exported(folder.path(), "a.png");
+    let theirs = r#"{"min": -40, "max": 30}"#;
+    fs::write(&path, theirs).unwrap();
+    let args = export("planet.pangaea", &["--pixels", "8", "--out", "a.png"]);
+    assert_refused_in(folder.path(), &args, &["a.json", "Pangaea did not make"]);
+    assert_eq!(fs::read_to_string(&path).unwrap(), theirs);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_stays_a_link_and_its_file_keeps_its_mode() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    let folder = planet();
+    let [link, file] = ["a.tif", "target"].map(|name| folder.path().join(name));
+    symlink("target", &link).unwrap();
+    exported(folder.path(), "a.tif");
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
+    exported(folder.path(), "a.tif");
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    let mode = fs::metadata(&file).unwrap().permissions().mode();
+    assert_eq!(mode & 0o777, 0o600);
+}
+
+#[test]
 fn squares_larger_than_the_planet_are_refused() {
     let folder = planet();
     let square = ["export", "planet.pangaea", "--region", "0,0,90000"];

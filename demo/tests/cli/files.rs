@@ -1,7 +1,8 @@
 //! Files are written all or none: what is in the way, and what stays.
 
-use crate::program::{assert_refused_in, names_in, small_planet};
+use crate::program::{assert_refused_in, begun, names_in, small_planet, stats, stderr, succeed};
 use std::fs;
+use std::process::Stdio;
 use tempfile::TempDir;
 
 /// `generate` for a planet that takes a minute; a refusal comes at once.
@@ -42,6 +43,41 @@ fn a_folder_in_the_way_of_one_file_stops_all_of_them_before_the_planet_grows() {
     }
     let views = ["views", "--samples", "2000000", "--out", "out"];
     assert_stopped_by("orbit-8-south.png", &views);
+}
+
+#[test]
+fn a_file_that_pangaea_did_not_make_stops_all_of_them_before_the_planet_grows() {
+    let generate = [&LARGE[..], &["out"]].concat();
+    let views = ["views", "--samples", "2000000", "--out", "out"];
+    for (name, args) in [
+        ("rain.png", &generate[..]),
+        ("stats.json", &generate),
+        ("orbit-1.png", &views),
+    ] {
+        let folder = TempDir::new().unwrap();
+        let file = folder.path().join("out").join(name);
+        fs::create_dir(folder.path().join("out")).unwrap();
+        fs::write(&file, "{}").unwrap();
+        assert_refused_in(folder.path(), args, &[name, "Pangaea did not make"]);
+        assert_eq!(fs::read_to_string(&file).unwrap(), "{}");
+    }
+}
+
+#[test]
+fn two_runs_at_once_leave_one_planet() {
+    let folder = TempDir::new().unwrap();
+    let size = ["generate", "--samples", "500", "--plates", "12", "--until"];
+    let runs = ["10", "20"].map(|until| {
+        let args = [&size[..], &[until, "--out", "out"]].concat();
+        begun(folder.path(), &args, Stdio::null())
+    });
+    for run in runs {
+        let output = run.wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", stderr(&output));
+    }
+    let facts = succeed(folder.path(), &["info", "out/planet.pangaea"]);
+    let digest = stats(&folder.path().join("out"))["digest"].to_string();
+    assert!(facts.contains(digest.trim_matches('"')), "{facts} {digest}");
 }
 
 /// A command that fails at step 1.

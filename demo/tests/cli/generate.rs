@@ -95,6 +95,7 @@ fn stats_have_the_documented_form() {
         "continental_fraction",
         "digest",
         "elevation_km",
+        "generator",
         "hydrology",
         "hypsometry",
         "land_fraction",

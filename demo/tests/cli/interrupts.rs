@@ -1,4 +1,4 @@
-//! Ctrl-C ends a command and leaves nothing; a full disk is an error.
+//! Signals end a command and leave nothing; a full disk is an error.
 
 use crate::program::{begun, names_in, pangaea, planet, stderr};
 use std::fs;
@@ -8,9 +8,9 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// Interrupts a program, which says so after what it has to say anyway.
-fn assert_interrupted(mut child: Child, before: &str) {
-    let kill = format!("kill -INT {}", child.id());
+/// Sends a signal to a program, which says so after what it has to say anyway.
+fn assert_ended_by(signal: &str, code: i32, mut child: Child, before: &str) {
+    let kill = format!("kill -{signal} {}", child.id());
     let sent = Command::new("sh").args(["-c", &kill]).status().unwrap();
     if !sent.success() {
         let _ = child.kill();
@@ -18,23 +18,25 @@ fn assert_interrupted(mut child: Child, before: &str) {
     let output = child.wait_with_output().unwrap();
     let text = stderr(&output);
     let expected = format!("{before}error: interrupted; nothing is written\n");
-    assert_eq!(output.status.code(), Some(130), "{text}");
+    assert_eq!(output.status.code(), Some(code), "{signal}: {text}");
     assert_eq!(text, expected);
 }
 
 #[test]
-fn an_interrupt_ends_a_command_and_leaves_nothing() {
-    let folder = TempDir::new().unwrap();
+fn signals_end_a_command_and_leave_nothing() {
     let size = ["generate", "--samples", "5000", "--until", "10000"];
-    let args = [&size[..], &["--out", "out"]].concat();
-    let child = begun(folder.path(), &args, Stdio::null());
-    // It listens before it makes the folder.
-    let deadline = Instant::now() + Duration::from_secs(60);
-    while !folder.path().join("out").exists() && Instant::now() < deadline {
-        std::thread::sleep(Duration::from_millis(5));
+    let args = [&size[..], &["--out", "a/b/c"]].concat();
+    for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129), ("QUIT", 131)] {
+        let folder = TempDir::new().unwrap();
+        let child = begun(folder.path(), &args, Stdio::null());
+        // It listens before it makes the folders.
+        let deadline = Instant::now() + Duration::from_secs(60);
+        while !folder.path().join("a/b/c").exists() && Instant::now() < deadline {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        assert_ended_by(signal, code, child, "");
+        assert!(names_in(folder.path()).is_empty(), "{signal}");
     }
-    assert_interrupted(child, "");
-    assert!(names_in(folder.path()).is_empty());
 }
 
 #[test]
@@ -49,7 +51,7 @@ fn an_interrupt_ends_an_export_between_its_rows() {
     let errors = child.stderr.as_mut().unwrap();
     errors.read_exact(&mut said).unwrap();
     assert_eq!(&said, b"level");
-    assert_interrupted(child, " 13, 12.207 m to a pixel\n");
+    assert_ended_by("INT", 130, child, " 13, 12.207 m to a pixel\n");
     assert_eq!(names_in(folder.path()), ["planet.pangaea"]);
 }
 

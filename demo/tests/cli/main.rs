@@ -7,7 +7,8 @@
 //! generate     the files of a planet
 //! measures     info and bench
 //! files        written all or none: what is in the way, what stays
-//! interrupts   Ctrl-C, and a full disk
+//! interrupts   signals, and a full disk
+//! pipes        questions and answers through pipes
 //! explorer     what is refused before a window opens
 //! export       squares of the ground
 //! climate      maps of a user
@@ -29,6 +30,9 @@ mod files;
 
 #[cfg(unix)]
 mod interrupts;
+
+#[cfg(unix)]
+mod pipes;
 
 mod explorer;
 

@@ -57,13 +57,8 @@ pub(super) fn assert_refused(args: &[&str], words: &[&str]) {
 
 /// Asserts exit code 2, one line on stderr that contains all of `words`, and nothing written.
 pub(super) fn assert_refused_in(folder: &Path, args: &[&str], words: &[&str]) {
-    assert_refused_input(folder, args, "", words);
-}
-
-/// As [`assert_refused_in`], with `input` on the standard input.
-pub(super) fn assert_refused_input(folder: &Path, args: &[&str], input: &str, words: &[&str]) {
     let before = names_in(folder);
-    let output = pangaea_with_input(folder, args, input);
+    let output = pangaea(folder, args);
     let text = stderr(&output);
     assert_eq!(output.status.code(), Some(2), "{args:?}: {text}");
     assert!(text.starts_with("error: "), "{args:?}: {text}");

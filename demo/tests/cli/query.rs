@@ -1,7 +1,8 @@
 //! Points of the ground.
 
 use crate::program::{
-    assert_refused, assert_refused_in, assert_refused_input, planet, succeed_with_input,
+    assert_contains, assert_refused, assert_refused_in, pangaea_with_input, planet, stderr,
+    succeed_with_input,
 };
 use std::fs;
 use std::path::Path;
@@ -81,16 +82,22 @@ fn a_point_has_one_answer_however_it_is_asked_for() {
 }
 
 #[test]
-fn the_first_bad_line_of_the_input_is_named() {
+fn lines_before_a_bad_one_are_answered_and_it_is_named() {
     let folder = planet();
-    for (input, words) in [
-        ("1,2\n3\n", &["line 2", "LAT,LON"][..]),
-        ("1,2\n91,0\n", &["line 2", "latitude"]),
-        ("nan,0\n", &["line 1", "latitude"]),
-        ("0,1e9\n", &["line 1", "longitude"]),
-        ("0,0,0\n", &["line 1"]),
-        ("Manaus\n", &["line 1"]),
+    for (input, answers, words) in [
+        ("1,2\n3\n", 1, &["line 2", "LAT,LON"][..]),
+        ("1,2\n91,0\n", 1, &["line 2", "latitude"]),
+        ("nan,0\n", 0, &["line 1", "latitude"]),
+        ("0,1e9\n", 0, &["line 1", "longitude"]),
+        ("0,0,0\n", 0, &["line 1"]),
+        ("Manaus\n", 0, &["line 1"]),
     ] {
-        assert_refused_input(folder.path(), &["query", "planet.pangaea"], input, words);
+        let output = pangaea_with_input(folder.path(), &["query", "planet.pangaea"], input);
+        let text = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert_eq!(text.lines().count(), 1, "{text}");
+        assert_contains(&text, words);
+        let printed = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(printed.lines().skip(1).count(), answers, "{input}");
     }
 }

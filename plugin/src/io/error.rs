@@ -28,6 +28,18 @@ pub enum IoError {
         /// The system's reason.
         source: io::Error,
     },
+    /// The file cannot be written, and others that belong to it are new already.
+    #[error("cannot write {}: {source}; {done} of {total} files are new", path.display())]
+    Half {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+        /// Files that have been replaced.
+        done: usize,
+        /// Files to replace.
+        total: usize,
+    },
     /// The file is no save of a planet, or a damaged one.
     #[error("{}: {source}", path.display())]
     Save {
@@ -86,6 +98,15 @@ impl IoError {
         Self::Write {
             path: path.to_path_buf(),
             source,
+        }
+    }
+
+    pub(super) fn half(path: &Path, source: io::Error, [done, total]: [usize; 2]) -> Self {
+        Self::Half {
+            path: path.to_path_buf(),
+            source,
+            done,
+            total,
         }
     }
 

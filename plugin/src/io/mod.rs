@@ -66,7 +66,7 @@ pub use digest::digest;
 pub use error::{IoError, SaveError};
 #[cfg(feature = "export")]
 pub use export::{ExportError, export};
-pub use files::{write_all_atomically, write_all_streamed, write_atomically};
+pub use files::{MarkedJson, Output, check_outputs, is_marked, write_all, write_atomically};
 #[cfg(feature = "dem")]
 pub use maps::{MapFileError, load_map};
 pub use preset::{PlanetPreset, PlanetRecipeLoader, PresetPlugin, load_preset};

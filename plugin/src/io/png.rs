@@ -117,6 +117,7 @@ fn encode(
     encoder.set_color(color);
     encoder.set_depth(depth);
     encoder.set_compression(Compression::Fast);
+    encoder.add_text_chunk("Software".into(), "Pangaea".into())?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(bytes)?;
     writer.finish()?;

@@ -9,9 +9,8 @@ use super::manifest::manifest;
 use super::names::ExportFiles;
 use super::scratch::HeightScratch;
 use super::{exr, geotiff, mesh};
-use crate::io::write_all_streamed;
+use crate::io::{MarkedJson, write_all};
 use crate::query::{Ground, MapGrid};
-use serde::Serialize;
 use serde_json::Value;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -116,14 +115,14 @@ impl ExportJob {
         let [low, high] = self.range.unwrap_or(heights.range.map(f64::from));
         let range = GreyRange { low, high };
         let texts = self.texts(&heights, range)?;
-        let (files, named) = (self.files.all(), self.files.named().len());
+        let named = self.files.named().len();
         let go_on = || go_on(grid.columns() * grid.rows());
-        write_all_streamed(&files, |k, out| match k.checked_sub(named) {
+        write_all(&self.files.outputs(), |k, out| match k.checked_sub(named) {
             Some(text) => out.write_all(&texts[text]),
             None => self.write_file(k, &heights, range, &go_on, out),
         })?;
         Ok(Exported {
-            files,
+            files: self.files.all(),
             heights_m: heights.range,
             is_cut_off: f64::from(heights.range[0]) < low || f64::from(heights.range[1]) > high,
         })
@@ -179,21 +178,9 @@ impl ExportJob {
     }
 }
 
-/// A text that says first who made it, by which an older one is known for ours.
-#[derive(Serialize)]
-struct SignedText<'a> {
-    generator: &'static str,
-    #[serde(flatten)]
-    content: &'a Value,
-}
-
 /// A value as the text of a file.
 fn json_text(content: &Value) -> Result<Vec<u8>, ExportError> {
-    let signed = SignedText {
-        generator: "Pangaea",
-        content,
-    };
-    let mut text = serde_json::to_vec_pretty(&signed).map_err(cannot_encode)?;
+    let mut text = serde_json::to_vec_pretty(&MarkedJson::new(content)).map_err(cannot_encode)?;
     text.push(b'\n');
     Ok(text)
 }

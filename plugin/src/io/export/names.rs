@@ -2,6 +2,7 @@
 
 use super::error::ExportError;
 use super::format::ExportFormat;
+use crate::io::Output;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -65,6 +66,24 @@ impl ExportFiles {
         let greys = self.format.has_greys().then(|| self.named());
         let sidecars = greys.into_iter().flatten().map(|path| json_of(&path));
         sidecars.chain(self.manifest()).collect()
+    }
+
+    /// All files, with the older ones that they may replace: the file that was named any, the others
+    /// only ours.
+    pub fn outputs(&self) -> Vec<Output> {
+        let named = self.named().into_iter().map(|path| self.output(path));
+        named
+            .chain(self.beside().into_iter().map(Output::beside))
+            .collect()
+    }
+
+    /// A file with heights. Raw ones have no room for a mark: the manifest lists them.
+    fn output(&self, path: PathBuf) -> Output {
+        match self.manifest() {
+            None => Output::named(path),
+            Some(manifest) if self.format == ExportFormat::Raw => Output::listed(path, manifest),
+            Some(_) => Output::beside(path),
+        }
     }
 
     /// The manifest of tiles.

@@ -1,0 +1,80 @@
+//! A file to write, and what it may replace.
+
+use super::mark::{contains, is_marked};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A file to write, and what it may replace.
+///
+/// One that the user named replaces whatever file there is. One whose name follows from another, a
+/// sidecar or a file in a folder, replaces only what Pangaea made: files say so in the field of
+/// their format for it, `Software` in PNG and TIFF, `generator` in glTF and JSON.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Output {
+    path: PathBuf,
+    replaces: Replaceable,
+}
+
+/// Which older file may be replaced.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Replaceable {
+    Any,
+    /// One with the mark.
+    Marked,
+    /// One that this file names, which has the mark.
+    ListedIn(PathBuf),
+}
+
+impl Output {
+    /// A file that the user named.
+    pub fn named(path: impl Into<PathBuf>) -> Self {
+        Self {
+            path: path.into(),
+            replaces: Replaceable::Any,
+        }
+    }
+
+    /// A file whose name follows from another.
+    pub fn beside(path: impl Into<PathBuf>) -> Self {
+        Self {
+            path: path.into(),
+            replaces: Replaceable::Marked,
+        }
+    }
+
+    /// A file whose name follows from another, of a format that has no room for a mark: it replaces
+    /// one that `list` names, a text of ours beside it.
+    pub fn listed(path: impl Into<PathBuf>, list: impl Into<PathBuf>) -> Self {
+        Self {
+            path: path.into(),
+            replaces: Replaceable::ListedIn(list.into()),
+        }
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Refuses to replace an older file that Pangaea did not make.
+    pub(super) fn check_older(&self) -> io::Result<()> {
+        let is_ours = match &self.replaces {
+            Replaceable::Any => true,
+            Replaceable::Marked => is_marked(&self.path)?,
+            Replaceable::ListedIn(list) => self.is_listed_in(list)?,
+        };
+        if is_ours {
+            return Ok(());
+        }
+        let problem = "there is a file of this name that Pangaea did not make; move it, or choose \
+                       another --out";
+        Err(io::Error::new(io::ErrorKind::AlreadyExists, problem))
+    }
+
+    fn is_listed_in(&self, list: &Path) -> io::Result<bool> {
+        let name = self.path.file_name().unwrap_or_default();
+        let quoted = format!("\"{}\"", name.to_string_lossy());
+        Ok(list.is_file() && is_marked(list)? && contains(&fs::read(list)?, quoted.as_bytes()))
+    }
+}
