@@ -12,7 +12,7 @@ use bevy_pangaea::io::export::{
 };
 use bevy_pangaea::io::{check_outputs, load};
 use bevy_pangaea::query::{
-    AzimuthalEquidistant, DegreeBox, Ground, GroundError, MapGrid, MapProjection, MapSquare,
+    AzimuthalEquidistant, DegreeBox, GridProjection, Ground, GroundError, MapGrid, MapSquare,
     TileBlock,
 };
 
@@ -152,8 +152,8 @@ fn check_output(args: &ExportArgs, shape: &Shape) -> Result<(), CliError> {
 fn scale_of(grid: &MapGrid) -> String {
     let (level, step) = (grid.level(), grid.step());
     match grid.projection() {
-        MapProjection::Azimuthal(_) => format!("level {level}, {:.3} m to a pixel", step.x),
-        MapProjection::PlateCarree { .. } => format!(
+        GridProjection::Azimuthal(_) => format!("level {level}, {:.3} m to a pixel", step.x),
+        GridProjection::PlateCarree { .. } => format!(
             "level {level}, {} x {} pixels of {:.6} x {:.6} degrees",
             grid.columns(),
             grid.rows(),

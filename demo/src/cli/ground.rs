@@ -58,8 +58,8 @@ pub struct ExportArgs {
     ///
     /// Written are TILE_COLUMN_ROW.EXT, counted from 0 in the north west, each with --pixels
     /// vertices to a side (2^n+1 for Unity; 505, 1009, 2017 for Unreal), the outer ones on its
-    /// edges; and TILE.json, which tells ranges, sea level, and the place and scale of every tile in
-    /// Unreal, Unity, Godot and Blender.
+    /// edges; and TILE.json, which tells ranges, sea level, and the place and scale of every tile
+    /// in Unreal, Unity, Godot and Blender.
     #[arg(
         long,
         value_name = "COLUMNSxROWS",
@@ -85,10 +85,10 @@ pub struct ExportArgs {
     pub level: Option<u8>,
     /// The file; its extension says in which format
     ///
-    /// .tif: one band of f32 in metres, georeferenced. .exr: f32 in metres. .png, .r16, .raw: 16-bit
-    /// grey, the latter two little endian without a header, with a .json of the same name to decode
-    /// it: min_m, max_m, metres_per_pixel, lat, lon. .glb: a mesh in metres, +x east, +y up, -z
-    /// north.
+    /// .tif: one band of f32 in metres, georeferenced. .exr: f32 in metres. .png, .r16, .raw:
+    /// 16-bit grey, the latter two little endian without a header, with a .json of the same name to
+    /// decode it: min_m, max_m, metres_per_pixel, lat, lon. .glb: a mesh in metres, +x east, +y up,
+    /// -z north.
     #[arg(long, value_name = "TILE.png|.tif|.exr|.r16|.raw|.glb")]
     pub out: PathBuf,
 }

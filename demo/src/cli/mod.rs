@@ -86,7 +86,8 @@ pub enum Command {
     Bench(BenchArgs),
     /// Print the facts of a planet file
     Info(InfoArgs),
-    /// Write the ground of a square, of tiles or of a box of degrees: GeoTIFF, EXR, 16-bit greys, mesh
+    /// Write the ground of a square, of tiles or of a box of degrees: GeoTIFF, EXR, 16-bit greys,
+    /// mesh
     Export(ExportArgs),
     /// Print relief statistics by what built the relief, beside those of real ground
     Relief(ReliefArgs),

@@ -13,8 +13,8 @@
 //! the manifest `land.json`. `--pixels` are vertices to a side, the outer ones on the edges, so
 //! neighbours share them to the last bit; the spacing is SIZE / (pixels - 1). All greys have one
 //! range, that of the whole block, or the one of `--range=LOW,HIGH`, which makes blocks that are
-//! exported one after the other alike. 16 bits over 10 km are steps of 15 cm; `.exr` and `.tif` hold
-//! metres in 32-bit floats.
+//! exported one after the other alike. 16 bits over 10 km are steps of 15 cm; `.exr` and `.tif`
+//! hold metres in 32-bit floats.
 //!
 //! | format | for |
 //! |---|---|
@@ -25,23 +25,23 @@
 //! | `.tif`: f32 in m, georeferenced | GIS programs |
 //!
 //! Heightmaps are flat: the map is azimuthal equidistant, true to scale at its middle; 100 km away
-//! lengths across are off by 0.004 % on a planet of 6370 km, at 1000 km by 0.4 %. A mesh is curved as
-//! the planet is.
+//! lengths across are off by 0.004 % on a planet of 6370 km, at 1000 km by 0.4 %. A mesh is curved
+//! as the planet is.
 //!
 //! # The manifest
 //!
 //! `generator`, `radius_m`, `lat`, `lon` (the middle of the block), `level`, `tiles`, `vertices`,
-//! `tile_m`, `spacing_m`; `lowest_m`, `highest_m` of all ground; for greys `min_m` and `max_m`, black
-//! and white, and `sea_level_grey`. For each of `files` its column and row, its sides from the middle
-//! of the block (`west_m`, `north_m`, `east_m`, `south_m`), the middle (`lat`, `lon`), and its place in
-//! `engines`; what tiles have in common there is in `engines` of the manifest itself. The sea is at
-//! height 0 in each.
+//! `tile_m`, `spacing_m`; `lowest_m`, `highest_m` of all ground; for greys `min_m` and `max_m`,
+//! black and white, and `sea_level_grey`. For each of `files` its column and row, its sides from
+//! the middle of the block (`west_m`, `north_m`, `east_m`, `south_m`), the middle (`lat`, `lon`),
+//! and its place in `engines`; what tiles have in common there is in `engines` of the manifest
+//! itself. The sea is at height 0 in each.
 //!
 //! # Unreal
 //!
-//! Landscape mode, *Import from File*, `.png` or `.r16`; sides of 505, 1009, 2017, 4033 vertices fill
-//! whole components. Scale: `engines.unreal.scale`. Location: the tile's `engines.unreal`, in cm: x
-//! east, y south. A grey is at z = (grey - 32768) / 128 · scale + location.
+//! Landscape mode, *Import from File*, `.png` or `.r16`; sides of 505, 1009, 2017, 4033 vertices
+//! fill whole components. Scale: `engines.unreal.scale`. Location: the tile's `engines.unreal`, in
+//! cm: x east, y south. A grey is at z = (grey - 32768) / 128 · scale + location.
 //!
 //! # Unity
 //!
@@ -51,16 +51,17 @@
 //!
 //! # Godot
 //!
-//! Terrain3D imports `.exr` in metres (scale 1, offset 0), or `.r16` with `r16_range` and `r16_size`.
-//! Its `vertex_spacing` is that of `engines.godot`; the tile's `engines.godot` is the place of its first
-//! vertex in m: x east, z south. Divide by the spacing where vertices are asked for. Godot reads PNG
-//! with 8 bits: not for heights. A `.glb` is imported as it is, at the origin.
+//! Terrain3D imports `.exr` in metres (scale 1, offset 0), or `.r16` with `r16_range` and
+//! `r16_size`. Its `vertex_spacing` is that of `engines.godot`; the tile's `engines.godot` is the
+//! place of its first vertex in m: x east, z south. Divide by the spacing where vertices are asked
+//! for. Godot reads PNG with 8 bits: not for heights. A `.glb` is imported as it is, at the origin.
 //!
 //! # Blender
 //!
-//! A `.glb` is imported as it is, at the origin: all tiles of a block count from its middle at sea level.
-//! Or a plane of `plane_size`, subdivided, at the tile's `engines.blender`, with a modifier *Displace*
-//! of `displace_strength` and mid level 0, its picture `.exr` or `.png` of colour space *Non-Color*.
+//! A `.glb` is imported as it is, at the origin: all tiles of a block count from its middle at sea
+//! level. Or a plane of `plane_size`, subdivided, at the tile's `engines.blender`, with a modifier
+//! *Displace* of `displace_strength` and mid level 0, its picture `.exr` or `.png` of colour space
+//! *Non-Color*.
 //!
 //! # Figures, read back
 //!

@@ -1,8 +1,8 @@
 //! Colours of maps and globes: one for every sample, and the legend that explains them.
 //!
 //! In: the [`Surface`](crate::crust::Surface) of a planet. Out: colours per sample
-//! ([`colorize`](fn@colorize)) for the globe, [`Raster`]s ([`MapProjection`]) for files. Nothing here
-//! needs a renderer.
+//! ([`colorize`](fn@colorize)) for the globe, [`Raster`]s ([`MapProjection`]) for files. Nothing
+//! here needs a renderer.
 //!
 //! ```
 //! use bevy::prelude::*;

@@ -3,7 +3,7 @@
 use super::check::{check_count, check_radius, direction_at};
 use super::error::GroundError;
 use super::level::level_for;
-use super::map_grid::{GridPoint, MapGrid, MapProjection};
+use super::map_grid::{GridPoint, GridProjection, MapGrid};
 use super::raster::MapSquare;
 use bevy::math::DVec2;
 use bevy::reflect::Reflect;
@@ -27,12 +27,13 @@ pub struct DegreeBox {
 }
 
 impl DegreeBox {
-    /// The box from `[south, west, north, east]` in degrees with so many columns and rows of pixels,
-    /// on a sphere of `radius_m`. Where `west` is greater than `east` it goes across the date line.
+    /// The box from `[south, west, north, east]` in degrees with so many columns and rows of
+    /// pixels, on a sphere of `radius_m`. Where `west` is greater than `east` it goes across the
+    /// date line.
     ///
     /// # Errors
-    /// As [`unwrapped`](Self::unwrapped); [`GroundError::Radius`]; [`GroundError::Count`] outside of
-    /// 1..=16,384 columns or rows.
+    /// As [`unwrapped`](Self::unwrapped); [`GroundError::Radius`]; [`GroundError::Count`] outside
+    /// of 1..=16,384 columns or rows.
     pub fn new(bounds: [f64; 4], radius_m: f64, pixels: [usize; 2]) -> Result<Self, GroundError> {
         check_radius(radius_m)?;
         let bounds = Self::unwrapped(bounds)?;
@@ -49,8 +50,8 @@ impl DegreeBox {
     /// The bounds `[south, west, north, east]` with `east` east of `west`, beyond 180 if need be.
     ///
     /// # Errors
-    /// [`GroundError::Latitude`], [`GroundError::Longitude`]; [`GroundError::Box`] if the box has no
-    /// width or height, or is wider than 360 degrees.
+    /// [`GroundError::Latitude`], [`GroundError::Longitude`]; [`GroundError::Box`] if the box has
+    /// no width or height, or is wider than 360 degrees.
     pub fn unwrapped(bounds: [f64; 4]) -> Result<[f64; 4], GroundError> {
         let [south, west, north, east] = bounds;
         direction_at(south, west)?;
@@ -104,7 +105,7 @@ impl DegreeBox {
         let step = DVec2::new((east - west) / columns, (north - south) / rows);
         let pixel_m = self.radius_m * step.min_element().to_radians();
         MapGrid {
-            projection: MapProjection::PlateCarree {
+            projection: GridProjection::PlateCarree {
                 radius_m: self.radius_m,
             },
             middle: 0.5 * DVec2::new(west + east, south + north),

@@ -10,7 +10,7 @@ use bevy::reflect::Reflect;
 /// From the plane of a map to the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Reflect)]
 #[reflect(opaque, Clone, Debug, PartialEq)]
-pub enum MapProjection {
+pub enum GridProjection {
     /// Metres to the east and to the north of a centre.
     Azimuthal(AzimuthalEquidistant),
     /// Plate carrée: degrees east and degrees north; longitudes may go on beyond 180.
@@ -20,7 +20,7 @@ pub enum MapProjection {
     },
 }
 
-impl MapProjection {
+impl GridProjection {
     /// Radius of the sphere in m.
     pub fn radius_m(&self) -> f64 {
         match self {
@@ -38,7 +38,7 @@ impl MapProjection {
     }
 }
 
-/// What a point of a grid stands for.
+/// The meaning of a point of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect)]
 pub enum GridPoint {
     /// The centre of a pixel: the grid reaches half a step beyond its points.
@@ -64,7 +64,7 @@ pub enum GridPoint {
 #[derive(Clone, Copy, Debug, PartialEq, Reflect)]
 #[reflect(opaque, Clone, Debug, PartialEq)]
 pub struct MapGrid {
-    pub(super) projection: MapProjection,
+    pub(super) projection: GridProjection,
     /// The middle of the whole grid in the plane.
     pub(super) middle: DVec2,
     /// From a point to the next one to the east and to the north.
@@ -81,7 +81,7 @@ pub struct MapGrid {
 
 impl MapGrid {
     /// The projection.
-    pub fn projection(&self) -> &MapProjection {
+    pub fn projection(&self) -> &GridProjection {
         &self.projection
     }
 
@@ -90,7 +90,7 @@ impl MapGrid {
         self.step
     }
 
-    /// What its points stand for.
+    /// The meaning of its points.
     pub fn point_kind(&self) -> GridPoint {
         self.point
     }
@@ -190,7 +190,7 @@ mod tests {
     fn grid() -> MapGrid {
         let about = AzimuthalEquidistant::new(10.0, 20.0, 1e6).unwrap();
         MapGrid {
-            projection: MapProjection::Azimuthal(about),
+            projection: GridProjection::Azimuthal(about),
             middle: DVec2::ZERO,
             step: DVec2::splat(100.0),
             point: GridPoint::Vertex,

@@ -67,7 +67,7 @@ pub use degree_box::DegreeBox;
 pub use error::GroundError;
 pub use ground::Ground;
 pub use level::{LEVELS, level_for, spacing};
-pub use map_grid::{GridPoint, MapGrid, MapProjection};
+pub use map_grid::{GridPoint, GridProjection, MapGrid};
 pub use pangaea_shaders::amplify::rules::Rules;
 pub use patch::{Patch, collider_patch};
 pub use planet::PlanetGround;

@@ -4,7 +4,7 @@ use super::check::{check_count, check_length};
 use super::error::GroundError;
 use super::ground::Ground;
 use super::level::{LEVELS, level_for};
-use super::map_grid::{GridPoint, MapGrid, MapProjection};
+use super::map_grid::{GridPoint, GridProjection, MapGrid};
 use super::projection::AzimuthalEquidistant;
 use bevy::math::{DVec2, DVec3};
 use bevy::reflect::Reflect;
@@ -134,7 +134,7 @@ impl MapSquare {
     pub fn grid(&self) -> MapGrid {
         let size = [self.pixels; 2];
         MapGrid {
-            projection: MapProjection::Azimuthal(self.projection),
+            projection: GridProjection::Azimuthal(self.projection),
             middle: DVec2::ZERO,
             step: DVec2::splat(self.pixel_m()),
             point: GridPoint::PixelCentre,

@@ -4,7 +4,7 @@
 use super::check::{check_count, check_length};
 use super::error::GroundError;
 use super::level::level_for;
-use super::map_grid::{GridPoint, MapGrid, MapProjection};
+use super::map_grid::{GridPoint, GridProjection, MapGrid};
 use super::projection::AzimuthalEquidistant;
 use super::raster::{LEAST_PIXEL_M, MapSquare};
 use crate::math::TAU;
@@ -110,7 +110,7 @@ impl TileBlock {
     pub fn grid(&self) -> MapGrid {
         let size = self.tiles.map(|n| n * (self.vertices - 1) + 1);
         MapGrid {
-            projection: MapProjection::Azimuthal(self.projection),
+            projection: GridProjection::Azimuthal(self.projection),
             middle: DVec2::ZERO,
             step: DVec2::splat(self.spacing_m()),
             point: GridPoint::Vertex,

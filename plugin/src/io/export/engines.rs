@@ -1,5 +1,5 @@
-//! Where engines put tiles, and how they scale them: in an engine's own units and axes, so that every
-//! height comes out in true metres above the sea, and neighbours join.
+//! Where engines put tiles, and how they scale them: in an engine's own units and axes, so that
+//! every height comes out in true metres above the sea, and neighbours join.
 //!
 //! ```text
 //! Unreal    x east, y south, z up, in cm; z = (grey - 32768) / 128 * scale + location

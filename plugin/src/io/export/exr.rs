@@ -1,5 +1,5 @@
-//! OpenEXR (Academy Software Foundation, "OpenEXR File Layout", version 2): one channel `Y` of f32 in
-//! m, in scan lines, uncompressed. Readers show a single channel of this name as grey.
+//! OpenEXR (Academy Software Foundation, "OpenEXR File Layout", version 2): one channel `Y` of f32
+//! in m, in scan lines, uncompressed. Readers show a single channel of this name as grey.
 
 use super::encoding::Encoding;
 use std::io::{self, Write};

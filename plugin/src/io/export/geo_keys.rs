@@ -1,7 +1,7 @@
-//! The keys of a GeoTIFF (OGC 19-008r4): the coordinate system of a grid, on a sphere of the planet's
-//! radius.
+//! The keys of a GeoTIFF (OGC 19-008r4): the coordinate system of a grid, on a sphere of the
+//! planet's radius.
 
-use crate::query::{AzimuthalEquidistant, GridPoint, MapGrid, MapProjection};
+use crate::query::{AzimuthalEquidistant, GridPoint, GridProjection, MapGrid};
 use tiff::tags::Tag;
 
 /// "Defined here", as the value of a key.
@@ -20,8 +20,8 @@ impl GeoKeys {
     pub(super) fn new(grid: &MapGrid) -> Self {
         let mut keys = Self::default();
         match grid.projection() {
-            MapProjection::Azimuthal(about) => keys.add_projected(grid, about),
-            MapProjection::PlateCarree { radius_m } => keys.add_geographic(grid, *radius_m),
+            GridProjection::Azimuthal(about) => keys.add_projected(grid, about),
+            GridProjection::PlateCarree { radius_m } => keys.add_geographic(grid, *radius_m),
         }
         // VerticalUnits: metre.
         keys.short(4099, 9001);

@@ -4,7 +4,7 @@ use super::encoding::Encoding;
 use crate::io::Sidecar;
 use crate::io::png::write_grey_png;
 use crate::math;
-use crate::query::{DegreeBox, MapGrid, MapProjection};
+use crate::query::{DegreeBox, GridProjection, MapGrid};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -104,7 +104,7 @@ pub(super) fn middle(grid: &MapGrid) -> (f64, f64) {
     let plane = grid.plane_middle();
     match grid.projection() {
         // As they were given, not as they come out of a direction.
-        MapProjection::Azimuthal(about) if plane.length() == 0.0 => about.lat_lon(),
+        GridProjection::Azimuthal(about) if plane.length() == 0.0 => about.lat_lon(),
         projection => math::lat_lon(projection.direction(plane)),
     }
 }

@@ -7,8 +7,8 @@ use super::names::ExportFiles;
 use crate::query::{MapGrid, TileBlock};
 use serde_json::{Value, json};
 
-/// The manifest of a block of tiles whose heights go from `heights[0]` to `heights[1]` m. `range` is
-/// that of greys.
+/// The manifest of a block of tiles whose heights go from `heights[0]` to `heights[1]` m. `range`
+/// is that of greys.
 pub(super) fn manifest(
     files: &ExportFiles,
     block: &TileBlock,

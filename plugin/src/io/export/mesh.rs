@@ -1,16 +1,16 @@
 //! A mesh as binary glTF: a vertex at each point, where it is on the planet, so that the mesh is
 //! curved as the planet is.
 //!
-//! The origin is the middle of the whole grid at sea level; +x is east, +y up, -z north, as glTF has
-//! it. Lengths are in m. Tiles have the origin of their block, and their normals know the ground
-//! beyond the edge: neighbours have the same vertices.
+//! The origin is the middle of the whole grid at sea level; +x is east, +y up, -z north, as glTF
+//! has it. Lengths are in m. Tiles have the origin of their block, and their normals know the
+//! ground beyond the edge: neighbours have the same vertices.
 //!
 //! Positions follow from heights at little cost, so each part of the file is computed anew, band by
 //! band.
 
 use super::encoding::Encoding;
 use super::glb::{MeshSize, write_head};
-use crate::query::{AzimuthalEquidistant, MapGrid, MapProjection};
+use crate::query::{AzimuthalEquidistant, GridProjection, MapGrid};
 use bevy::math::{DVec3, Vec3};
 use core::ops::Range;
 use rayon::prelude::*;
@@ -43,7 +43,7 @@ struct MeshSource<'a> {
 
 impl<'a> MeshSource<'a> {
     fn new(source: &'a Encoding<'a>) -> io::Result<Self> {
-        let MapProjection::Azimuthal(about) = *source.grid.projection() else {
+        let GridProjection::Azimuthal(about) = *source.grid.projection() else {
             return Err(io::ErrorKind::Unsupported.into());
         };
         Ok(Self {

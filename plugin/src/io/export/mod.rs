@@ -15,8 +15,9 @@
 //! job       from the ground to the files
 //! ```
 //!
-//! All show the same: heights at points of a map, rows from the north. Squares and tiles are azimuthal
-//! equidistant, boxes plate carrée. Writers stream: the size of an export is bounded by the disk.
+//! All show the same: heights at points of a map, rows from the north. Squares and tiles are
+//! azimuthal equidistant, boxes plate carrée. Writers stream: the size of an export is bounded by
+//! the disk.
 
 mod error;
 

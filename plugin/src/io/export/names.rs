@@ -49,8 +49,8 @@ impl ExportFiles {
         &self.path
     }
 
-    /// The files with heights: the path itself, or `NAME_COLUMN_ROW.EXTENSION` for each tile, row by
-    /// row from the north west.
+    /// The files with heights: the path itself, or `NAME_COLUMN_ROW.EXTENSION` for each tile, row
+    /// by row from the north west.
     pub fn named(&self) -> Vec<PathBuf> {
         match self.tiles {
             None => vec![self.path.clone()],
@@ -60,8 +60,8 @@ impl ExportFiles {
         }
     }
 
-    /// The files that are written beside them: a sidecar `NAME.json` for each file of greys, and the
-    /// manifest of tiles, last.
+    /// The files that are written beside them: a sidecar `NAME.json` for each file of greys, and
+    /// the manifest of tiles, last.
     pub fn beside(&self) -> Vec<PathBuf> {
         let greys = self.format.has_greys().then(|| self.named());
         let sidecars = greys.into_iter().flatten().map(|path| json_of(&path));

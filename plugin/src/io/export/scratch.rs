@@ -1,8 +1,8 @@
 //! The heights of an export on the disk while it is written.
 //!
-//! Heights are dear and a planet has more than memory: each is computed once, band by band, and kept
-//! in a file without a name, which is gone with the program however it ends. Every format reads its
-//! rows from there, knowing the range of all.
+//! Heights are dear and a planet has more than memory: each is computed once, band by band, and
+//! kept in a file without a name, which is gone with the program however it ends. Every format
+//! reads its rows from there, knowing the range of all.
 
 use super::error::{ExportError, as_io_error, cannot_encode};
 use crate::io::IoError;
