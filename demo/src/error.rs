@@ -52,7 +52,10 @@ impl From<PlanetError> for CliError {
 
 impl From<GroundError> for CliError {
     fn from(error: GroundError) -> Self {
-        Self::input(error)
+        match error {
+            GroundError::Memory => Self::Failed(error.to_string()),
+            other => Self::input(other),
+        }
     }
 }
 
@@ -60,6 +63,7 @@ impl From<ExportError> for CliError {
     fn from(error: ExportError) -> Self {
         match error {
             ExportError::Encode(_) => Self::Failed(error.to_string()),
+            ExportError::Ground(error) => error.into(),
             other => Self::input(other),
         }
     }

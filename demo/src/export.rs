@@ -1,4 +1,4 @@
-//! `pangaea export`: a square of the ground as a file.
+//! `pangaea export`: the ground of a square, of tiles or of a box of degrees as files.
 
 use crate::cli::ExportArgs;
 use crate::error::CliError;
@@ -6,9 +6,15 @@ use crate::ground::{bake_planet, ground};
 use crate::interrupt;
 use crate::output::say;
 use crate::progress;
-use bevy_pangaea::io::export::{ExportFormat, encode, outputs};
-use bevy_pangaea::io::{check_outputs, load, write_all};
-use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid, MapSquare};
+use crate::values::{BoxSpec, PixelsSpec, RegionSpec, TilesSpec};
+use bevy_pangaea::io::export::{
+    ExportArea, ExportError, ExportFiles, ExportFormat, ExportJob, Exported,
+};
+use bevy_pangaea::io::{check_outputs, load};
+use bevy_pangaea::query::{
+    AzimuthalEquidistant, DegreeBox, GridProjection, Ground, GroundError, MapGrid, MapSquare,
+    TileBlock,
+};
 
 /// Runs the command.
 ///
@@ -16,65 +22,171 @@ use bevy_pangaea::query::{AzimuthalEquidistant, Ground, GroundError, HeightGrid,
 /// If an option or the planet is refused, or the user interrupts it; nothing is written then.
 pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     interrupt::watch();
-    check_output(args)?;
+    let shape = Shape::of(args)?;
+    check_output(args, &shape)?;
     let climate = args.ground.climate.load()?;
     let state = load(&args.ground.planet)?;
-    let square = square(args, 1000.0 * state.planet.radius)?;
-    let ground = ground(&bake_planet(state, climate)?)?;
-    say(&format!(
-        "level {}, {:.3} m to a pixel",
-        square.level(),
-        square.pixel_m()
-    ));
-    let files = encode(&square, &heights(&ground, &square)?, &args.out)?;
-    interrupt::check()?;
-    write_all(&outputs(&args.out)?, |k, out| out.write_all(&files[k].1))?;
-    for (path, _) in files {
-        say(&path.display().to_string());
+    let area = shape.area(1000.0 * state.planet.radius)?;
+    let mut job = ExportJob::new(area, &args.out)?;
+    if let Some(range) = args.range {
+        job = job.with_range(range.0)?;
     }
+    if let Some(level) = args.level {
+        job = job.at_level(level)?;
+    }
+    let ground = ground(&bake_planet(state, climate)?)?;
+    say(&scale_of(&job.grid()));
+    let exported = run(&job, &ground)?;
+    report(args, &exported);
     Ok(())
 }
 
-/// Refuses a name without a format and a place where no file can be, before a planet is loaded.
-fn check_output(args: &ExportArgs) -> Result<(), CliError> {
-    ExportFormat::of(&args.out)?.check(args.pixels)?;
-    Ok(check_outputs(&outputs(&args.out)?)?)
+/// The area that is asked for, before the size of the planet is known.
+enum Shape {
+    Square(RegionSpec, usize),
+    Tiles(RegionSpec, usize, TilesSpec),
+    Box(BoxSpec, [usize; 2]),
 }
 
-/// The heights of the square, with a progress bar.
-fn heights(ground: &impl Ground, square: &MapSquare) -> Result<HeightGrid, CliError> {
-    let bar = progress::bar(square.pixels() as u64, "rows", "amplifying");
-    let heights = square.heights_while(ground, square.level(), |pixels| {
-        bar.set_position((pixels / square.pixels()) as u64);
-        interrupt::check().is_ok()
-    });
-    bar.finish_and_clear();
-    interrupt::check()?;
-    Ok(heights?)
-}
+impl Shape {
+    /// Refuses options that do not go together.
+    fn of(args: &ExportArgs) -> Result<Self, CliError> {
+        match (args.region, args.degrees, args.pixels) {
+            (Some(region), _, PixelsSpec::Side(pixels)) => Ok(match args.tiles {
+                Some(tiles) => Self::Tiles(region, pixels, tiles),
+                None => Self::Square(region, pixels),
+            }),
+            (None, Some(degrees), PixelsSpec::Size(size)) => Ok(Self::Box(degrees, size)),
+            (None, Some(degrees), PixelsSpec::Side(columns)) => {
+                let rows = DegreeBox::rows_for(columns, degrees.0)?;
+                Ok(Self::Box(degrees, [columns, rows]))
+            }
+            _ => Err(CliError::input("--pixels: COLUMNSxROWS is for --box")),
+        }
+    }
 
-/// The square that is asked for, on a planet of `radius_m`.
-fn square(args: &ExportArgs, radius_m: f64) -> Result<MapSquare, CliError> {
-    let middle = args.region.middle;
-    let projection = AzimuthalEquidistant::new(middle.lat, middle.lon, radius_m)?;
-    let square = MapSquare::new(projection, 1000.0 * args.region.size_km, args.pixels)
-        .map_err(|error| in_options(args, error))?;
-    match args.level {
-        Some(level) => Ok(square.at_level(level)?),
-        None => Ok(square),
+    /// Columns and rows of its tiles.
+    fn tiles(&self) -> Option<[usize; 2]> {
+        match self {
+            Self::Tiles(_, _, tiles) => Some(tiles.0),
+            Self::Square(..) | Self::Box(..) => None,
+        }
+    }
+
+    /// Refuses more pixels than a file of the format has.
+    fn check(&self, format: ExportFormat) -> Result<(), CliError> {
+        match self {
+            Self::Square(_, pixels) => format.check(*pixels)?,
+            Self::Tiles(_, vertices, tiles) => {
+                format.check(*vertices)?;
+                TileBlock::check(*vertices, tiles.0)
+                    .map_err(|error| CliError::input(format!("--tiles: {error}")))?;
+            }
+            Self::Box(_, _) if format == ExportFormat::Mesh => {
+                return Err(ExportError::MeshOfBox.into());
+            }
+            Self::Box(_, [columns, rows]) => format
+                .check(*columns.max(rows))
+                .map_err(|error| CliError::input(format!("--pixels: {error}")))?,
+        }
+        Ok(())
+    }
+
+    /// The area on a planet of `radius_m`.
+    fn area(&self, radius_m: f64) -> Result<ExportArea, CliError> {
+        match *self {
+            Self::Square(region, pixels) => {
+                let square = MapSquare::new(about(region, radius_m)?, metres(region), pixels);
+                in_options(square, region, pixels).map(ExportArea::from)
+            }
+            Self::Tiles(region, vertices, TilesSpec(tiles)) => {
+                let about = about(region, radius_m)?;
+                let block = TileBlock::new(about, metres(region), vertices, tiles);
+                in_options(block, region, vertices).map(ExportArea::from)
+            }
+            Self::Box(BoxSpec(bounds), pixels) => {
+                Ok(DegreeBox::new(bounds, radius_m, pixels)?.into())
+            }
+        }
     }
 }
 
+fn about(region: RegionSpec, radius_m: f64) -> Result<AzimuthalEquidistant, GroundError> {
+    AzimuthalEquidistant::new(region.middle.lat, region.middle.lon, radius_m)
+}
+
+fn metres(region: RegionSpec) -> f64 {
+    1000.0 * region.size_km
+}
+
 /// Says a refused length in the terms of the options.
-fn in_options(args: &ExportArgs, error: GroundError) -> CliError {
-    match error {
+fn in_options<T>(
+    area: Result<T, GroundError>,
+    region: RegionSpec,
+    pixels: usize,
+) -> Result<T, CliError> {
+    area.map_err(|error| match error {
         GroundError::Length { min, max, .. } => CliError::input(format!(
-            "--region: with {} pixels SIZE_KM is {} to {:.0}, not {}",
-            args.pixels,
+            "--region: with {pixels} pixels SIZE_KM is {} to {:.0}, not {}",
             1e-3 * min,
             1e-3 * max,
-            args.region.size_km
+            region.size_km
         )),
         error => error.into(),
+    })
+}
+
+/// Refuses names without a format, options that the format does not take, and places where no file
+/// can be, before a planet is loaded.
+fn check_output(args: &ExportArgs, shape: &Shape) -> Result<(), CliError> {
+    let files = ExportFiles::new(&args.out, shape.tiles())?;
+    let format = files.format();
+    shape.check(format)?;
+    if args.range.is_some() && !format.has_greys() {
+        return Err(ExportError::NoGreys(format.name()).into());
+    }
+    Ok(check_outputs(&files.outputs())?)
+}
+
+/// Level and resolution of a grid, for the user.
+fn scale_of(grid: &MapGrid) -> String {
+    let (level, step) = (grid.level(), grid.step());
+    match grid.projection() {
+        GridProjection::Azimuthal(_) => format!("level {level}, {:.3} m to a pixel", step.x),
+        GridProjection::PlateCarree { .. } => format!(
+            "level {level}, {} x {} pixels of {:.6} x {:.6} degrees",
+            grid.columns(),
+            grid.rows(),
+            step.x,
+            step.y
+        ),
+    }
+}
+
+/// Writes the files, with a progress bar.
+fn run(job: &ExportJob, ground: &impl Ground) -> Result<Exported, CliError> {
+    let columns = job.grid().columns();
+    let bar = progress::bar(job.grid().rows() as u64, "rows", "amplifying");
+    let exported = job.run(ground, |points| {
+        bar.set_position((points / columns) as u64);
+        interrupt::check().is_ok()
+    });
+    bar.finish_and_clear();
+    // A write that was stopped fails, too.
+    interrupt::check()?;
+    Ok(exported?)
+}
+
+/// Names the files, and says where heights were cut off.
+fn report(args: &ExportArgs, exported: &Exported) {
+    let [lowest, highest] = exported.heights_m;
+    if let (Some(range), true) = (args.range, exported.is_cut_off) {
+        let [low, high] = range.0;
+        say(&format!(
+            "warning: --range {low},{high} cuts off ground from {lowest} to {highest} m"
+        ));
+    }
+    for path in &exported.files {
+        say(&path.display().to_string());
     }
 }

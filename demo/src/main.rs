@@ -7,6 +7,7 @@
 )]
 
 mod error;
+mod memory;
 mod values;
 
 mod cli;

@@ -2,7 +2,7 @@
 //! limits.
 
 use bevy_pangaea::overlay::Overlay;
-use bevy_pangaea::query::LEVELS;
+use bevy_pangaea::query::{DegreeBox, LEVELS, TileBlock};
 use std::fmt::Display;
 use std::str::FromStr;
 
@@ -38,6 +38,27 @@ pub struct RegionSpec {
     /// Its side in km.
     pub size_km: f64,
 }
+
+/// Pixels of a raster: to a side, or columns and rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PixelsSpec {
+    /// To a side; columns, where the rows follow from them.
+    Side(usize),
+    /// Columns and rows.
+    Size([usize; 2]),
+}
+
+/// Columns and rows of tiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TilesSpec(pub [usize; 2]);
+
+/// Heights of black and white in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RangeSpec(pub [f64; 2]);
+
+/// South, west, north and east in degrees; the east is east of the west, beyond 180 if need be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoxSpec(pub [f64; 4]);
 
 /// A list of numbers of samples.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -97,9 +118,56 @@ pub fn frames(text: &str) -> Result<u32, String> {
     integer(text, 1, 1_000_000)
 }
 
-/// A number of pixels to a side of a square of the ground.
-pub fn pixels(text: &str) -> Result<usize, String> {
-    integer(text, 2, 16_384)
+/// `N` or `COLUMNSxROWS`, pixels of a raster of the ground.
+pub fn pixels(text: &str) -> Result<PixelsSpec, String> {
+    match text.split_once(['x', 'X']) {
+        Some((columns, rows)) => Ok(PixelsSpec::Size([
+            integer(columns, 1, 16_384)?,
+            integer(rows, 1, 16_384)?,
+        ])),
+        None => integer(text, 2, 16_384).map(PixelsSpec::Side),
+    }
+}
+
+/// `COLUMNSxROWS` of tiles.
+pub fn tiles(text: &str) -> Result<TilesSpec, String> {
+    let problem = || {
+        format!(
+            "it must be COLUMNSxROWS, at most {} tiles",
+            TileBlock::MAX_TILES
+        )
+    };
+    let (columns, rows) = text.split_once(['x', 'X']).ok_or_else(problem)?;
+    let count = |text| integer(text, 1, TileBlock::MAX_TILES).map_err(|_| problem());
+    let tiles = [count(columns)?, count(rows)?];
+    if tiles[0] * tiles[1] > TileBlock::MAX_TILES {
+        return Err(problem());
+    }
+    Ok(TilesSpec(tiles))
+}
+
+/// `LOW,HIGH`, a range of heights in m.
+pub fn height_range(text: &str) -> Result<RangeSpec, String> {
+    let [low, high] = text.split(',').collect::<Vec<_>>()[..] else {
+        return Err("it must be LOW,HIGH in metres".into());
+    };
+    let low = named_number(low, "the lowest height", -1e6, 1e6)?;
+    let high = named_number(high, "the highest height", -1e6, 1e6)?;
+    if low >= high {
+        return Err(format!("it must go up, not from {low} to {high}"));
+    }
+    Ok(RangeSpec([low, high]))
+}
+
+/// `SOUTH,WEST,NORTH,EAST`.
+pub fn degree_box(text: &str) -> Result<BoxSpec, String> {
+    let [south, west, north, east] = text.split(',').collect::<Vec<_>>()[..] else {
+        return Err("it must be SOUTH,WEST,NORTH,EAST in degrees".into());
+    };
+    let (low, high) = (coordinates(south, west)?, coordinates(north, east)?);
+    DegreeBox::unwrapped([low.lat, low.lon, high.lat, high.lon])
+        .map(BoxSpec)
+        .map_err(|error| error.to_string())
 }
 
 /// A level of detail of the ground.

@@ -61,6 +61,42 @@ fn places_and_regions_are_read() {
 }
 
 #[test]
+fn pixels_and_tiles_are_read() {
+    assert_eq!(pixels("257"), Ok(PixelsSpec::Side(257)));
+    assert_eq!(pixels("2048x1"), Ok(PixelsSpec::Size([2048, 1])));
+    assert_refused(
+        pixels,
+        &["", "1", "16385", "0x5", "5x0", "5x", "5x20000", "5x5x5"],
+    );
+    assert_eq!(tiles("2x1"), Ok(TilesSpec([2, 1])));
+    assert_eq!(tiles("64X64"), Ok(TilesSpec([64, 64])));
+    assert_refused(tiles, &["", "2", "0x1", "1x0", "-1x2", "65x64", "2x1x1"]);
+    assert_refused(tiles, &["5000x1", "18446744073709551615x2"]);
+}
+
+#[test]
+fn ranges_and_boxes_are_read() {
+    assert_eq!(
+        height_range("-12000,9000.5"),
+        Ok(RangeSpec([-12_000.0, 9000.5]))
+    );
+    assert_refused(
+        height_range,
+        &["", "5", "1,2,3", "9,-9", "3,3", "NaN,1", "0,inf"],
+    );
+    let fiji = BoxSpec([-20.0, 170.0, -10.0, 190.0]);
+    assert_eq!(degree_box("-20,170,-10,-170"), Ok(fiji));
+    assert_eq!(degree_box("-20, 170, -10, 190"), Ok(fiji));
+    let planet = BoxSpec([-90.0, -180.0, 90.0, 180.0]);
+    assert_eq!(degree_box("-90,-180,90,180"), Ok(planet));
+    assert_refused(
+        degree_box,
+        &["", "1,2,3", "-91,0,5,5", "0,0,91,5", "0,0,5,361"],
+    );
+    assert_refused(degree_box, &["5,0,-5,9", "5,0,5,9", "0,7,5,7", "NaN,0,1,1"]);
+}
+
+#[test]
 fn sizes_lists_and_names_are_read() {
     assert_eq!(size("1280x720"), Ok((1280, 720)));
     assert_refused(size, &["", "0x0", "1280", "1280x", "-1x5"]);

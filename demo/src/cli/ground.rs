@@ -1,8 +1,11 @@
 //! Options of the commands about the ground of a planet file: `export`, `relief`, `query`.
 
 use super::climate::ClimateArgs;
-use crate::values::{PlaceSpec, RegionSpec, level, pixels, place, region, sites};
-use clap::Args;
+use crate::values::{
+    BoxSpec, PixelsSpec, PlaceSpec, RangeSpec, RegionSpec, TilesSpec, degree_box, height_range,
+    level, pixels, place, region, sites, tiles,
+};
+use clap::{ArgGroup, Args};
 use std::path::PathBuf;
 
 /// The planet whose ground is asked for.
@@ -18,17 +21,30 @@ pub struct GroundArgs {
 
 /// Options of `export`.
 #[derive(Args, Debug)]
+#[command(group(ArgGroup::new("area").required(true).args(["region", "degrees"])))]
 pub struct ExportArgs {
     /// The planet.
     #[command(flatten)]
     pub ground: GroundArgs,
-    /// Middle of the square in degrees, and its side in km
+    /// Middle of the square in degrees, and its side in km; with --tiles, the side of one tile
     ///
     /// The square is azimuthal equidistant about its middle, north up; values are those of the
     /// centres of pixels.
     #[arg(long, value_name = "LAT,LON,SIZE_KM", allow_hyphen_values = true, value_parser = region)]
-    pub region: RegionSpec,
-    /// Pixels to a side, 2 to 16384; 8192 for .glb
+    pub region: Option<RegionSpec>,
+    /// A box in degrees instead of a square: equally many degrees to every pixel
+    ///
+    /// Where WEST is greater than EAST, it goes across the date line; -90,-180,90,180 is the whole
+    /// planet. Not for .glb.
+    #[arg(
+        long = "box",
+        id = "degrees",
+        value_name = "SOUTH,WEST,NORTH,EAST",
+        allow_hyphen_values = true,
+        value_parser = degree_box
+    )]
+    pub degrees: Option<BoxSpec>,
+    /// Pixels to a side, 2 to 16384; 8192 for .glb. Of a box, columns, or COLUMNSxROWS
     #[arg(
         long,
         value_name = "N",
@@ -36,17 +52,44 @@ pub struct ExportArgs {
         allow_hyphen_values = true,
         value_parser = pixels
     )]
-    pub pixels: usize,
+    pub pixels: PixelsSpec,
+    /// Tiles that share their edges, as game engines join them: a block with its middle in that of
+    /// --region, in one projection
+    ///
+    /// Written are TILE_COLUMN_ROW.EXT, counted from 0 in the north west, each with --pixels
+    /// vertices to a side (2^n+1 for Unity; 505, 1009, 2017 for Unreal), the outer ones on its
+    /// edges; and TILE.json, which tells ranges, sea level, and the place and scale of every tile
+    /// in Unreal, Unity, Godot and Blender.
+    #[arg(
+        long,
+        value_name = "COLUMNSxROWS",
+        allow_hyphen_values = true,
+        value_parser = tiles,
+        conflicts_with = "degrees"
+    )]
+    pub tiles: Option<TilesSpec>,
+    /// Heights in m of black and white in .png, .r16 and .raw [default: lowest and highest of all
+    /// that is exported]
+    ///
+    /// Higher and lower ground is cut off, which is said.
+    #[arg(
+        long,
+        value_name = "LOW,HIGH",
+        allow_hyphen_values = true,
+        value_parser = height_range
+    )]
+    pub range: Option<RangeSpec>,
     /// Level of detail, 0 (edges of about 52 km) to 17 (0.4 m) [default: the one whose edges fit
     /// the pixels]
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = level)]
     pub level: Option<u8>,
     /// The file; its extension says in which format
     ///
-    /// .tif: one band of f32 in metres, georeferenced. .png: 16-bit grey, with a .json of the same
-    /// name to decode it: min_m, max_m, metres_per_pixel, lat, lon. .glb: a mesh in metres, +x
-    /// east, +y up, -z north.
-    #[arg(long, value_name = "TILE.png|TILE.tif|TILE.glb")]
+    /// .tif: one band of f32 in metres, georeferenced. .exr: f32 in metres. .png, .r16, .raw:
+    /// 16-bit grey, the latter two little endian without a header, with a .json of the same name to
+    /// decode it: min_m, max_m, metres_per_pixel, lat, lon. .glb: a mesh in metres, +x east, +y up,
+    /// -z north.
+    #[arg(long, value_name = "TILE.png|.tif|.exr|.r16|.raw|.glb")]
     pub out: PathBuf,
 }
 

@@ -88,7 +88,8 @@ pub enum Command {
     Bench(BenchArgs),
     /// Print the facts of a planet file, or write its commands as a scenario
     Info(InfoArgs),
-    /// Write the height of a square of the ground: GeoTIFF, 16-bit PNG or a mesh
+    /// Write the ground of a square, of tiles or of a box of degrees: GeoTIFF, EXR, 16-bit greys,
+    /// mesh
     Export(ExportArgs),
     /// Print relief statistics by what built the relief, beside those of real ground
     Relief(ReliefArgs),

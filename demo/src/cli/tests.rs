@@ -1,7 +1,7 @@
 //! The command line is read as it is documented.
 
 use super::*;
-use crate::values::PlaceSpec;
+use crate::values::{BoxSpec, PixelsSpec, PlaceSpec};
 use bevy_pangaea::overlay::Overlay;
 use bevy_pangaea::planet::PlanetRecipe;
 use clap::CommandFactory;
@@ -89,11 +89,9 @@ fn squares_in_the_south_and_west_are_accepted_in_both_forms() {
         let Some(Command::Export(args)) = parse(&line).command else {
             panic!()
         };
-        assert_eq!(
-            (args.region.middle, args.region.size_km),
-            (SOUTH_WEST, 12.0)
-        );
-        assert_eq!(args.pixels, 1024);
+        let region = args.region.unwrap();
+        assert_eq!((region.middle, region.size_km), (SOUTH_WEST, 12.0));
+        assert_eq!(args.pixels, PixelsSpec::Side(1024));
     }
 }
 
@@ -112,6 +110,32 @@ fn maps_are_asked_for_by_their_names() {
     };
     assert_eq!(args.overlay, [Overlay::Plates, Overlay::Rain]);
     assert_eq!(args.size, 2048);
+}
+
+#[test]
+fn boxes_in_the_south_and_west_are_accepted_in_both_forms() {
+    for degrees in [
+        &["--box=-20,-70,-10,-60"][..],
+        &["--box", "-20,-70,-10,-60"],
+    ] {
+        let line = [&["export", "a.pangaea", "--out", "a.tif"], degrees].concat();
+        let Some(Command::Export(args)) = parse(&line).command else {
+            panic!()
+        };
+        assert_eq!(args.degrees, Some(BoxSpec([-20.0, -70.0, -10.0, -60.0])));
+    }
+}
+
+#[test]
+fn an_export_has_one_area() {
+    let area = |more: &[&str]| {
+        let line = [&["pangaea", "export", "a.pangaea", "--out", "a.tif"], more].concat();
+        Cli::try_parse_from(line)
+    };
+    assert!(area(&[]).is_err());
+    assert!(area(&["--region=0,0,5", "--box=0,0,5,5"]).is_err());
+    assert!(area(&["--box=0,0,5,5", "--tiles=2x2"]).is_err());
+    assert!(area(&["--region=0,0,5", "--tiles=2x2"]).is_ok());
 }
 
 #[test]

@@ -1,6 +1,9 @@
 //! Squares of the ground as files.
 
-use crate::program::{assert_refused, assert_refused_in, names_in, planet, read_json, succeed};
+use crate::program::{
+    assert_contains, assert_refused, assert_refused_in, names_in, pangaea, planet, read_json,
+    stderr, succeed,
+};
 use std::fs;
 use std::path::Path;
 
@@ -38,7 +41,7 @@ fn options_that_are_missing_are_named() {
 fn files_without_a_known_format_are_refused() {
     for out in ["a.bmp", "a", ".tif", "a.jpg"] {
         let args = export("a.pangaea", &["--out", out]);
-        assert_refused(&args, &[out, ".tif, .png or .glb"]);
+        assert_refused(&args, &[out, ".tif, .png, .r16, .raw, .exr or .glb"]);
     }
 }
 
@@ -130,6 +133,138 @@ fn squares_are_written_in_every_format() {
     assert_eq!(sidecar["lat"], -12.5);
     assert_eq!(sidecar["lon"], -170.0);
     assert!(sidecar["min_m"].as_f64().unwrap() <= sidecar["max_m"].as_f64().unwrap());
+}
+
+#[test]
+fn options_that_do_not_go_together_are_refused_before_the_planet_is_read() {
+    let tiles = |more: &[&'static str]| export("a.pangaea", more);
+    for bad in ["0x1", "1x0", "2", "65x64", "-1x2"] {
+        assert_refused(&tiles(&["--tiles", bad, "--out", "t.tif"]), &["--tiles"]);
+    }
+    let wide = ["--tiles", "9x1", "--pixels", "16384", "--out", "t.tif"];
+    assert_refused(&tiles(&wide), &["--tiles", "65537"]);
+    let size = ["--pixels", "64x32", "--out", "t.tif"];
+    assert_refused(&tiles(&size), &["--pixels", "--box"]);
+    for bad in ["5", "9,-9", "3,3", "NaN,1", "0,inf"] {
+        assert_refused(&tiles(&["--range", bad, "--out", "t.png"]), &["--range"]);
+    }
+    let metres = ["--range", "0,5", "--out", "t.tif"];
+    assert_refused(&tiles(&metres), &["range", ".tif"]);
+}
+
+#[test]
+fn boxes_that_are_none_are_refused_before_the_planet_is_read() {
+    let degrees =
+        |degrees: &'static str, out| ["export", "a.pangaea", "--box", degrees, "--out", out];
+    for bad in ["", "1,2,3", "-91,0,5,5", "0,0,5,361", "5,0,-5,9", "0,7,5,7"] {
+        assert_refused(&degrees(bad, "a.tif"), &["--box"]);
+    }
+    assert_refused(&degrees("0,0,5,5", "a.glb"), &["box", "mesh"]);
+    assert_refused(&degrees("-90,0,90,1", "a.tif"), &["--pixels", "16384"]);
+}
+
+/// The JSON of the manifest of tiles of 60 km, 9 vertices to a side.
+fn exported_tiles(folder: &Path, out: &str) -> serde_json::Value {
+    let square = ["export", "planet.pangaea", "--region=60,20,60"];
+    let tiles = ["--pixels", "9", "--tiles", "2x1", "--out", out];
+    succeed(folder, &[&square[..], &tiles].concat());
+    read_json(&folder.join("t.json"))
+}
+
+#[test]
+fn tiles_are_written_with_a_manifest() {
+    let folder = planet();
+    let manifest = exported_tiles(folder.path(), "t.tif");
+    assert_eq!(manifest["spacing_m"], 7500.0);
+    assert_eq!(manifest["files"][1]["file"], "t_1_0.tif");
+    assert_eq!(manifest["files"][1]["west_m"], 0.0);
+    let manifest = exported_tiles(folder.path(), "t.r16");
+    assert!(manifest["engines"]["unity"]["heightmap_resolution"] == 9);
+    let greys = fs::read(folder.path().join("t_1_0.r16")).unwrap();
+    assert_eq!(greys.len(), 2 * 9 * 9);
+}
+
+#[test]
+fn a_range_makes_greys_of_two_squares_alike() {
+    let folder = planet();
+    for region in ["10,20,60", "60,20,60"] {
+        let out = format!("{region}.png");
+        let square = [
+            "export",
+            "planet.pangaea",
+            "--region",
+            region,
+            "--pixels",
+            "16",
+        ];
+        let greys = ["--range=-12000,12000", "--out", &out];
+        succeed(folder.path(), &[&square[..], &greys].concat());
+        let sidecar = read_json(&folder.path().join(format!("{region}.json")));
+        assert_eq!(
+            (&sidecar["min_m"], &sidecar["max_m"]),
+            (&(-12e3).into(), &12e3.into())
+        );
+    }
+}
+
+#[test]
+fn ground_beyond_the_range_is_said_to_be_cut_off() {
+    let folder = planet();
+    let square = [
+        "export",
+        "planet.pangaea",
+        "--region=10,20,60",
+        "--pixels",
+        "16",
+    ];
+    let greys = ["--range=20000,20001", "--out", "a.png"];
+    let output = pangaea(folder.path(), &[&square[..], &greys].concat());
+    assert!(output.status.success());
+    assert_contains(
+        &stderr(&output),
+        &["warning: --range 20000,20001", "cuts off"],
+    );
+}
+
+#[test]
+fn a_box_has_square_pixels_or_those_that_are_asked_for() {
+    let folder = planet();
+    let degrees = ["export", "planet.pangaea", "--box=-20,170,-10,-170"];
+    for (pixels, step) in [("40", [0.5, 0.5]), ("40x10", [0.5, 1.0])] {
+        let file = ["--pixels", pixels, "--out", "a.png"];
+        succeed(folder.path(), &[&degrees[..], &file].concat());
+        let sidecar = read_json(&folder.path().join("a.json"));
+        assert_eq!(sidecar["degrees_per_pixel"], serde_json::json!(step));
+        assert_eq!(sidecar["east"], 190.0);
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn where_memory_ends_there_is_one_line() {
+    let folder = planet();
+    // Enough to begin with; the ground of a planet takes 300 MB.
+    let script = format!(
+        "ulimit -v 250000; exec {} export planet.pangaea --region=0,0,9 --out a.tif",
+        env!("CARGO_BIN_EXE_pangaea")
+    );
+    let output = std::process::Command::new("sh")
+        .args(["-c", &script])
+        .env("RAYON_NUM_THREADS", "1")
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let text = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert_eq!(
+        text.lines()
+            .filter(|line| line.starts_with("error: "))
+            .count(),
+        1,
+        "{text}"
+    );
+    assert!(!text.contains("backtrace"), "{text}");
+    assert_eq!(names_in(folder.path()), ["planet.pangaea"]);
 }
 
 #[test]

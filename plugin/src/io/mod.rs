@@ -15,7 +15,7 @@
 //! stats      figures of a planet
 //! png        16-bit elevation, RGB maps
 //! sidecar    the scale of a picture of heights
-//! export     squares of the ground: GeoTIFF, 16-bit PNG, glTF
+//! export     the ground: GeoTIFF, EXR, 16-bit greys, glTF; squares, tiles, boxes of degrees
 //! dem        elevation models of real ground
 //! maps       maps of the whole planet: climate, terrain
 //! ```

@@ -5,6 +5,10 @@
 
 use crate::overlay::Raster;
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
+use std::io::{self, Write};
+
+/// Bytes of a chunk of a picture that is written as its rows come.
+const CHUNK_BYTES: usize = 1 << 18;
 
 /// Elevation of the grey value 0.
 const LOWEST_KM: f32 = -12.0;
@@ -54,6 +58,37 @@ pub fn grey_png(width: u32, greys: impl Iterator<Item = u16>) -> Result<Vec<u8>,
         BitDepth::Sixteen,
         &bytes,
     )
+}
+
+/// Writes a 16-bit grey PNG of so many columns and rows as they come: `rows` writes greys of two
+/// bytes, big endian, rows from the top.
+///
+/// ```
+/// use bevy_pangaea::io::png::write_grey_png;
+///
+/// let mut file = Vec::new();
+/// write_grey_png(&mut file, [2, 1], |rows| rows.write_all(&[0, 7, 255, 255]))?;
+/// assert!(file.starts_with(b"\x89PNG"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `rows` and `out`, and if the greys are not as many as the picture has.
+pub fn write_grey_png(
+    out: &mut dyn Write,
+    [width, height]: [u32; 2],
+    rows: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut encoder = Encoder::new(out, width, height);
+    encoder.set_color(ColorType::Grayscale);
+    encoder.set_depth(BitDepth::Sixteen);
+    encoder.set_compression(Compression::Fast);
+    encoder.add_text_chunk("Software".into(), "Pangaea".into())?;
+    let mut writer = encoder.write_header()?;
+    let mut stream = writer.stream_writer_with_size(CHUNK_BYTES)?;
+    rows(&mut stream)?;
+    stream.finish()?;
+    Ok(writer.finish()?)
 }
 
 /// An RGB PNG.
@@ -108,7 +143,7 @@ mod tests {
 
     /// Size and pixels of a picture.
     fn decoded(file: &[u8]) -> ((u32, u32), Vec<u8>) {
-        let mut reader = png::Decoder::new(std::io::Cursor::new(file))
+        let mut reader = png::Decoder::new(io::Cursor::new(file))
             .read_info()
             .unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
@@ -123,6 +158,23 @@ mod tests {
         assert_eq!(size, (3, 2));
         let greys = elevation.map(|z| grey_of_elevation(z).to_be_bytes());
         assert_eq!(pixels, greys.concat());
+    }
+
+    #[test]
+    fn greys_that_come_in_parts_are_read_as_written() {
+        let bytes: Vec<u8> = (0..=239).collect();
+        let mut file = Vec::new();
+        write_grey_png(&mut file, [40, 3], |out| {
+            bytes.chunks(7).try_for_each(|part| out.write_all(part))
+        })
+        .unwrap();
+        assert_eq!(decoded(&file), ((40, 3), bytes));
+    }
+
+    #[test]
+    fn too_few_greys_are_refused() {
+        let mut file = Vec::new();
+        assert!(write_grey_png(&mut file, [2, 2], |out| out.write_all(&[0; 7])).is_err());
     }
 
     #[test]

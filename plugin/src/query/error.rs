@@ -46,6 +46,12 @@ pub enum GroundError {
         /// Largest allowed number.
         max: usize,
     },
+    /// A box of degrees without a width or a height, or wider than the planet.
+    #[error("the box {0} {1}")]
+    Box(&'static str, String),
+    /// The machine has no memory left.
+    #[error("there is not enough memory")]
+    Memory,
     /// The caller stopped the work.
     #[error("stopped before all heights were known")]
     Stopped,

@@ -10,7 +10,11 @@
 //! planet       the amplified ground of a planet
 //! coarse       the ground of the crust alone, interpolated between its samples
 //! projection   azimuthal equidistant squares
-//! raster       heights on such a square
+//! map_grid     regular grids of points on a map, and windows of them
+//! bands        heights on a grid, by bands of rows
+//! raster       squares of pixels, and heights on them
+//! tiles        blocks of tiles that share their edges
+//! degree_box   boxes of latitudes and longitudes
 //! patch        a regular grid of triangles around a point
 //! collider     the ground's own triangles around a point
 //! ray          where a ray meets the ground
@@ -39,7 +43,15 @@ mod coarse;
 
 mod projection;
 
+mod map_grid;
+
+mod bands;
+
 mod raster;
+
+mod tiles;
+
+mod degree_box;
 
 mod patch;
 
@@ -51,12 +63,12 @@ mod tree;
 
 pub use check::{checked, direction_at};
 pub use coarse::CoarseGround;
+pub use degree_box::DegreeBox;
 pub use error::GroundError;
 pub use ground::Ground;
 pub use level::{LEVELS, level_for, spacing};
+pub use map_grid::{GridPoint, GridProjection, MapGrid};
 pub use pangaea_shaders::amplify::rules::Rules;
-#[cfg(feature = "export")]
-pub(crate) use patch::grid_triangles;
 pub use patch::{Patch, collider_patch};
 pub use planet::PlanetGround;
 pub use projection::AzimuthalEquidistant;
@@ -64,4 +76,5 @@ pub use raster::{HeightGrid, MapSquare};
 pub use ray::{RayHit, cast_ray};
 pub use sample::Sample;
 pub use surface::{ClimateSample, GroundConditions, GroundSurface, classify};
+pub use tiles::TileBlock;
 pub use tree::PatchTree;

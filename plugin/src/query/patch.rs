@@ -87,7 +87,7 @@ pub fn collider_patch(
 
 /// Two triangles for each cell of a square grid of `n` by `n` corners whose rows begin in the north
 /// west, counter-clockwise seen from outside.
-pub(crate) fn grid_triangles(n: usize) -> Vec<[u32; 3]> {
+fn grid_triangles(n: usize) -> Vec<[u32; 3]> {
     let mut triangles = Vec::with_capacity(2 * (n - 1) * (n - 1));
     for y in 0..n - 1 {
         for x in 0..n - 1 {

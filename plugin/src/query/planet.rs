@@ -26,6 +26,9 @@ use std::sync::{Arc, Mutex};
 /// remembers.
 const HEIGHTS_PER_RUN: usize = 512;
 
+/// Vertices that all engines at rest may keep together: about 230 MB.
+const MOST_AT_REST: usize = 400_000;
+
 /// Height in m by which rules may leave the bounds of the control mesh: crests over summits, beds
 /// under rivers, seamounts.
 const RULES_MARGIN_M: f64 = 3000.0;
@@ -145,7 +148,11 @@ impl PlanetGround {
         let mut engine =
             resting.unwrap_or_else(|| LocalGround::new(self.base.clone(), &self.rules));
         let answer = work(&mut engine);
-        if let Ok(mut all) = self.engines.lock() {
+        // As many engines as threads may come to rest: one that has more than its share is dropped.
+        let share = MOST_AT_REST / rayon::current_num_threads();
+        if engine.lazy().len() <= share
+            && let Ok(mut all) = self.engines.lock()
+        {
             all.push(engine);
         }
         answer

@@ -4,15 +4,13 @@ use super::check::{check_count, check_length};
 use super::error::GroundError;
 use super::ground::Ground;
 use super::level::{LEVELS, level_for};
+use super::map_grid::{GridPoint, GridProjection, MapGrid};
 use super::projection::AzimuthalEquidistant;
-use crate::parallel;
 use bevy::math::{DVec2, DVec3};
 use bevy::reflect::Reflect;
-use core::sync::atomic::{AtomicUsize, Ordering};
-use rayon::prelude::*;
 
 /// Smallest side of a pixel in m.
-const LEAST_PIXEL_M: f64 = 1e-3;
+pub(super) const LEAST_PIXEL_M: f64 = 1e-3;
 
 /// A grid of heights in m, rows from the north, values at the centres of pixels.
 #[derive(Clone, Debug, PartialEq, Reflect)]
@@ -129,9 +127,22 @@ impl MapSquare {
 
     /// Unit vector of the centre of pixel (`column`, `row`), rows from the north.
     pub fn direction(&self, column: usize, row: usize) -> DVec3 {
-        let from_middle = |k: usize| (k as f64 + 0.5 - 0.5 * self.pixels as f64) * self.pixel_m();
-        self.projection
-            .direction(DVec2::new(from_middle(column), -from_middle(row)))
+        self.grid().direction(column, row)
+    }
+
+    /// The centres of its pixels, at its level.
+    pub fn grid(&self) -> MapGrid {
+        let size = [self.pixels; 2];
+        MapGrid {
+            projection: GridProjection::Azimuthal(self.projection),
+            middle: DVec2::ZERO,
+            step: DVec2::splat(self.pixel_m()),
+            point: GridPoint::PixelCentre,
+            whole: size,
+            first: [0, 0],
+            size,
+            level: self.level(),
+        }
     }
 
     /// Its own level, or the one whose edges are not longer than a pixel.
@@ -156,28 +167,16 @@ impl MapSquare {
     /// before each batch, from any thread.
     ///
     /// # Errors
-    /// As [`heights`](Self::heights), and [`GroundError::Stopped`].
+    /// As [`heights`](Self::heights), and [`GroundError::Stopped`]; [`GroundError::Memory`].
     pub fn heights_while(
         &self,
         ground: &(impl Ground + ?Sized),
         level: u8,
         go_on: impl Fn(usize) -> bool + Sync,
     ) -> Result<HeightGrid, GroundError> {
-        let mut values = vec![0.0_f32; self.pixels * self.pixels];
-        let known = AtomicUsize::new(0);
-        let batches = values.par_chunks_mut(parallel::CHUNK).enumerate();
-        let results = batches.map(|(batch, heights)| {
-            if !go_on(known.load(Ordering::Relaxed)) {
-                return Err(GroundError::Stopped);
-            }
-            let directions = self.directions(batch * parallel::CHUNK, heights.len());
-            ground.heights(&directions, level, heights)?;
-            known.fetch_add(heights.len(), Ordering::Relaxed);
-            Ok(())
-        });
-        // Collected first: which of several errors is told must not depend on the threads.
-        let results: Vec<Result<(), GroundError>> = results.collect();
-        results.into_iter().collect::<Result<(), GroundError>>()?;
+        let mut values = Vec::new();
+        let grid = self.grid().at_level(level)?;
+        grid.heights_by_bands(ground, go_on, |band| append(&mut values, band))?;
         Ok(HeightGrid {
             width: self.pixels,
             height: self.pixels,
@@ -185,13 +184,15 @@ impl MapSquare {
             pixel_m: [self.pixel_m(); 2],
         })
     }
+}
 
-    /// Unit vectors of so many pixels from the `first` on, row by row.
-    fn directions(&self, first: usize, count: usize) -> Vec<DVec3> {
-        (first..first + count)
-            .map(|i| self.direction(i % self.pixels, i / self.pixels))
-            .collect()
-    }
+/// Adds a band to the values of a grid.
+fn append(values: &mut Vec<f32>, band: &[f32]) -> Result<(), GroundError> {
+    values
+        .try_reserve(band.len())
+        .map_err(|_| GroundError::Memory)?;
+    values.extend_from_slice(band);
+    Ok(())
 }
 
 #[cfg(test)]

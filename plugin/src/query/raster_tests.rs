@@ -1,6 +1,7 @@
 use super::*;
 use crate::math;
 use crate::query::checked;
+use core::sync::atomic::{AtomicUsize, Ordering};
 
 /// Heights of 10 m per degree of a coordinate.
 enum Degrees {

@@ -1,18 +1,22 @@
-//! The formats that squares are written in.
+//! The formats that heights are written in.
 
 use super::error::ExportError;
 use crate::query::MapSquare;
 use bevy::prelude::*;
 use std::path::Path;
 
-/// The formats that squares are written in.
+/// The formats that heights are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect)]
 pub enum ExportFormat {
-    /// GeoTIFF, `.tif`.
+    /// GeoTIFF, `.tif`: f32 in m.
     GeoTiff,
     /// 16-bit grey PNG with a sidecar, `.png`.
     Grey,
-    /// Binary glTF, `.glb`.
+    /// 16-bit greys without a header, little endian, with a sidecar: `.r16`, `.raw`.
+    Raw,
+    /// OpenEXR, `.exr`: f32 in m.
+    Exr,
+    /// Binary glTF, `.glb`: triangles in m.
     Mesh,
 }
 
@@ -26,6 +30,8 @@ impl ExportFormat {
         match extension.to_str() {
             Some("tif" | "tiff") => Ok(Self::GeoTiff),
             Some("png") => Ok(Self::Grey),
+            Some("r16" | "raw") => Ok(Self::Raw),
+            Some("exr") => Ok(Self::Exr),
             Some("glb") => Ok(Self::Mesh),
             _ => Err(ExportError::Extension(path.to_path_buf())),
         }
@@ -36,15 +42,22 @@ impl ExportFormat {
         match self {
             Self::GeoTiff => ".tif",
             Self::Grey => ".png",
+            Self::Raw => ".r16",
+            Self::Exr => ".exr",
             Self::Mesh => ".glb",
         }
+    }
+
+    /// Whether heights become 16-bit greys, which need a sidecar and take a range.
+    pub fn has_greys(self) -> bool {
+        matches!(self, Self::Grey | Self::Raw)
     }
 
     /// Most pixels to a side: a mesh of more would not fit into a file of four gigabytes.
     pub fn max_pixels(self) -> usize {
         match self {
-            Self::GeoTiff | Self::Grey => MapSquare::MAX_PIXELS,
             Self::Mesh => 8192,
+            _ => MapSquare::MAX_PIXELS,
         }
     }
 

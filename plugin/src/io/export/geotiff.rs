@@ -1,119 +1,106 @@
-//! GeoTIFF (OGC 19-008r4): one band of f32 in m, in a coordinate system of its own: azimuthal
-//! equidistant about the middle of the square, on a sphere of the planet's radius.
+//! GeoTIFF (OGC 19-008r4): one band of f32 in m, uncompressed, in strips.
+//!
+//! The directory comes first and the strips follow in order, so the file is written in one go.
 
-use super::error::{ExportError, cannot_encode};
-use crate::query::{HeightGrid, MapSquare};
-use std::io::Cursor;
-use tiff::encoder::{TiffEncoder, colortype};
+use super::encoding::Encoding;
+use super::geo_keys::GeoKeys;
+use super::scratch::write_floats;
+use crate::query::MapGrid;
+use core::ops::Range;
+use std::io::{self, Cursor, Seek, Write};
+use tiff::TiffResult;
+use tiff::encoder::{DirectoryEncoder, Rational, TiffEncoder, TiffKind};
 use tiff::tags::Tag;
-use tiff::{TiffError, TiffResult};
 
-/// The file of a square.
-pub(super) fn encode(square: &MapSquare, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
-    write(square, grid).map_err(|error: TiffError| cannot_encode(error))
+/// Bytes of a strip, about.
+const STRIP_BYTES: usize = 1 << 18;
+
+/// The file of a grid.
+pub(super) fn write(source: &Encoding, out: &mut dyn Write) -> io::Result<()> {
+    let head = head(&source.grid).map_err(io::Error::other)?;
+    out.write_all(&head)?;
+    source.for_each_band(|band| write_floats(out, band))
 }
 
-fn write(square: &MapSquare, grid: &HeightGrid) -> TiffResult<Vec<u8>> {
+/// All that comes before the strips.
+fn head(grid: &MapGrid) -> TiffResult<Vec<u8>> {
+    // The length of the head does not depend on where it says that the strips are.
+    let length = head_before(grid, 0)?.len();
+    head_before(grid, length)
+}
+
+/// The head of a file whose strips begin at byte `first`.
+fn head_before(grid: &MapGrid, first: usize) -> TiffResult<Vec<u8>> {
     let mut bytes = Cursor::new(Vec::new());
     let mut encoder = TiffEncoder::new(&mut bytes)?;
-    let side = square.pixels() as u32;
-    let mut image = encoder.new_image::<colortype::Gray32Float>(side, side)?;
-    let (pixel, half) = (square.pixel_m(), 0.5 * square.side_m());
-    let scale = [pixel, pixel, 0.0];
-    // The north west corner of the raster is half a side to the west and to the north of the
-    // middle.
-    let tie = [0.0, 0.0, 0.0, -half, half, 0.0];
-    let keys = GeoKeys::new(square);
-    let tags = image.encoder();
+    let mut directory = encoder.image_directory()?;
+    write_image(&mut directory, grid)?;
+    write_strips(&mut directory, grid, first)?;
+    write_place(&mut directory, grid)?;
+    directory.finish()?;
+    Ok(bytes.into_inner())
+}
+
+/// One band of 32-bit floats, zero is black; no unit of length for paper.
+fn write_image<W: Write + Seek, K: TiffKind>(
+    tags: &mut DirectoryEncoder<'_, W, K>,
+    grid: &MapGrid,
+) -> TiffResult<()> {
+    tags.write_tag(Tag::ImageWidth, grid.columns() as u32)?;
+    tags.write_tag(Tag::ImageLength, grid.rows() as u32)?;
+    tags.write_tag(Tag::BitsPerSample, 32_u16)?;
+    tags.write_tag(Tag::Compression, 1_u16)?;
+    tags.write_tag(Tag::PhotometricInterpretation, 1_u16)?;
+    tags.write_tag(Tag::SamplesPerPixel, 1_u16)?;
+    tags.write_tag(Tag::SampleFormat, 3_u16)?;
+    tags.write_tag(Tag::XResolution, Rational { n: 1, d: 1 })?;
+    tags.write_tag(Tag::YResolution, Rational { n: 1, d: 1 })?;
+    tags.write_tag(Tag::ResolutionUnit, 1_u16)?;
+    tags.write_tag(Tag::Software, "Pangaea")
+}
+
+/// Where the strips are.
+fn write_strips<W: Write + Seek, K: TiffKind>(
+    tags: &mut DirectoryEncoder<'_, W, K>,
+    grid: &MapGrid,
+    first: usize,
+) -> TiffResult<()> {
+    let row = 4 * grid.columns();
+    let height = (STRIP_BYTES / row).clamp(1, grid.rows());
+    let strips = strips(grid.rows(), height);
+    let offsets: Vec<u32> = strips
+        .iter()
+        .map(|rows| (first + rows.start * row) as u32)
+        .collect();
+    let counts: Vec<u32> = strips
+        .iter()
+        .map(|rows| (rows.len() * row) as u32)
+        .collect();
+    tags.write_tag(Tag::RowsPerStrip, height as u32)?;
+    tags.write_tag(Tag::StripOffsets, &offsets[..])?;
+    tags.write_tag(Tag::StripByteCounts, &counts[..])
+}
+
+/// The rows of each strip.
+fn strips(rows: usize, height: usize) -> Vec<Range<usize>> {
+    let strip = |k: usize| k * height..((k + 1) * height).min(rows);
+    (0..rows.div_ceil(height)).map(strip).collect()
+}
+
+/// Where the grid is on the planet.
+fn write_place<W: Write + Seek, K: TiffKind>(
+    tags: &mut DirectoryEncoder<'_, W, K>,
+    grid: &MapGrid,
+) -> TiffResult<()> {
+    let step = grid.step();
+    let scale = [step.x, step.y, 0.0];
+    // Raster point (0, 0) is the first vertex, or the corner of the first pixel.
+    let corner = grid.north_west();
+    let tie = [0.0, 0.0, 0.0, corner.x, corner.y, 0.0];
+    let keys = GeoKeys::new(grid);
     tags.write_tag(Tag::ModelPixelScaleTag, &scale[..])?;
     tags.write_tag(Tag::ModelTiepointTag, &tie[..])?;
     tags.write_tag(Tag::GeoKeyDirectoryTag, &keys.directory[..])?;
     tags.write_tag(Tag::GeoDoubleParamsTag, &keys.doubles[..])?;
-    tags.write_tag(Tag::GeoAsciiParamsTag, keys.text.as_str())?;
-    image.write_data(&grid.values)?;
-    Ok(bytes.into_inner())
-}
-
-/// "Defined here", as the value of a key.
-const USER_DEFINED: u16 = 32_767;
-
-/// The directory of keys, ascending by number, and the doubles and letters that they point to.
-#[derive(Default)]
-struct GeoKeys {
-    directory: Vec<u16>,
-    doubles: Vec<f64>,
-    text: String,
-}
-
-impl GeoKeys {
-    /// The coordinate system of a square.
-    fn new(square: &MapSquare) -> Self {
-        let projection = square.projection();
-        let (lat, lon) = projection.lat_lon();
-        let mut keys = Self::default();
-        keys.add_model();
-        keys.add_sphere(projection.radius_m());
-        keys.add_projection(lat, lon);
-        // VerticalUnits: metre.
-        keys.short(4099, 9001);
-        // Version 1, revision 1.0, number of keys.
-        let count = keys.directory.len() as u16 / 4;
-        keys.directory.splice(..0, [1, 1, 0, count]);
-        keys
-    }
-
-    /// GTModelType: projected; GTRasterType: pixels are areas; citation.
-    fn add_model(&mut self) {
-        self.short(1024, 1);
-        self.short(1025, 1);
-        self.citation(1026, "Azimuthal equidistant square|");
-    }
-
-    /// GeographicType, citation, datum, prime meridian (Greenwich), angular unit (degree),
-    /// ellipsoid and its axes.
-    fn add_sphere(&mut self, radius_m: f64) {
-        self.short(2048, USER_DEFINED);
-        self.citation(2049, "Sphere of the planet's radius|");
-        self.short(2050, USER_DEFINED);
-        self.short(2051, 8901);
-        self.short(2054, 9102);
-        self.short(2056, USER_DEFINED);
-        self.double(2057, radius_m);
-        self.double(2058, radius_m);
-    }
-
-    /// ProjectedCSType, citation, Projection, ProjCoordTrans (azimuthal equidistant), linear unit
-    /// (metre), false easting and northing, longitude and latitude of the centre.
-    fn add_projection(&mut self, lat: f64, lon: f64) {
-        self.short(3072, USER_DEFINED);
-        self.citation(3073, "Azimuthal equidistant|");
-        self.short(3074, USER_DEFINED);
-        self.short(3075, 12);
-        self.short(3076, 9001);
-        self.double(3082, 0.0);
-        self.double(3083, 0.0);
-        self.double(3088, lon);
-        self.double(3089, lat);
-    }
-
-    /// A key whose value stands in the directory.
-    fn short(&mut self, key: u16, value: u16) {
-        self.directory.extend([key, 0, 1, value]);
-    }
-
-    /// A key whose value stands among the doubles.
-    fn double(&mut self, key: u16, value: f64) {
-        let place = self.doubles.len() as u16;
-        let tag = Tag::GeoDoubleParamsTag.to_u16();
-        self.directory.extend([key, tag, 1, place]);
-        self.doubles.push(value);
-    }
-
-    /// A key whose value stands among the letters.
-    fn citation(&mut self, key: u16, value: &str) {
-        let (length, place) = (value.len() as u16, self.text.len() as u16);
-        let tag = Tag::GeoAsciiParamsTag.to_u16();
-        self.directory.extend([key, tag, length, place]);
-        self.text.push_str(value);
-    }
+    tags.write_tag(Tag::GeoAsciiParamsTag, keys.text.as_str())
 }

@@ -1,135 +1,174 @@
-//! A mesh as binary glTF 2.0 (Khronos 2021, §4.4: GLB): one primitive with positions, normals and
-//! u32 indices.
+//! A mesh as binary glTF: a vertex at each point, where it is on the planet, so that the mesh is
+//! curved as the planet is.
 //!
-//! A vertex stands at the centre of each pixel, where it is on the planet: the mesh is curved as
-//! the planet is. The origin is the middle of the square at sea level; +x is east, +y up, -z north,
-//! as glTF has it. Lengths are in m.
+//! The origin is the middle of the whole grid at sea level; +x is east, +y up, -z north, as glTF
+//! has it. Lengths are in m. Tiles have the origin of their block, and their normals know the
+//! ground beyond the edge: neighbours have the same vertices.
+//!
+//! Positions follow from heights at little cost, so each part of the file is computed anew, band by
+//! band.
 
-use super::error::{ExportError, cannot_encode};
-use crate::query::{HeightGrid, MapSquare, grid_triangles};
+use super::encoding::Encoding;
+use super::glb::{MeshSize, write_head};
+use crate::query::{AzimuthalEquidistant, GridProjection, MapGrid};
 use bevy::math::{DVec3, Vec3};
+use core::ops::Range;
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use std::io::{self, Write};
 
-/// Numbers of glTF: f32 and u32 components, vertex and index buffers.
-const FLOAT: u32 = 5126;
-const UNSIGNED_INT: u32 = 5125;
-const ARRAY_BUFFER: u32 = 34_962;
-const ELEMENT_ARRAY_BUFFER: u32 = 34_963;
-
-/// The file of a square.
-pub(super) fn encode(square: &MapSquare, grid: &HeightGrid) -> Result<Vec<u8>, ExportError> {
-    let positions = positions(square, grid);
-    let normals = normals(square.pixels(), &positions);
-    let triangles = grid_triangles(square.pixels());
-    // One buffer: positions, normals, indices.
-    let json = scene(&positions, 3 * triangles.len()).to_string();
-    let vectors = [&positions, &normals].into_iter().flatten();
-    let floats = vectors
-        .flat_map(|v| v.to_array())
-        .flat_map(f32::to_le_bytes);
-    let indices = triangles.iter().flatten().flat_map(|i| i.to_le_bytes());
-    let mut binary = Vec::with_capacity(24 * positions.len() + 12 * triangles.len());
-    binary.extend(floats.chain(indices));
-    glb(json.into_bytes(), &binary)
+/// The file of a grid.
+pub(super) fn write(source: &Encoding, out: &mut dyn Write) -> io::Result<()> {
+    let mesh = MeshSource::new(source)?;
+    write_head(out, mesh.size(), mesh.bounds()?)?;
+    source.for_each_rows(|rows| {
+        let [columns, rows] = mesh.in_whole(rows);
+        write_vectors(out, &mesh.vertices(columns, rows)?.positions)
+    })?;
+    source.for_each_rows(|rows| write_vectors(out, &mesh.normals(rows)?))?;
+    source.for_each_rows(|rows| mesh.write_triangles(out, rows))
 }
 
-/// The scene: one mesh with a buffer of positions, then normals, then the indices of its `corners`.
-fn scene(positions: &[Vec3], corners: usize) -> Value {
-    let vertices = positions.len();
-    let low = bound(positions, Vec3::min);
-    let high = bound(positions, Vec3::max);
-    json!({
-        "asset": { "version": "2.0", "generator": "Pangaea" },
-        "scene": 0,
-        "scenes": [{ "nodes": [0] }],
-        "nodes": [{ "mesh": 0, "name": "ground" }],
-        "meshes": [{ "primitives": [{
-            "attributes": { "POSITION": 0, "NORMAL": 1 }, "indices": 2, "material": 0
-        }] }],
-        "materials": [{
-            "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 1.0 }
-        }],
-        "accessors": [
-            {
-                "bufferView": 0, "componentType": FLOAT, "count": vertices, "type": "VEC3",
-                "min": low, "max": high
-            },
-            { "bufferView": 1, "componentType": FLOAT, "count": vertices, "type": "VEC3" },
-            {
-                "bufferView": 2, "componentType": UNSIGNED_INT, "count": corners,
-                "type": "SCALAR"
-            },
-        ],
-        "bufferViews": [
-            buffer_view(0, 12 * vertices, ARRAY_BUFFER),
-            buffer_view(12 * vertices, 12 * vertices, ARRAY_BUFFER),
-            buffer_view(24 * vertices, 4 * corners, ELEMENT_ARRAY_BUFFER),
-        ],
-        "buffers": [{ "byteLength": 24 * vertices + 4 * corners }],
-    })
+fn write_vectors(out: &mut dyn Write, vectors: &[Vec3]) -> io::Result<()> {
+    let floats = vectors.iter().flat_map(|v| v.to_array());
+    let bytes: Vec<u8> = floats.flat_map(f32::to_le_bytes).collect();
+    out.write_all(&bytes)
 }
 
-/// A corner of the box around the positions.
-fn bound(positions: &[Vec3], best: fn(Vec3, Vec3) -> Vec3) -> [f32; 3] {
-    let corner = positions.iter().copied().reduce(best);
-    corner.unwrap_or_default().to_array()
+/// The mesh of a window of a grid.
+struct MeshSource<'a> {
+    source: &'a Encoding<'a>,
+    whole: MapGrid,
+    about: AzimuthalEquidistant,
 }
 
-/// A part of the buffer.
-fn buffer_view(offset: usize, length: usize, target: u32) -> Value {
-    json!({ "buffer": 0, "byteOffset": offset, "byteLength": length, "target": target })
-}
-
-/// A header and two chunks, each a multiple of four bytes long.
-fn glb(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, ExportError> {
-    // JSON may end in blanks; the binary chunk is a multiple of four bytes as it is.
-    json.resize(json.len().next_multiple_of(4), b' ');
-    let total = u32::try_from(12 + 8 + json.len() + 8 + binary.len())
-        .map_err(|_| cannot_encode("the mesh does not fit into a .glb file"))?;
-    let mut bytes = Vec::with_capacity(total as usize);
-    bytes.extend(b"glTF");
-    bytes.extend([2, total].into_iter().flat_map(u32::to_le_bytes));
-    for (kind, content) in [(b"JSON", json.as_slice()), (b"BIN\0", binary)] {
-        bytes.extend((content.len() as u32).to_le_bytes());
-        bytes.extend(kind);
-        bytes.extend(content);
+impl<'a> MeshSource<'a> {
+    fn new(source: &'a Encoding<'a>) -> io::Result<Self> {
+        let GridProjection::Azimuthal(about) = *source.grid.projection() else {
+            return Err(io::ErrorKind::Unsupported.into());
+        };
+        Ok(Self {
+            source,
+            whole: source.grid.whole(),
+            about,
+        })
     }
-    Ok(bytes)
+
+    fn size(&self) -> MeshSize {
+        let (columns, rows) = (self.source.grid.columns(), self.source.grid.rows());
+        MeshSize {
+            vertices: columns * rows,
+            indices: 6 * (columns - 1) * (rows - 1),
+        }
+    }
+
+    /// All columns of the window, and some of its rows, as columns and rows of the whole grid.
+    fn in_whole(&self, rows: Range<usize>) -> [Range<usize>; 2] {
+        let [column, row] = self.source.grid.first();
+        [
+            column..column + self.source.grid.columns(),
+            row + rows.start..row + rows.end,
+        ]
+    }
+
+    /// The vertices at columns and rows of the whole grid.
+    fn vertices(&self, columns: Range<usize>, rows: Range<usize>) -> io::Result<VertexPatch> {
+        let heights = self.source.heights.read(columns.clone(), rows.clone())?;
+        let width = columns.len();
+        let positions = heights
+            .par_iter()
+            .enumerate()
+            .map(|(i, &z)| self.position(columns.start + i % width, rows.start + i / width, z));
+        Ok(VertexPatch {
+            columns: columns.clone(),
+            rows: rows.clone(),
+            positions: positions.collect(),
+        })
+    }
+
+    /// Where a point of the whole grid is: relative to the middle, before it is an f32, or the
+    /// planet's radius would cost its metres.
+    fn position(&self, column: usize, row: usize, height: f32) -> Vec3 {
+        let (up, (east, north)) = (self.about.centre(), self.about.axes());
+        let radius = self.about.radius_m();
+        let direction = self.whole.direction(column, row);
+        let p = direction * (radius + f64::from(height)) - up * radius;
+        DVec3::new(p.dot(east), p.dot(up), -p.dot(north)).as_vec3()
+    }
+
+    /// Corners of the box around all positions.
+    fn bounds(&self) -> io::Result<[Vec3; 2]> {
+        let mut bounds = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+        self.source.for_each_rows(|rows| {
+            let [columns, rows] = self.in_whole(rows);
+            for &p in &self.vertices(columns, rows)?.positions {
+                bounds = [bounds[0].min(p), bounds[1].max(p)];
+            }
+            Ok(())
+        })?;
+        Ok(bounds)
+    }
+
+    /// The normals of some rows of the window.
+    fn normals(&self, rows: Range<usize>) -> io::Result<Vec<Vec3>> {
+        let [columns, rows] = self.in_whole(rows);
+        let [all_columns, all_rows] = [self.whole.columns(), self.whole.rows()];
+        let around = self.vertices(
+            with_neighbours(&columns, all_columns),
+            with_neighbours(&rows, all_rows),
+        )?;
+        let width = columns.len();
+        let normals = (0..width * rows.len())
+            .into_par_iter()
+            .map(|i| around.normal(columns.start + i % width, rows.start + i / width));
+        Ok(normals.collect())
+    }
+
+    /// Two triangles for each cell between some rows of the window and the next ones,
+    /// counter-clockwise seen from outside.
+    fn write_triangles(&self, out: &mut dyn Write, rows: Range<usize>) -> io::Result<()> {
+        let n = self.source.grid.columns();
+        for y in rows.start..rows.end.min(self.source.grid.rows() - 1) {
+            let triangles = (y * n..y * n + n - 1).flat_map(|north_west| {
+                let south_west = north_west + n;
+                [
+                    [north_west, south_west, north_west + 1],
+                    [north_west + 1, south_west, south_west + 1],
+                ]
+            });
+            let indices = triangles.flatten().map(|i| i as u32);
+            out.write_all(&indices.flat_map(u32::to_le_bytes).collect::<Vec<u8>>())?;
+        }
+        Ok(())
+    }
 }
 
-/// Where the centre of each pixel is.
-fn positions(square: &MapSquare, grid: &HeightGrid) -> Vec<Vec3> {
-    (0..grid.values.len())
-        .into_par_iter()
-        .map(|i| position(square, grid, i))
-        .collect()
+/// A range with the numbers before and after it, as far as there are any below `count`.
+fn with_neighbours(range: &Range<usize>, count: usize) -> Range<usize> {
+    range.start.saturating_sub(1)..(range.end + 1).min(count)
 }
 
-/// Where the centre of pixel `i` is: relative to the middle of the square, before it is an f32, or
-/// the planet's radius would cost its metres.
-fn position(square: &MapSquare, grid: &HeightGrid, i: usize) -> Vec3 {
-    let projection = square.projection();
-    let (up, (east, north)) = (projection.centre(), projection.axes());
-    let origin = up * projection.radius_m();
-    let direction = square.direction(i % grid.width, i / grid.width);
-    let p = direction * (projection.radius_m() + f64::from(grid.values[i])) - origin;
-    DVec3::new(p.dot(east), p.dot(up), -p.dot(north)).as_vec3()
+/// Vertices at columns and rows of the whole grid.
+struct VertexPatch {
+    columns: Range<usize>,
+    rows: Range<usize>,
+    positions: Vec<Vec3>,
 }
 
-/// Unit normals of the surface through the neighbours of each vertex.
-fn normals(side: usize, positions: &[Vec3]) -> Vec<Vec3> {
-    (0..positions.len())
-        .into_par_iter()
-        .map(|i| normal(side, positions, i % side, i / side))
-        .collect()
-}
+impl VertexPatch {
+    /// The normal at a vertex, from central differences; at the rim from one-sided ones.
+    fn normal(&self, column: usize, row: usize) -> Vec3 {
+        let columns = with_neighbours(&(column..column + 1), self.columns.end);
+        let rows = with_neighbours(&(row..row + 1), self.rows.end);
+        let eastward = self.at(columns.end - 1, row) - self.at(columns.start, row);
+        let northward = self.at(column, rows.start) - self.at(column, rows.end - 1);
+        let normal = eastward.cross(northward).try_normalize();
+        normal.unwrap_or(DVec3::Y).as_vec3()
+    }
 
-/// The normal at a vertex, from central differences; at the rim from one-sided ones.
-fn normal(side: usize, positions: &[Vec3], x: usize, y: usize) -> Vec3 {
-    let at = |x: usize, y: usize| positions[y * side + x].as_dvec3();
-    let eastward = at((x + 1).min(side - 1), y) - at(x.saturating_sub(1), y);
-    let northward = at(x, y.saturating_sub(1)) - at(x, (y + 1).min(side - 1));
-    let normal = eastward.cross(northward).try_normalize();
-    normal.unwrap_or(DVec3::Y).as_vec3()
+    /// A position; of the nearest column and row where the patch has none.
+    fn at(&self, column: usize, row: usize) -> DVec3 {
+        let x = column.saturating_sub(self.columns.start);
+        let y = row.saturating_sub(self.rows.start);
+        self.positions[y * self.columns.len() + x].as_dvec3()
+    }
 }

@@ -1,75 +1,66 @@
-//! Squares of the ground as files.
+//! The ground as files: squares, blocks of tiles, boxes of degrees.
 //!
 //! ```text
-//! geotiff   *.tif: one band of f32 in m, georeferenced on the planet
-//! grey      *.png: 16-bit grey, with a sidecar *.json to decode it
-//! mesh      *.glb: triangles in m
+//! geotiff   *.tif: one band of f32 in m, georeferenced on the planet by its geo_keys
+//! greys     *.png, *.r16, *.raw: 16-bit grey, with a sidecar *.json to decode it
+//! exr       *.exr: f32 in m
+//! mesh      *.glb: triangles in m, in the frame of glb
+//!
+//! format    which of them a name asks for
+//! names     the files of an export
+//! area      the part of the planet
+//! scratch   its heights on the disk, while files are written
+//! encoding  one file at work
+//! manifest  *.json of tiles, with the figures of engines
+//! job       from the ground to the files
 //! ```
 //!
-//! All show the same: an azimuthal equidistant square, north up, values at the centres of pixels.
+//! All show the same: heights at points of a map, rows from the north. Squares and tiles are
+//! azimuthal equidistant, boxes plate carrée. Writers stream: the size of an export is bounded by
+//! the disk.
 
 mod error;
 
 mod format;
 
+mod names;
+
+mod area;
+
+mod scratch;
+
+mod encoding;
+
+mod geo_keys;
+
 mod geotiff;
 
-mod grey;
+mod greys;
+
+mod exr;
+
+mod glb;
 
 mod mesh;
 
+mod engines;
+
+mod manifest;
+
+mod job;
+
+pub use area::ExportArea;
 pub use error::ExportError;
 pub use format::ExportFormat;
+pub use job::{ExportJob, Exported};
+pub use names::ExportFiles;
 
-use super::{Output, write_all};
-use crate::query::{Ground, HeightGrid, MapSquare};
-use error::cannot_encode;
+use crate::query::Ground;
 use std::path::{Path, PathBuf};
 
-/// The files that show `grid`, the heights of `square`: the one at `path`, and a sidecar beside a
-/// picture.
-///
-/// # Errors
-/// [`ExportError::Extension`], [`ExportError::Pixels`], [`ExportError::Encode`].
-pub fn encode(
-    square: &MapSquare,
-    grid: &HeightGrid,
-    path: &Path,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, ExportError> {
-    let format = ExportFormat::of(path)?;
-    format.check(square.pixels())?;
-    if grid.width != square.pixels()
-        || grid.height != square.pixels()
-        || !grid.values.iter().all(|z| z.is_finite())
-    {
-        return Err(cannot_encode("the heights are not those of the square"));
-    }
-    let path = path.to_path_buf();
-    match format {
-        ExportFormat::GeoTiff => Ok(vec![(path, geotiff::encode(square, grid)?)]),
-        ExportFormat::Grey => {
-            let sidecar = path.with_extension("json");
-            let (picture, text) = grey::encode(square, grid)?;
-            Ok(vec![(path, picture), (sidecar, text)])
-        }
-        ExportFormat::Mesh => Ok(vec![(path, mesh::encode(square, grid)?)]),
-    }
-}
-
-/// The files that [`encode`] makes for `path`, for [`check_outputs`](super::check_outputs).
-///
-/// # Errors
-/// [`ExportError::Extension`]
-pub fn outputs(path: &Path) -> Result<Vec<Output>, ExportError> {
-    let mut outputs = vec![Output::named(path)];
-    if ExportFormat::of(path)? == ExportFormat::Grey {
-        outputs.push(Output::beside(path.with_extension("json")));
-    }
-    Ok(outputs)
-}
-
-/// Writes a square of the ground at the level that its pixels ask for; the extension of `path` says
-/// in which format. Returns the files, which are written all or none.
+/// Writes an area of the ground at the level that its pixels ask for; the extension of `path` says
+/// in which format. Returns the files, which are written all or none. [`ExportJob`] does it with
+/// more to choose.
 ///
 /// ```
 /// use bevy::math::DVec3;
@@ -92,7 +83,7 @@ pub fn outputs(path: &Path) -> Result<Vec<Output>, ExportError> {
 /// # let folder = tempfile::tempdir()?;
 /// let place = AzimuthalEquidistant::new(45.0, 7.0, Hills.radius_m())?;
 /// let square = MapSquare::new(place, 1000.0, 16)?;
-/// let files = export(&Hills, &square, &folder.path().join("hills.png"))?;
+/// let files = export(&Hills, square, &folder.path().join("hills.png"))?;
 /// assert_eq!(files.len(), 2, "a picture and its sidecar");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -101,15 +92,11 @@ pub fn outputs(path: &Path) -> Result<Vec<Output>, ExportError> {
 /// [`ExportError`]; nothing is written then.
 pub fn export(
     ground: &(impl Ground + ?Sized),
-    square: &MapSquare,
+    area: impl Into<ExportArea>,
     path: &Path,
 ) -> Result<Vec<PathBuf>, ExportError> {
-    // Refused before the ground is asked a million times.
-    ExportFormat::of(path)?.check(square.pixels())?;
-    let grid = square.heights(ground, square.level())?;
-    let files = encode(square, &grid, path)?;
-    write_all(&outputs(path)?, |k, out| out.write_all(&files[k].1))?;
-    Ok(files.into_iter().map(|(path, _)| path).collect())
+    let job = ExportJob::new(area, path)?;
+    Ok(job.run(ground, |_| true)?.files)
 }
 
 #[cfg(all(test, feature = "dem"))]

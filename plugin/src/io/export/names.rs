@@ -1,0 +1,111 @@
+//! The files of an export: the one that was named or its tiles, and those beside it.
+
+use super::error::ExportError;
+use super::format::ExportFormat;
+use crate::io::Output;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+/// The files of an export.
+///
+/// ```
+/// use bevy_pangaea::io::export::ExportFiles;
+/// use std::path::{Path, PathBuf};
+///
+/// let files = ExportFiles::new(Path::new("maps/t.png"), Some([2, 1]))?;
+/// let names = ["maps/t_0_0.png", "maps/t_1_0.png"].map(PathBuf::from);
+/// assert_eq!(files.named(), names);
+/// let beside = ["maps/t_0_0.json", "maps/t_1_0.json", "maps/t.json"].map(PathBuf::from);
+/// assert_eq!(files.beside(), beside);
+/// # Ok::<(), bevy_pangaea::io::ExportError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExportFiles {
+    path: PathBuf,
+    format: ExportFormat,
+    tiles: Option<[usize; 2]>,
+}
+
+impl ExportFiles {
+    /// The files of an export to `path`, of so many columns and rows of tiles or of one raster.
+    ///
+    /// # Errors
+    /// [`ExportError::Extension`]
+    pub fn new(path: &Path, tiles: Option<[usize; 2]>) -> Result<Self, ExportError> {
+        Ok(Self {
+            path: path.to_path_buf(),
+            format: ExportFormat::of(path)?,
+            tiles,
+        })
+    }
+
+    /// The format.
+    pub fn format(&self) -> ExportFormat {
+        self.format
+    }
+
+    /// The path that was given.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The files with heights: the path itself, or `NAME_COLUMN_ROW.EXTENSION` for each tile, row
+    /// by row from the north west.
+    pub fn named(&self) -> Vec<PathBuf> {
+        match self.tiles {
+            None => vec![self.path.clone()],
+            Some([columns, rows]) => (0..columns * rows)
+                .map(|k| self.tile(k % columns, k / columns))
+                .collect(),
+        }
+    }
+
+    /// The files that are written beside them: a sidecar `NAME.json` for each file of greys, and
+    /// the manifest of tiles, last.
+    pub fn beside(&self) -> Vec<PathBuf> {
+        let greys = self.format.has_greys().then(|| self.named());
+        let sidecars = greys.into_iter().flatten().map(|path| json_of(&path));
+        sidecars.chain(self.manifest()).collect()
+    }
+
+    /// All files, with the older ones that they may replace: the file that was named any, the others
+    /// only ours.
+    pub fn outputs(&self) -> Vec<Output> {
+        let named = self.named().into_iter().map(|path| self.output(path));
+        named
+            .chain(self.beside().into_iter().map(Output::beside))
+            .collect()
+    }
+
+    /// A file with heights. Raw ones have no room for a mark: the manifest lists them.
+    fn output(&self, path: PathBuf) -> Output {
+        match self.manifest() {
+            None => Output::named(path),
+            Some(manifest) if self.format == ExportFormat::Raw => Output::listed(path, manifest),
+            Some(_) => Output::beside(path),
+        }
+    }
+
+    /// The manifest of tiles.
+    pub fn manifest(&self) -> Option<PathBuf> {
+        self.tiles.map(|_| json_of(&self.path))
+    }
+
+    /// All files.
+    pub fn all(&self) -> Vec<PathBuf> {
+        [self.named(), self.beside()].concat()
+    }
+
+    /// The file of a tile.
+    fn tile(&self, column: usize, row: usize) -> PathBuf {
+        let mut name = OsString::from(self.path.file_stem().unwrap_or_default());
+        name.push(format!("_{column}_{row}."));
+        name.push(self.path.extension().unwrap_or_default());
+        self.path.with_file_name(name)
+    }
+}
+
+/// The JSON file of the same name.
+fn json_of(path: &Path) -> PathBuf {
+    path.with_extension("json")
+}
