@@ -2,7 +2,7 @@
 //! LERC. A block is a stream of rows: one of any size takes the memory of a row (LERC's: its own).
 
 use super::lerc;
-use super::lzw::LzwReader;
+use super::lzw;
 use super::packbits::PackBitsReader;
 use super::predictor::Predictor;
 use super::sample::SampleType;
@@ -97,15 +97,14 @@ impl Codec {
         order: ByteOrder,
         sample_type: SampleType,
     ) -> Result<Rows<'a>, DemError> {
-        let mut order = order;
         let source: Box<dyn Read + 'a> = match self.compression {
             Compression::None => Box::new(block),
-            Compression::Lzw => Box::new(LzwReader::new(block)),
+            Compression::Lzw => Box::new(lzw::decompress(block)),
             Compression::Deflate => Box::new(ZlibDecoder::new(block)),
             Compression::PackBits => Box::new(PackBitsReader::new(block)),
             Compression::Zstd => Box::new(zstd(block)?),
+            // Libtiff swaps bytes before it compresses them, as if LERC took bytes and no numbers.
             Compression::Lerc(wrapping) => {
-                order = ByteOrder::Little;
                 let bytes = unwrap_lerc(wrapping, block)?;
                 Box::new(Cursor::new(lerc::samples(&bytes, sample_type)?))
             }

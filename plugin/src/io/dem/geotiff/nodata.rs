@@ -8,6 +8,9 @@ use crate::io::dem::error::DemError;
 /// The void of SRTM's heights, which many files of 16 bits keep without saying so.
 const SRTM_VOID: f64 = -32_768.0;
 
+/// The last place of an f32.
+const SINGLE: f64 = f32::EPSILON as f64;
+
 /// What marks a void.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Nodata {
@@ -23,18 +26,15 @@ impl Nodata {
     /// signed numbers of 16 bits.
     pub(super) fn of(text: Option<&str>, sample_type: SampleType) -> Result<Self, DemError> {
         let is_srtm = sample_type.kind == NumberKind::Signed && sample_type.bits == 16;
-        let told = match text {
+        let told = match text.filter(|text| !text.trim().is_empty()) {
             Some(text) => Some(number(text).ok_or_else(|| unreadable(text))?),
             None => None,
         };
         let value = told.or(is_srtm.then_some(SRTM_VOID));
         let (value, tolerance) = match (sample_type.kind, sample_type.bits) {
-            (NumberKind::Float, 64) => (value, 2.0 * f64::EPSILON),
+            (NumberKind::Float, 64) => (value, 2.0 * SINGLE),
             // A void of -3.4e38 was rounded to an f32 before it was written out.
-            (NumberKind::Float, _) => (
-                value.map(|z| f64::from(z as f32)),
-                2.0 * f64::from(f32::EPSILON),
-            ),
+            (NumberKind::Float, _) => (value.map(|z| f64::from(z as f32)), 2.0 * SINGLE),
             _ => (value.map(f64::trunc), 0.0),
         };
         Ok(Self {
@@ -44,8 +44,8 @@ impl Nodata {
         })
     }
 
-    /// Is a number void? As in GDAL, floating-point numbers may differ by two units in their last
-    /// place.
+    /// Is a number void? As in GDAL, floating-point numbers may differ by two units in the last place
+    /// of an f32.
     pub(super) fn marks(&self, z: f64) -> bool {
         z.is_nan()
             || self.value.is_some_and(|void| {
@@ -74,7 +74,8 @@ pub(super) fn number(text: &str) -> Option<f64> {
     if begins(&["inf", "1.#inf"]) {
         return Some(sign * f64::INFINITY);
     }
-    // The longest beginning that is a number.
+    // The longest beginning that is a number; a comma may stand for the point.
+    let digits = digits.replacen(',', ".", usize::from(!digits.contains('.')));
     let is_part = |c: &u8| c.is_ascii_digit() || b".e+-".contains(c);
     let most = digits.bytes().take_while(|c| is_part(c)).count();
     let longest = (1..=most.min(400)).rev();

@@ -16,6 +16,12 @@ const STEP: f64 = 1e-4;
 /// Largest cosine of the angle between steps to the east and to the north.
 const MAX_SHEAR: f64 = 0.05;
 
+/// Datums that PROJ defines by grids, which are not at hand, and their ellipsoids.
+const DATUMS_OF_GRIDS: [(&str, &str); 2] = [
+    ("+datum=NAD27", "+ellps=clrk66"),
+    ("+datum=nzgd49", "+ellps=intl"),
+];
+
 /// A map projection.
 pub(super) struct Projection {
     plane: Proj,
@@ -41,6 +47,10 @@ pub(super) struct GroundScale {
 impl Projection {
     /// The projection that PROJ has a text for.
     pub(super) fn of(text: &str) -> Option<Self> {
+        let mut text = text.to_string();
+        for (datum, ellipsoid) in DATUMS_OF_GRIDS {
+            text = text.replace(datum, ellipsoid);
+        }
         // Coordinates are given in m, on the projection's own datum.
         let is_kept = |part: &&str| {
             let name = part.trim_start_matches('+').split('=').next();
@@ -48,7 +58,7 @@ impl Projection {
             name.is_some_and(|name| !left_out.contains(&name))
         };
         let metric: Vec<&str> = text.split_whitespace().filter(is_kept).collect();
-        let unit_m = Proj::from_proj_string(text).ok()?.to_meter();
+        let unit_m = Proj::from_proj_string(&text).ok()?.to_meter();
         let plane = Proj::from_proj_string(&metric.join(" ")).ok()?;
         let (a, b) = plane.ellipse_parameters();
         let sphere = Proj::from_proj_string(&format!("+proj=longlat +a={a} +b={b}")).ok()?;
