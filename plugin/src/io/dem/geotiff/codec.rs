@@ -96,7 +96,7 @@ impl Codec {
         block: impl BufRead + 'a,
         order: ByteOrder,
         sample_type: SampleType,
-    ) -> Result<Rows<'a>, DemError> {
+    ) -> Result<BlockRows<'a>, DemError> {
         let source: Box<dyn Read + 'a> = match self.compression {
             Compression::None => Box::new(block),
             Compression::Lzw => Box::new(lzw::decompress(block)),
@@ -109,7 +109,7 @@ impl Codec {
                 Box::new(Cursor::new(lerc::samples(&bytes, sample_type)?))
             }
         };
-        Ok(Rows {
+        Ok(BlockRows {
             source,
             order,
             sample_type,
@@ -138,14 +138,14 @@ fn unwrap_lerc(wrapping: LercWrapping, block: impl BufRead) -> Result<Vec<u8>, D
 }
 
 /// The rows of a block.
-pub(super) struct Rows<'a> {
+pub(super) struct BlockRows<'a> {
     source: Box<dyn Read + 'a>,
     order: ByteOrder,
     sample_type: SampleType,
     predictor: Predictor,
 }
 
-impl Rows<'_> {
+impl BlockRows<'_> {
     /// Reads the next row of `stride` samples a pixel; its numbers begin with their least byte.
     pub(super) fn next(&mut self, row: &mut [u8], stride: usize) -> Result<(), DemError> {
         self.source.read_exact(row).map_err(damaged)?;

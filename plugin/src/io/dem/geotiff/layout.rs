@@ -4,7 +4,7 @@
 use super::codec::Codec;
 use super::sample::SampleType;
 use super::structure::{Directory, TiffFile, refused, unsupported};
-use super::tag;
+use super::tag::{self, Tag};
 use crate::io::dem::error::DemError;
 use std::io::{Read, Seek};
 
@@ -29,6 +29,9 @@ pub(super) struct Layout {
     is_tiled: bool,
 }
 
+/// Most pixels to the side of a tile: the largest image that is read, in one.
+const MAX_TILE: u32 = 1 << 17;
+
 /// A band, and how opaque it is.
 const MAX_SAMPLES: u64 = 2;
 
@@ -37,14 +40,22 @@ pub(super) fn size<R: Read + Seek>(
     file: &mut TiffFile<R>,
     directory: &Directory,
 ) -> Result<[u32; 2], DemError> {
-    let mut side = |tag| {
-        let side = file.number_or(directory, tag, 0)?;
-        u32::try_from(side)
-            .ok()
-            .filter(|&side| side > 0)
-            .ok_or_else(|| refused(tag))
-    };
-    Ok([side(tag::IMAGE_WIDTH)?, side(tag::IMAGE_LENGTH)?])
+    Ok([
+        side(file, directory, tag::IMAGE_WIDTH, u32::MAX)?,
+        side(file, directory, tag::IMAGE_LENGTH, u32::MAX)?,
+    ])
+}
+
+/// A length in pixels, from 1 to `most`.
+fn side<R: Read + Seek>(
+    file: &mut TiffFile<R>,
+    directory: &Directory,
+    tag: Tag,
+    most: u32,
+) -> Result<u32, DemError> {
+    let side = file.number_or(directory, tag, 0)?;
+    let is_sound = (1..=u64::from(most)).contains(&side);
+    is_sound.then_some(side as u32).ok_or_else(|| refused(tag))
 }
 
 impl Layout {
@@ -156,14 +167,8 @@ fn block<R: Read + Seek>(
             rows => Ok([width, rows]),
         };
     }
-    let mut side = |tag| {
-        let side = file.number_or(directory, tag, 0)?;
-        // The largest side of an image that is read, in whole tiles.
-        if (1..=1 << 17).contains(&side) {
-            Ok(side as u32)
-        } else {
-            Err(refused(tag))
-        }
-    };
-    Ok([side(tag::TILE_WIDTH)?, side(tag::TILE_LENGTH)?])
+    Ok([
+        side(file, directory, tag::TILE_WIDTH, MAX_TILE)?,
+        side(file, directory, tag::TILE_LENGTH, MAX_TILE)?,
+    ])
 }

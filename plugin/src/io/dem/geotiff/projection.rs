@@ -16,6 +16,10 @@ const STEP: f64 = 1e-4;
 /// Largest cosine of the angle between steps to the east and to the north.
 const MAX_SHEAR: f64 = 0.05;
 
+/// Maps whose scale is 1 up to this are taken for true to scale: those of grids that land is measured
+/// on, such as UTM, whose scale goes from 0.9996 to 1.001.
+const TRUE_TO_SCALE: f64 = 2e-3;
+
 /// Datums that PROJ defines by grids, which are not at hand, and their ellipsoids.
 const DATUMS_OF_GRIDS: [(&str, &str); 2] = [
     ("+datum=NAD27", "+ellps=clrk66"),
@@ -51,13 +55,10 @@ impl Projection {
         for (datum, ellipsoid) in DATUMS_OF_GRIDS {
             text = text.replace(datum, ellipsoid);
         }
-        // Coordinates are given in m, on the projection's own datum.
-        let is_kept = |part: &&str| {
-            let name = part.trim_start_matches('+').split('=').next();
-            let left_out = ["units", "to_meter", "vunits", "towgs84", "nadgrids"];
-            name.is_some_and(|name| !left_out.contains(&name))
-        };
-        let metric: Vec<&str> = text.split_whitespace().filter(is_kept).collect();
+        let metric: Vec<&str> = text
+            .split_whitespace()
+            .filter(|part| is_kept(part))
+            .collect();
         let unit_m = Proj::from_proj_string(&text).ok()?.to_meter();
         let plane = Proj::from_proj_string(&metric.join(" ")).ok()?;
         let (a, b) = plane.ellipse_parameters();
@@ -102,24 +103,30 @@ impl Projection {
         let outside = || invalid(format!("({x}, {y}) lies outside of the projection"));
         let step = STEP * self.radii[0];
         let [longitude, latitude] = self.onto_ground([x, y]).ok_or_else(outside)?;
-        let vector = |dx: f64, dy: f64| {
-            let before = self.onto_ground([x - dx, y - dy])?;
-            let after = self.onto_ground([x + dx, y + dy])?;
-            Some(self.vector(before, after, latitude))
-        };
-        let east = vector(step, 0.0).ok_or_else(outside)?;
-        let north = vector(0.0, step).ok_or_else(outside)?;
+        let east = self
+            .steps([x, y], [step, 0.0], latitude)
+            .ok_or_else(outside)?;
+        let north = self
+            .steps([x, y], [0.0, step], latitude)
+            .ok_or_else(outside)?;
         let [across, down] = [east, north].map(|[u, v]| (u * u + v * v).sqrt());
         let shear = (east[0] * north[0] + east[1] * north[1]) / (across * down);
-        if !(shear.abs() <= MAX_SHEAR) {
+        if shear.is_nan() || shear.abs() > MAX_SHEAR {
             return Err(invalid(format!(
                 "the projection shears the ground at ({x}, {y})"
             )));
         }
         Ok(GroundScale {
-            scale: [across, down].map(|length| 0.5 * length / step),
+            scale: [across, down].map(|length| settled(0.5 * length / step)),
             place: (latitude.to_degrees(), longitude.to_degrees()),
         })
+    }
+
+    /// From a step before a point of the map to a step behind it, in m of ground.
+    fn steps(&self, [x, y]: [f64; 2], [dx, dy]: [f64; 2], latitude: f64) -> Option<[f64; 2]> {
+        let before = self.onto_ground([x - dx, y - dy])?;
+        let after = self.onto_ground([x + dx, y + dy])?;
+        Some(self.vector(before, after, latitude))
     }
 
     /// From one place to a near one in m, to the east and to the north.
@@ -135,4 +142,20 @@ impl Projection {
         let longitude = math::asin(turn);
         [longitude * across * cos, (to[1] - from[1]) * along]
     }
+}
+
+/// The scale of a map that is made to be measured on is 1.
+fn settled(scale: f64) -> f64 {
+    if (scale - 1.0).abs() <= TRUE_TO_SCALE {
+        1.0
+    } else {
+        scale
+    }
+}
+
+/// Is a parameter of PROJ's kept? Coordinates are given in m, on the projection's own datum.
+fn is_kept(parameter: &str) -> bool {
+    let name = parameter.trim_start_matches('+').split('=').next();
+    let left_out = ["units", "to_meter", "vunits", "towgs84", "nadgrids"];
+    name.is_some_and(|name| !left_out.contains(&name))
 }

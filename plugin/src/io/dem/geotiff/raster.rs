@@ -116,7 +116,7 @@ impl<R: Read + Seek> RasterFile<R> {
             }
             System::Lengths { unit_m, projection } => {
                 let point = middle.map(|coordinate| coordinate * unit_m);
-                let ground = system::ground(projection.as_ref(), point)?;
+                let ground = system::ground(projection.as_deref(), point)?;
                 let scale = ground.map_or([1.0; 2], |ground| ground.scale);
                 let metres = [0, 1].map(|axis| pixel[axis] * unit_m * scale[axis]);
                 Ok((metres, ground.map(|ground| ground.place)))
@@ -153,11 +153,9 @@ impl<R: Read + Seek> RasterFile<R> {
             System::Unknown if placement.is_plain() => return Ok(None),
             System::Unknown => [[1.0; 2], [0.0; 2]],
         };
-        let degrees = |axis: usize| {
-            let ends = placement.ends(axis, self.size());
-            ends.map(|end| (end - origin[axis]) / scale[axis])
-        };
-        let ([west, east], [south, north]) = (sorted(degrees(0)), sorted(degrees(1)));
+        let ends = [0, 1].map(|axis| placement.ends(axis, self.size()));
+        let [[west, east], [south, north]] =
+            [0, 1].map(|axis| sorted(ends[axis].map(|end| (end - origin[axis]) / scale[axis])));
         Ok(Some([west, east, south, north]))
     }
 

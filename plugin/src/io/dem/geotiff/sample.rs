@@ -100,13 +100,16 @@ impl SampleType {
         let bits = self.bits as usize;
         for (x, number) in numbers.iter_mut().enumerate() {
             let start = (x * stride + first) * bits;
-            let push = |n: u64, place: usize| {
-                let byte = row.get(place / 8).copied().unwrap_or(0);
-                n << 1 | u64::from(byte >> (7 - place % 8) & 1)
-            };
-            *number = (start..start + bits).fold(0, push) as f64;
+            let places = start..start + bits;
+            *number = places.fold(0, |n: u64, place| n << 1 | bit(row, place)) as f64;
         }
     }
+}
+
+/// The bit at a place of a row.
+fn bit(row: &[u8], place: usize) -> u64 {
+    let byte = row.get(place / 8).copied().unwrap_or(0);
+    u64::from(byte >> (7 - place % 8) & 1)
 }
 
 /// Converts sample `first` of each `stride` of `N` bytes.

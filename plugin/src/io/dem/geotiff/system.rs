@@ -42,7 +42,7 @@ pub(super) enum System {
         /// Length of the unit in m.
         unit_m: f64,
         /// The projection; if it is not told, the map is true to scale.
-        projection: Option<Projection>,
+        projection: Option<Box<Projection>>,
     },
     /// The file does not tell.
     Unknown,
@@ -107,29 +107,26 @@ fn projected(keys: &KeyDirectory) -> Result<System, DemError> {
 }
 
 /// The projection that EPSG has given a code.
-fn known(code: u16, has_unit: bool) -> Result<Option<Projection>, DemError> {
+fn known(code: u16, has_unit: bool) -> Result<Option<Box<Projection>>, DemError> {
     let definition = crs_definitions::from_code(code);
     let projection = definition.and_then(|found| Projection::of(found.proj4));
     if projection.is_none() && !(has_unit && EPSG.contains(&code)) {
         return Err(unknown(keys::PROJECTED_SYSTEM, code));
     }
-    Ok(projection)
+    Ok(projection.map(Box::new))
 }
 
 /// The projection that a file defines.
-fn own(keys: &KeyDirectory, unit_m: f64) -> Result<Option<Projection>, DemError> {
+fn own(keys: &KeyDirectory, unit_m: f64) -> Result<Option<Box<Projection>>, DemError> {
     let unit_deg = units::angular(keys)?.unwrap_or(1.0);
     let Some(text) = method::projection(keys, radii(keys), unit_deg, unit_m)? else {
         return Ok(None);
     };
-    let projection = Projection::of(&text);
-    let unsound = || {
-        invalid(format!(
-            "{} with parameters that make no sense",
-            keys::PROJECTION_METHOD.name
-        ))
-    };
-    projection.map(Some).ok_or_else(unsound)
+    let own = Projection::of(&text).ok_or_else(|| {
+        let name = keys::PROJECTION_METHOD.name;
+        invalid(format!("{name} with parameters that make no sense"))
+    })?;
+    Ok(Some(Box::new(own)))
 }
 
 /// Mean radius of an ellipsoid.
