@@ -24,6 +24,15 @@ pub(super) enum NumberKind {
     Float,
 }
 
+/// Converts samples of a type of Rust's.
+macro_rules! each {
+    ($number:ty, $samples:expr, $numbers:expr) => {
+        convert($samples, $numbers, |bytes| {
+            <$number>::from_le_bytes(bytes) as f64
+        })
+    };
+}
+
 impl SampleType {
     /// The type of an image's samples, which must be one.
     pub(super) fn read<R: Read + Seek>(
@@ -63,34 +72,19 @@ impl SampleType {
     /// number: sample `first` of each `stride`.
     pub(super) fn decode(self, row: &[u8], stride: usize, first: usize, numbers: &mut [f64]) {
         use NumberKind::{Float, Signed, Unsigned};
+        let samples = (row, stride, first);
         match (self.kind, self.bits) {
-            (Unsigned, 8) => each(row, stride, first, numbers, |[byte]| f64::from(byte)),
-            (Signed, 8) => each(row, stride, first, numbers, |[byte]| f64::from(byte as i8)),
-            (Unsigned, 16) => each(row, stride, first, numbers, |bytes| {
-                f64::from(u16::from_le_bytes(bytes))
-            }),
-            (Signed, 16) => each(row, stride, first, numbers, |bytes| {
-                f64::from(i16::from_le_bytes(bytes))
-            }),
-            (Float, 16) => each(row, stride, first, numbers, |bytes| {
-                f16::from_le_bytes(bytes).to_f64()
-            }),
-            (Unsigned, 32) => each(row, stride, first, numbers, |bytes| {
-                f64::from(u32::from_le_bytes(bytes))
-            }),
-            (Signed, 32) => each(row, stride, first, numbers, |bytes| {
-                f64::from(i32::from_le_bytes(bytes))
-            }),
-            (Float, 32) => each(row, stride, first, numbers, |bytes| {
-                f64::from(f32::from_le_bytes(bytes))
-            }),
-            (Unsigned, 64) => each(row, stride, first, numbers, |bytes| {
-                u64::from_le_bytes(bytes) as f64
-            }),
-            (Signed, 64) => each(row, stride, first, numbers, |bytes| {
-                i64::from_le_bytes(bytes) as f64
-            }),
-            (Float, _) => each(row, stride, first, numbers, f64::from_le_bytes),
+            (Unsigned, 8) => each!(u8, samples, numbers),
+            (Signed, 8) => each!(i8, samples, numbers),
+            (Unsigned, 16) => each!(u16, samples, numbers),
+            (Signed, 16) => each!(i16, samples, numbers),
+            (Unsigned, 32) => each!(u32, samples, numbers),
+            (Signed, 32) => each!(i32, samples, numbers),
+            (Unsigned, 64) => each!(u64, samples, numbers),
+            (Signed, 64) => each!(i64, samples, numbers),
+            (Float, 16) => convert(samples, numbers, |bytes| f16::from_le_bytes(bytes).to_f64()),
+            (Float, 32) => each!(f32, samples, numbers),
+            (Float, _) => each!(f64, samples, numbers),
             _ => self.unpack(row, stride, first, numbers),
         }
     }
@@ -113,10 +107,8 @@ fn bit(row: &[u8], place: usize) -> u64 {
 }
 
 /// Converts sample `first` of each `stride` of `N` bytes.
-fn each<const N: usize>(
-    row: &[u8],
-    stride: usize,
-    first: usize,
+fn convert<const N: usize>(
+    (row, stride, first): (&[u8], usize, usize),
     numbers: &mut [f64],
     convert: impl Fn([u8; N]) -> f64,
 ) {

@@ -129,9 +129,9 @@ fn predictors_are_undone() {
     assert!(refusal(&plain(tags, deflate(&apart))).contains("Predictor 9"));
 }
 
-#[test]
-fn samples_have_many_types() {
-    let cases: [(u16, u16, Vec<u8>, [f32; 2]); 11] = [
+/// Bits, format and bytes of two samples, and their values.
+fn typed_samples() -> [(u16, u16, Vec<u8>, [f32; 2]); 11] {
+    [
         (8, UNSIGNED, vec![200, 3], [200.0, 3.0]),
         (8, SIGNED, vec![200, 3], [-56.0, 3.0]),
         (16, UNSIGNED, vec![0, 0x80, 1, 0], [32_768.0, 1.0]),
@@ -163,8 +163,12 @@ fn samples_have_many_types() {
         ),
         (4, UNSIGNED, vec![0x5c], [5.0, 12.0]),
         (12, UNSIGNED, vec![0xab, 0xc1, 0x23], [2748.0, 291.0]),
-    ];
-    for (bits, format, block, right) in cases {
+    ]
+}
+
+#[test]
+fn samples_have_many_types() {
+    for (bits, format, block, right) in typed_samples() {
         let file = plain(fields([2, 1], bits, format, 1), block);
         assert_eq!(
             values(&file),
