@@ -41,7 +41,7 @@ impl Dem {
             )));
         }
         for z in &mut values {
-            if z.abs() > MAX_HEIGHT_M {
+            if z.is_nan() || z.abs() > MAX_HEIGHT_M {
                 *z = f32::NAN;
             }
         }

@@ -3,14 +3,14 @@
 
 /// Fills all NaN in rows of `width`. Returns their number; `None` if there are no other values.
 pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
-    let missing: Vec<usize> = (0..values.len()).filter(|&i| values[i].is_nan()).collect();
-    if missing.len() == values.len() {
+    let missing = values.iter().filter(|z| z.is_nan()).count();
+    if missing == values.len() {
         return None;
     }
     // The first ring: voids beside known values.
-    let mut ring: Vec<(usize, f32)> = missing
-        .iter()
-        .filter_map(|&i| Some((i, mean_around(width, values, i)?)))
+    let mut ring: Vec<(usize, f32)> = (0..values.len())
+        .filter(|&i| values[i].is_nan())
+        .filter_map(|i| Some((i, mean_around(width, values, i)?)))
         .collect();
     while !ring.is_empty() {
         // All means of a ring are taken before one of them is written: the order of voids does not
@@ -20,19 +20,29 @@ pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
         }
         // The next ring is what lies around this one: every void is looked at a few times, however
         // deep the hole.
-        let mut next: Vec<usize> = ring
-            .iter()
-            .flat_map(|&(i, _)| around(width, values.len(), i))
-            .filter(|&i| values[i].is_nan())
-            .collect();
-        next.sort_unstable();
-        next.dedup();
+        let next = beside(&ring, width, values);
         ring = next
             .into_iter()
             .filter_map(|i| Some((i, mean_around(width, values, i)?)))
             .collect();
     }
-    Some(missing.len())
+    Some(missing)
+}
+
+/// A void that is in the next ring: NaN, told from others by its last bit.
+const QUEUED: u32 = 0x7fc0_0001;
+
+/// The voids around a ring, each once.
+fn beside(ring: &[(usize, f32)], width: usize, values: &mut [f32]) -> Vec<usize> {
+    let mut found = Vec::new();
+    let len = values.len();
+    for j in ring.iter().flat_map(|&(i, _)| around(width, len, i)) {
+        if values[j].is_nan() && values[j].to_bits() != QUEUED {
+            values[j] = f32::from_bits(QUEUED);
+            found.push(j);
+        }
+    }
+    found
 }
 
 /// The pixels around pixel `i`, itself included.
