@@ -1,6 +1,8 @@
 //! Missing values, filled from their neighbours: ring after ring from the edge of a hole inwards,
 //! each value the mean of those of its eight neighbours that were known before the ring.
 
+use core::ops::Range;
+
 /// Fills all NaN in rows of `width`. Returns their number; `None` if there are no other values.
 pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
     let missing = values.iter().filter(|z| z.is_nan()).count();
@@ -36,7 +38,10 @@ const QUEUED: u32 = 0x7fc0_0001;
 fn beside(ring: &[(usize, f32)], width: usize, values: &mut [f32]) -> Vec<usize> {
     let mut found = Vec::new();
     let len = values.len();
-    for j in ring.iter().flat_map(|&(i, _)| around(width, len, i)) {
+    for j in ring
+        .iter()
+        .flat_map(|&(i, _)| around(width, len, i).flatten())
+    {
         if values[j].is_nan() && values[j].to_bits() != QUEUED {
             values[j] = f32::from_bits(QUEUED);
             found.push(j);
@@ -45,21 +50,23 @@ fn beside(ring: &[(usize, f32)], width: usize, values: &mut [f32]) -> Vec<usize>
     found
 }
 
-/// The pixels around pixel `i`, itself included.
-fn around(width: usize, len: usize, i: usize) -> impl Iterator<Item = usize> {
+/// Ranges of the pixels around pixel `i` in up to three rows, itself included.
+fn around(width: usize, len: usize, i: usize) -> impl Iterator<Item = Range<usize>> {
     let (x, y) = (i % width, i / width);
-    let rows = y.saturating_sub(1)..=(y + 1).min(len / width - 1);
-    rows.flat_map(move |row| {
-        (row * width + x.saturating_sub(1))..=(row * width + (x + 1).min(width - 1))
-    })
+    let (west, east) = (x.saturating_sub(1), (x + 2).min(width));
+    let rows = y.saturating_sub(1)..(y + 2).min(len / width);
+    rows.map(move |row| row * width + west..row * width + east)
 }
 
 /// Mean of the known values among the eight around `i`.
 fn mean_around(width: usize, values: &[f32], i: usize) -> Option<f32> {
-    let known = around(width, values.len(), i)
-        .map(|j| f64::from(values[j]))
-        .filter(|z| !z.is_nan());
-    let (sum, count) = known.fold((0.0, 0.0), |(sum, count), z| (sum + z, count + 1.0));
+    let (mut sum, mut count) = (0.0, 0.0);
+    for range in around(width, values.len(), i) {
+        for z in values[range].iter().filter(|z| !z.is_nan()) {
+            sum += f64::from(*z);
+            count += 1.0;
+        }
+    }
     (count > 0.0).then(|| (sum / count) as f32)
 }
 
