@@ -1,6 +1,6 @@
 //! Why a command fails, as one line on stderr and an exit code.
 
-use bevy_pangaea::io::{ExportError, IoError};
+use bevy_pangaea::io::{DemError, ExportError, IoError, MapFileError};
 use bevy_pangaea::planet::PlanetError;
 use bevy_pangaea::query::GroundError;
 use std::fmt::Display;
@@ -40,7 +40,17 @@ impl CliError {
 
 impl From<IoError> for CliError {
     fn from(error: IoError) -> Self {
-        Self::input(error)
+        match error {
+            IoError::Dem {
+                source: DemError::Memory(_),
+                ..
+            }
+            | IoError::Map {
+                source: MapFileError::Raster(DemError::Memory(_)),
+                ..
+            } => Self::Failed(error.to_string()),
+            other => Self::input(other),
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 /// Most pixels to a side.
-pub(super) const MAX_SIDE: u32 = 10_000;
+pub(super) const MAX_SIDE: u32 = 100_000;
 
 /// Size of the largest file that is read.
 pub(super) const MAX_BYTES: u64 = 1 << 30;
@@ -32,6 +32,9 @@ pub enum DemError {
     /// The file's content makes no sense.
     #[error("{0}")]
     Invalid(String),
+    /// There is not enough memory for the file's values, of so many bytes.
+    #[error("not enough memory for {0} bytes of values")]
+    Memory(u64),
     /// The file has no heights, only voids.
     #[error("the file has no heights, only voids")]
     OnlyVoids,

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! hgt       *.hgt: SRTM's big-endian i16, named by the south west corner
-//! geotiff   *.tif, *.tiff: one band of i16, u16, i32, f32 or f64, in degrees or metres
+//! geotiff/  *.tif, *.tiff: one band of numbers, in any units
 //! picture   greys of a PNG, in whatever form it holds them
 //! grey      *.png: greys with a sidecar NAME.json
 //! voids     missing values, filled from their neighbours
@@ -86,15 +86,13 @@ pub fn dem_files(folder: &Path) -> Result<Vec<PathBuf>, IoError> {
 /// makes no sense.
 pub fn load_dem(path: &Path) -> Result<Dem, IoError> {
     let refused = |source| IoError::dem(path, source);
-    let format = DemFormat::of(path).map_err(refused)?;
-    let bytes = read_limited(path)?;
-    let dem = match format {
+    let dem = match DemFormat::of(path).map_err(refused)? {
         DemFormat::Hgt => {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            hgt::read(&name, &bytes)
+            hgt::read(&name, &read_limited(path)?)
         }
-        DemFormat::GeoTiff => geotiff::read(&bytes),
-        DemFormat::Grey => grey::read(&bytes, &load_sidecar(path)?),
+        DemFormat::GeoTiff => geotiff::read(open(path)?),
+        DemFormat::Grey => grey::read(&read_limited(path)?, &load_sidecar(path)?),
     };
     dem.map_err(refused)
 }
@@ -149,12 +147,18 @@ pub(super) fn extension(path: &Path) -> Option<String> {
     Some(extension.to_ascii_lowercase())
 }
 
+/// Opens a file to be read a part at a time.
+pub(super) fn open(path: &Path) -> Result<File, IoError> {
+    File::open(path).map_err(|source| IoError::read(path, source))
+}
+
 /// The bytes of a file that is not too large.
 pub(super) fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
     // One byte more than allowed tells a large file from a full one.
     let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
+    open(path)?
+        .take(MAX_BYTES + 1)
+        .read_to_end(&mut bytes)
         .map_err(|source| IoError::read(path, source))?;
     if bytes.len() as u64 > MAX_BYTES {
         return Err(IoError::dem(path, DemError::TooLarge));

@@ -69,7 +69,7 @@ fn grey_png() -> Vec<u8> {
 #[test]
 fn geotiffs_in_metres_are_read_whatever_they_count_in() {
     for bytes in [floats(&IN_UTM), integers(&IN_UTM)] {
-        let dem = geotiff::read(&bytes).unwrap();
+        let dem = geotiff::read(Cursor::new(&bytes)).unwrap();
         assert_eq!((dem.grid.width, dem.grid.height), (40, 30));
         assert_eq!((dem.voids, dem.centre), (1, None));
         assert_eq!(dem.grid.pixel_m, [30.0; 2]);
@@ -82,7 +82,7 @@ fn geotiffs_in_metres_are_read_whatever_they_count_in() {
 #[test]
 fn geotiffs_in_degrees_have_pixels_in_metres() {
     for bytes in [floats(&IN_DEGREES), integers(&IN_DEGREES)] {
-        let dem = geotiff::read(&bytes).unwrap();
+        let dem = geotiff::read(Cursor::new(&bytes)).unwrap();
         let (lat, lon) = dem.centre.unwrap();
         assert!((lat - 45.985).abs() < 1e-9 && (lon - 7.02).abs() < 1e-9);
         let [across, down] = dem.grid.pixel_m;
@@ -94,7 +94,7 @@ fn geotiffs_in_degrees_have_pixels_in_metres() {
 #[test]
 fn a_text_that_is_longer_than_the_file_is_refused() {
     let good = floats(&IN_UTM);
-    assert!(geotiff::read(&good).is_ok());
+    assert!(geotiff::read(Cursor::new(&good)).is_ok());
     // The tag of the void's value: number 42113, type 2, six letters.
     let tag: Vec<u8> = [42_113_u16, 2, 6, 0]
         .into_iter()
@@ -103,7 +103,10 @@ fn a_text_that_is_longer_than_the_file_is_refused() {
     let place = good.windows(8).position(|window| window == tag).unwrap();
     let mut bad = good;
     bad[place + 4..place + 8].copy_from_slice(&u32::MAX.to_le_bytes());
-    assert!(matches!(geotiff::read(&bad), Err(DemError::Invalid(_))));
+    assert!(matches!(
+        geotiff::read(Cursor::new(&bad)),
+        Err(DemError::Invalid(_))
+    ));
 }
 
 #[test]
@@ -275,7 +278,7 @@ fn good_file(kind: u8) -> Vec<u8> {
 /// Reads a file of one of three kinds.
 fn read_kind(kind: u8, bytes: &[u8]) -> Result<Dem, DemError> {
     if kind > 0 {
-        return geotiff::read(bytes);
+        return geotiff::read(Cursor::new(bytes));
     }
     let sidecar = br#"{"metres_per_pixel": 30, "metres_per_unit": 1}"#;
     grey::read(bytes, &grey::parse_sidecar(sidecar)?)

@@ -5,8 +5,8 @@ use super::voids;
 use crate::math::{self, PI};
 use crate::query::HeightGrid;
 
-/// Length of a degree on a sphere of the Earth's mean radius, m.
-const DEGREE_M: f64 = 6_371_008.8 * PI / 180.0;
+/// Mean radius of the Earth, m.
+const EARTH_RADIUS_M: f64 = 6_371_008.8;
 
 /// Greatest height or depth in m; no ground is that high, and beyond it f32 loses metres.
 const MAX_HEIGHT_M: f32 = 1e6;
@@ -41,7 +41,7 @@ impl Dem {
             )));
         }
         for z in &mut values {
-            if z.abs() > MAX_HEIGHT_M {
+            if z.is_nan() || z.abs() > MAX_HEIGHT_M {
                 *z = f32::NAN;
             }
         }
@@ -70,14 +70,21 @@ pub(super) fn check_size(width: u32, height: u32) -> Result<(), DemError> {
     }
 }
 
-/// Size in m of a pixel of `size` degrees at `latitude`.
-pub(super) fn degrees_to_metres(
+/// Size in m of a pixel of `size` degrees at `latitude` on the Earth.
+pub(super) fn degrees_to_metres(size: [f64; 2], latitude: f64) -> Result<[f64; 2], DemError> {
+    degrees_on_sphere(size, latitude, EARTH_RADIUS_M)
+}
+
+/// Size in m of a pixel of `size` degrees at `latitude` on a sphere of `radius_m`.
+pub(super) fn degrees_on_sphere(
     [across, down]: [f64; 2],
     latitude: f64,
+    radius_m: f64,
 ) -> Result<[f64; 2], DemError> {
     if !(-90.0..=90.0).contains(&latitude) {
-        return Err(invalid(format!("latitude {latitude} is not on the Earth")));
+        return Err(invalid(format!("latitude {latitude} is on no globe")));
     }
     let cos = math::cos(latitude.to_radians());
-    Ok([across * cos * DEGREE_M, down * DEGREE_M])
+    let degree_m = radius_m * PI / 180.0;
+    Ok([across * cos * degree_m, down * degree_m])
 }

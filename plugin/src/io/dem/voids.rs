@@ -1,16 +1,18 @@
 //! Missing values, filled from their neighbours: ring after ring from the edge of a hole inwards,
 //! each value the mean of those of its eight neighbours that were known before the ring.
 
+use core::ops::Range;
+
 /// Fills all NaN in rows of `width`. Returns their number; `None` if there are no other values.
 pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
-    let missing: Vec<usize> = (0..values.len()).filter(|&i| values[i].is_nan()).collect();
-    if missing.len() == values.len() {
+    let missing = values.iter().filter(|z| z.is_nan()).count();
+    if missing == values.len() {
         return None;
     }
     // The first ring: voids beside known values.
-    let mut ring: Vec<(usize, f32)> = missing
-        .iter()
-        .filter_map(|&i| Some((i, mean_around(width, values, i)?)))
+    let mut ring: Vec<(usize, f32)> = (0..values.len())
+        .filter(|&i| values[i].is_nan())
+        .filter_map(|i| Some((i, mean_around(width, values, i)?)))
         .collect();
     while !ring.is_empty() {
         // All means of a ring are taken before one of them is written: the order of voids does not
@@ -20,36 +22,51 @@ pub(super) fn fill(width: usize, values: &mut [f32]) -> Option<usize> {
         }
         // The next ring is what lies around this one: every void is looked at a few times, however
         // deep the hole.
-        let mut next: Vec<usize> = ring
-            .iter()
-            .flat_map(|&(i, _)| around(width, values.len(), i))
-            .filter(|&i| values[i].is_nan())
-            .collect();
-        next.sort_unstable();
-        next.dedup();
+        let next = beside(&ring, width, values);
         ring = next
             .into_iter()
             .filter_map(|i| Some((i, mean_around(width, values, i)?)))
             .collect();
     }
-    Some(missing.len())
+    Some(missing)
 }
 
-/// The pixels around pixel `i`, itself included.
-fn around(width: usize, len: usize, i: usize) -> impl Iterator<Item = usize> {
+/// A void that is in the next ring: NaN, told from others by its last bit.
+const QUEUED: u32 = 0x7fc0_0001;
+
+/// The voids around a ring, each once.
+fn beside(ring: &[(usize, f32)], width: usize, values: &mut [f32]) -> Vec<usize> {
+    let mut found = Vec::new();
+    let len = values.len();
+    for j in ring
+        .iter()
+        .flat_map(|&(i, _)| around(width, len, i).flatten())
+    {
+        if values[j].is_nan() && values[j].to_bits() != QUEUED {
+            values[j] = f32::from_bits(QUEUED);
+            found.push(j);
+        }
+    }
+    found
+}
+
+/// Ranges of the pixels around pixel `i` in up to three rows, itself included.
+fn around(width: usize, len: usize, i: usize) -> impl Iterator<Item = Range<usize>> {
     let (x, y) = (i % width, i / width);
-    let rows = y.saturating_sub(1)..=(y + 1).min(len / width - 1);
-    rows.flat_map(move |row| {
-        (row * width + x.saturating_sub(1))..=(row * width + (x + 1).min(width - 1))
-    })
+    let (west, east) = (x.saturating_sub(1), (x + 2).min(width));
+    let rows = y.saturating_sub(1)..(y + 2).min(len / width);
+    rows.map(move |row| row * width + west..row * width + east)
 }
 
 /// Mean of the known values among the eight around `i`.
 fn mean_around(width: usize, values: &[f32], i: usize) -> Option<f32> {
-    let known = around(width, values.len(), i)
-        .map(|j| f64::from(values[j]))
-        .filter(|z| !z.is_nan());
-    let (sum, count) = known.fold((0.0, 0.0), |(sum, count), z| (sum + z, count + 1.0));
+    let (mut sum, mut count) = (0.0, 0.0);
+    for range in around(width, values.len(), i) {
+        for z in values[range].iter().filter(|z| !z.is_nan()) {
+            sum += f64::from(*z);
+            count += 1.0;
+        }
+    }
     (count > 0.0).then(|| (sum / count) as f32)
 }
 

@@ -13,10 +13,10 @@ pub enum MapFileError {
     /// The file cannot be decoded.
     #[error(transparent)]
     Raster(#[from] DemError),
-    /// The map shows a part of the planet, or begins at another meridian.
+    /// The map shows a part of the planet.
     #[error(
         "the map reaches from {} to {} °E and from {} to {} °N; \
-         it must reach from -180 to 180 and from -90 to 90",
+         it must reach over 360 degrees of longitude and from -90 to 90 °N",
         .0[0], .0[1], .0[2], .0[3]
     )]
     Extent([f64; 4]),

@@ -1,7 +1,8 @@
 //! Maps of the whole planet, as a user gives them: equirectangular, north up, longitude -180 at the
 //! left edge.
 //!
-//! A GeoTIFF of one band holds the values themselves. A PNG holds greys, in whatever form: what
+//! A GeoTIFF of one band holds the values themselves; one that says where it is may begin at any
+//! meridian, and its rows in the south. A PNG holds greys, in whatever form: what
 //! black and white stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by the
 //! caller; values between are linear.
 //!
@@ -10,14 +11,17 @@
 
 mod error;
 
+mod turn;
+
 pub use error::MapFileError;
 
 use super::IoError;
-use super::dem::geotiff::RasterBand;
+use super::dem::geotiff::RasterFile;
 use super::dem::picture::Greys;
-use super::dem::{extension, read_limited};
+use super::dem::{extension, open, read_limited};
 use super::{sidecar, text};
 use crate::climate::EquirectMap;
+use std::io::{Read, Seek};
 use std::path::Path;
 
 /// Reads a map; its extension says of which kind. `grey` are the values of black and white of a
@@ -47,7 +51,7 @@ use std::path::Path;
 pub fn load_map(path: &Path, grey: Option<[f32; 2]>) -> Result<EquirectMap, IoError> {
     let refused = |source| IoError::map(path, source);
     match extension(path).as_deref() {
-        Some("tif" | "tiff") => geotiff(&read_limited(path)?).map_err(refused),
+        Some("tif" | "tiff") => geotiff(open(path)?).map_err(refused),
         Some("png") => {
             let bytes = read_limited(path)?;
             picture(&bytes, black_and_white(path, grey)?).map_err(refused)
@@ -91,19 +95,13 @@ fn check_size(width: u32, height: u32) -> Result<(), MapFileError> {
 }
 
 /// Reads a raster of values.
-fn geotiff(bytes: &[u8]) -> Result<EquirectMap, MapFileError> {
-    let mut band = RasterBand::read(bytes, check_size)?;
-    // Climate data often begins at Greenwich: half a planet off is worse than no map.
-    if let Some(extent) = band.extent_deg() {
-        // Files may count from the centres of their pixels.
-        let pixel = 360.0 / f64::from(band.size[0]);
-        let whole = [-180.0, 180.0, -90.0, 90.0];
-        let mut ends = extent.iter().zip(whole);
-        if !ends.all(|(x, end)| (x - end).abs() <= pixel) {
-            return Err(MapFileError::Extent(extent));
-        }
-    }
-    Ok(EquirectMap::new(band.size[0], band.size[1], band.values)?)
+fn geotiff(source: impl Read + Seek) -> Result<EquirectMap, MapFileError> {
+    let mut raster = RasterFile::open(source, check_size)?;
+    let size = raster.size();
+    let column = turn::first_column(raster.extent_deg()?, size)?;
+    let mut values = raster.values(1.0)?;
+    turn::turn(&mut values, size[0], column);
+    Ok(EquirectMap::new(size[0], size[1], values)?)
 }
 
 /// Reads a picture with these values of black and white.

@@ -1,0 +1,107 @@
+//! GeoKeys (OGC 19-008r4, section 7.1.2): numbers by which a raster names its coordinate system.
+
+use super::structure::{Directory, TiffFile, refused};
+use super::tag;
+use crate::io::dem::error::{DemError, invalid};
+use std::io::{Read, Seek};
+
+/// A key of the GeoKeyDirectory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Key {
+    pub(super) number: u16,
+    pub(super) name: &'static str,
+}
+
+/// Constants of keys.
+macro_rules! keys {
+    ($($constant:ident = $number:literal $name:literal;)*) => {
+        $(pub(super) const $constant: Key = Key { number: $number, name: $name };)*
+    };
+}
+
+keys! {
+    MODEL_TYPE = 1024 "GTModelTypeGeoKey";
+    RASTER_TYPE = 1025 "GTRasterTypeGeoKey";
+    GEODETIC_SYSTEM = 2048 "GeographicTypeGeoKey";
+    ANGULAR_UNIT = 2054 "GeogAngularUnitsGeoKey";
+    ANGULAR_UNIT_SIZE = 2055 "GeogAngularUnitSizeGeoKey";
+    SEMI_MAJOR_AXIS = 2057 "GeogSemiMajorAxisGeoKey";
+    SEMI_MINOR_AXIS = 2058 "GeogSemiMinorAxisGeoKey";
+    INVERSE_FLATTENING = 2059 "GeogInvFlatteningGeoKey";
+    PRIME_MERIDIAN = 2061 "GeogPrimeMeridianLongGeoKey";
+    PROJECTED_SYSTEM = 3072 "ProjectedCSTypeGeoKey";
+    PROJECTION_METHOD = 3075 "ProjCoordTransGeoKey";
+    LINEAR_UNIT = 3076 "ProjLinearUnitsGeoKey";
+    LINEAR_UNIT_SIZE = 3077 "ProjLinearUnitSizeGeoKey";
+    VERTICAL_SYSTEM = 4096 "VerticalCSTypeGeoKey";
+    VERTICAL_UNIT = 4099 "VerticalUnitsGeoKey";
+}
+
+/// The value of a key that stands for a definition by other keys.
+pub(super) const USER_DEFINED: u16 = 32_767;
+
+/// The keys of a file.
+#[derive(Default)]
+pub(super) struct KeyDirectory {
+    /// Key, where its value is (0: here), count, value.
+    keys: Vec<[u16; 4]>,
+    doubles: Vec<f64>,
+}
+
+impl KeyDirectory {
+    /// Reads the keys of an image; there may be none.
+    pub(super) fn read<R: Read + Seek>(
+        file: &mut TiffFile<R>,
+        directory: &Directory,
+    ) -> Result<Self, DemError> {
+        let numbers = file.numbers(directory, tag::GEO_KEY_DIRECTORY)?;
+        let words: Vec<u16> = numbers.into_iter().map(|word| word as u16).collect();
+        let (rows, _) = words.as_chunks::<4>();
+        // The first is a header.
+        let keys = rows.iter().skip(1).copied().collect();
+        Ok(Self {
+            keys,
+            doubles: file.reals(directory, tag::GEO_DOUBLE_PARAMS)?,
+        })
+    }
+
+    /// Is there no key?
+    pub(super) fn is_empty(&self) -> bool {
+        self.keys.is_empty()
+    }
+
+    /// The value of a key that is a code.
+    pub(super) fn code(&self, key: Key) -> Option<u16> {
+        let row = self.keys.iter().find(|row| row[0] == key.number)?;
+        (row[1] == 0).then_some(row[3])
+    }
+
+    /// The value of a key that is a measure.
+    pub(super) fn measure(&self, key: u16) -> Option<f64> {
+        let row = self.keys.iter().find(|row| row[0] == key)?;
+        match row[1] {
+            0 => Some(f64::from(row[3])),
+            place if place == tag::GEO_DOUBLE_PARAMS.number => {
+                self.doubles.get(usize::from(row[3])).copied()
+            }
+            _ => None,
+        }
+    }
+
+    /// The size of a user's own unit.
+    pub(super) fn own_unit(&self, key: Key) -> Result<f64, DemError> {
+        self.measure(key.number)
+            .filter(|size| size.is_finite() && *size > 0.0)
+            .ok_or_else(|| invalid(format!("a unit without a sound {}", key.name)))
+    }
+}
+
+/// The error of a key's value that is not read.
+pub(super) fn unknown(key: Key, value: impl core::fmt::Display) -> DemError {
+    invalid(format!("{} {value} is not read", key.name))
+}
+
+/// The error of a file without keys where they are needed.
+pub(super) fn missing() -> DemError {
+    refused(tag::GEO_KEY_DIRECTORY)
+}

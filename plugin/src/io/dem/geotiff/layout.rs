@@ -1,0 +1,174 @@
+//! How an image lies in its file: blocks of rows (strips) or of columns and rows (tiles), the
+//! samples of a pixel together or in planes, and what a sample is.
+
+use super::codec::Codec;
+use super::sample::SampleType;
+use super::structure::{Directory, TiffFile, refused, unsupported};
+use super::tag::{self, Tag};
+use crate::io::dem::error::DemError;
+use std::io::{Read, Seek};
+
+/// No compression gives more pixels for a byte: an RLE block of Zstandard has 128 KiB in four. Nor
+/// do blocks that are left out, whose offset and length take eight bytes, up to 512 x 512 pixels.
+const MAX_PIXELS_PER_BYTE: u64 = 32_768;
+
+/// The layout of an image.
+pub(super) struct Layout {
+    /// Columns and rows of the image.
+    pub(super) size: [u32; 2],
+    /// Columns and rows of a block; strips are as wide as the image.
+    pub(super) block: [u32; 2],
+    /// Samples of a pixel.
+    pub(super) samples: usize,
+    /// Do samples lie in planes of their own?
+    pub(super) is_planar: bool,
+    pub(super) sample_type: SampleType,
+    pub(super) codec: Codec,
+    /// Offset and length of every block; length 0 for one that is left out.
+    blocks: Vec<(u64, u64)>,
+    is_tiled: bool,
+}
+
+/// Most pixels to the side of a tile: the largest image that is read, in one.
+const MAX_TILE: u32 = 1 << 17;
+
+/// A band, and how opaque it is.
+const MAX_SAMPLES: u64 = 2;
+
+/// Columns and rows of the image of a directory.
+pub(super) fn size<R: Read + Seek>(
+    file: &mut TiffFile<R>,
+    directory: &Directory,
+) -> Result<[u32; 2], DemError> {
+    Ok([
+        side(file, directory, tag::IMAGE_WIDTH, u32::MAX)?,
+        side(file, directory, tag::IMAGE_LENGTH, u32::MAX)?,
+    ])
+}
+
+/// A length in pixels, from 1 to `most`.
+fn side<R: Read + Seek>(
+    file: &mut TiffFile<R>,
+    directory: &Directory,
+    tag: Tag,
+    most: u32,
+) -> Result<u32, DemError> {
+    let side = file.number_or(directory, tag, 0)?;
+    let is_sound = (1..=u64::from(most)).contains(&side);
+    is_sound.then_some(side as u32).ok_or_else(|| refused(tag))
+}
+
+impl Layout {
+    /// The layout of the image of a directory.
+    pub(super) fn read<R: Read + Seek>(
+        file: &mut TiffFile<R>,
+        directory: &Directory,
+    ) -> Result<Self, DemError> {
+        let size = size(file, directory)?;
+        let [width, height] = size.map(u64::from);
+        if width * height > file.length.saturating_mul(MAX_PIXELS_PER_BYTE) {
+            return Err(refused(tag::IMAGE_LENGTH));
+        }
+        let fill_order = file.number_or(directory, tag::FILL_ORDER, 1)?;
+        if fill_order != 1 {
+            return Err(unsupported(tag::FILL_ORDER, fill_order));
+        }
+        let samples = file.number_or(directory, tag::SAMPLES_PER_PIXEL, 1)?;
+        if !(1..=MAX_SAMPLES).contains(&samples) {
+            return Err(unsupported(tag::SAMPLES_PER_PIXEL, samples));
+        }
+        let planar = file.number_or(directory, tag::PLANAR_CONFIGURATION, 1)?;
+        let sample_type = SampleType::read(file, directory)?;
+        let is_tiled = directory.has(tag::TILE_OFFSETS);
+        let mut layout = Self {
+            size,
+            block: block(file, directory, size)?,
+            samples: samples as usize,
+            is_planar: planar == 2,
+            sample_type,
+            codec: Codec::read(file, directory, sample_type)?,
+            blocks: Vec::new(),
+            is_tiled,
+        };
+        layout.blocks = layout.find_blocks(file, directory)?;
+        Ok(layout)
+    }
+
+    /// Offset and length of every block.
+    fn find_blocks<R: Read + Seek>(
+        &self,
+        file: &mut TiffFile<R>,
+        directory: &Directory,
+    ) -> Result<Vec<(u64, u64)>, DemError> {
+        let (where_, lengths) = if self.is_tiled {
+            (tag::TILE_OFFSETS, tag::TILE_BYTE_COUNTS)
+        } else {
+            (tag::STRIP_OFFSETS, tag::STRIP_BYTE_COUNTS)
+        };
+        let [across, down] = self.blocks_a_side().map(u64::from);
+        let planes = if self.is_planar { self.samples } else { 1 };
+        let wanted = across.saturating_mul(down).saturating_mul(planes as u64);
+        let offsets = file.numbers(directory, where_)?;
+        let counts = file.numbers(directory, lengths)?;
+        if (offsets.len() as u64) < wanted {
+            return Err(refused(where_));
+        }
+        if (counts.len() as u64) < wanted {
+            return Err(refused(lengths));
+        }
+        Ok(offsets.into_iter().zip(counts).collect())
+    }
+
+    /// Blocks to a row of blocks, and rows of blocks.
+    pub(super) fn blocks_a_side(&self) -> [u32; 2] {
+        [0, 1].map(|axis| self.size[axis].div_ceil(self.block[axis]))
+    }
+
+    /// Offset and length of the block at a column and row of blocks that holds a sample; `None` if
+    /// it is left out.
+    pub(super) fn place(&self, [column, row]: [u32; 2], sample: usize) -> Option<(u64, u64)> {
+        let [across, down] = self.blocks_a_side().map(|side| side as usize);
+        let plane = if self.is_planar { sample } else { 0 };
+        let number = (plane * down + row as usize) * across + column as usize;
+        self.blocks
+            .get(number)
+            .copied()
+            .filter(|(_, length)| *length > 0)
+    }
+
+    /// Samples of a pixel within a block that holds a sample, and which of them it is.
+    pub(super) fn samples_in_block(&self, sample: usize) -> (usize, usize) {
+        if self.is_planar {
+            (1, 0)
+        } else {
+            (self.samples, sample)
+        }
+    }
+
+    /// Bytes of a row of a block.
+    pub(super) fn row_bytes(&self) -> usize {
+        let samples = self.block[0] as usize * self.samples_in_block(0).0;
+        let bits = samples * self.sample_type.bits as usize;
+        bits.div_ceil(8)
+    }
+}
+
+/// Columns and rows of a block.
+fn block<R: Read + Seek>(
+    file: &mut TiffFile<R>,
+    directory: &Directory,
+    [width, height]: [u32; 2],
+) -> Result<[u32; 2], DemError> {
+    if !directory.has(tag::TILE_OFFSETS) {
+        let rows = file.number_or(directory, tag::ROWS_PER_STRIP, u64::from(height))?;
+        let rows = rows.min(u64::from(height)) as u32;
+        return match rows {
+            0 => Err(refused(tag::ROWS_PER_STRIP)),
+            rows => Ok([width, rows]),
+        };
+    }
+    Ok([
+        side(file, directory, tag::TILE_WIDTH, MAX_TILE)?,
+        side(file, directory, tag::TILE_LENGTH, MAX_TILE)?,
+    ])
+}

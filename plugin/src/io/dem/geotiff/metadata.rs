@@ -1,0 +1,62 @@
+//! GDAL_METADATA: XML with the scale, the offset and the unit of a band's numbers.
+
+use super::nodata::number;
+use super::structure::{refused, unsupported};
+use super::tag;
+use crate::io::dem::error::DemError;
+use roxmltree::Document;
+
+/// What the numbers of the first band stand for: `scale` times number plus `offset`, in `unit`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Calibration {
+    scale: f64,
+    offset: f64,
+    /// As it is written; empty if it is not.
+    pub(super) unit: String,
+}
+
+impl Calibration {
+    /// Of numbers that stand for themselves.
+    const PLAIN: Self = Self {
+        scale: 1.0,
+        offset: 0.0,
+        unit: String::new(),
+    };
+
+    /// Reads the items that have a role in the first band.
+    pub(super) fn of(text: Option<&str>) -> Result<Self, DemError> {
+        let mut all = Self::PLAIN;
+        let Some(text) = text.filter(|text| !text.trim().is_empty()) else {
+            return Ok(all);
+        };
+        let document = Document::parse(text).map_err(|_| refused(tag::GDAL_METADATA))?;
+        for item in document.descendants() {
+            if !item.has_tag_name("Item") || item.attribute("sample") != Some("0") {
+                continue;
+            }
+            let value = item.text().unwrap_or_default();
+            match item
+                .attribute("role")
+                .map(str::to_ascii_lowercase)
+                .as_deref()
+            {
+                Some("scale") => all.scale = finite("scale", value)?,
+                Some("offset") => all.offset = finite("offset", value)?,
+                Some("unittype") => all.unit = value.trim().to_string(),
+                _ => {}
+            }
+        }
+        Ok(all)
+    }
+
+    /// What a number stands for.
+    pub(super) fn apply(&self, z: f64) -> f64 {
+        z * self.scale + self.offset
+    }
+}
+
+fn finite(role: &str, value: &str) -> Result<f64, DemError> {
+    number(value)
+        .filter(|z| z.is_finite())
+        .ok_or_else(|| unsupported(tag::GDAL_METADATA, format!("with the {role} {value:?}")))
+}

@@ -1,0 +1,88 @@
+//! GeoTIFF (OGC 19-008r4): one band of numbers, with its place, its unit and its voids. Numbers are
+//! those that GDAL reads; what is not read is refused by the name of its tag or key.
+//!
+//! ```text
+//! tag          the tags that are read, with their names
+//! structure    directories and the values of their tags; BigTIFF; both byte orders
+//! sample       types of samples
+//! predictor    rows of differences
+//! lzw, packbits, lerc    compressions; those of `codec` besides come from crates
+//! codec        blocks to rows
+//! layout       strips and tiles
+//! rows         the numbers of an image, a row of a block at a time
+//! mask         internal masks and opacity
+//! nodata       the value that marks voids
+//! metadata     GDAL's scale, offset and unit
+//! keys         GeoKeys
+//! units        units of length and angle
+//! heights      the unit of heights
+//! placement    where a raster lies
+//! method       projections that a file defines
+//! projection   how long a map's step is on the ground
+//! system       coordinate systems
+//! raster       all of it
+//! ```
+//!
+//! Read are whole numbers of 1 to 32 and of 64 bits and floating-point ones of 16, 32 and 64;
+//! compressed by Deflate, LZW, PackBits, Zstandard or LERC, or not; of any size up to 100,000 a
+//! side. Memory holds the values and a row.
+
+mod tag;
+
+mod structure;
+
+mod sample;
+
+mod predictor;
+
+mod lzw;
+
+mod packbits;
+
+mod lerc;
+
+mod codec;
+
+mod layout;
+
+mod rows;
+
+mod mask;
+
+mod nodata;
+
+mod metadata;
+
+mod keys;
+
+mod units;
+
+mod heights;
+
+mod placement;
+
+mod method;
+
+mod projection;
+
+mod system;
+
+mod raster;
+
+pub(in crate::io) use raster::RasterFile;
+
+use super::error::DemError;
+use super::tile::{Dem, check_size};
+use std::io::{Read, Seek};
+
+/// Reads a file of heights.
+pub(super) fn read(source: impl Read + Seek) -> Result<Dem, DemError> {
+    let mut raster = RasterFile::open(source, check_size)?;
+    let metres_per_unit = raster.metres_per_unit()?;
+    let (pixel_m, centre) = raster.ground()?;
+    let heights = raster.values(metres_per_unit)?;
+    Dem::new(raster.size(), heights, pixel_m, centre)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,60 @@
+//! Files that are written here byte by byte, and the numbers that GDAL reads from them.
+
+mod blocks;
+mod places;
+mod texts;
+mod writer;
+
+use super::*;
+use crate::io::dem::error::DemError;
+use std::io::Cursor;
+use writer::{Image, PLAIN, Values, tiff};
+
+/// The tags of an image of one band: size, bits to a sample, their format, compression, rows of a
+/// strip.
+fn fields(size: [u16; 2], bits: u16, format: u16, compression: u16) -> Vec<(u16, Values)> {
+    let numbers = [
+        (256, size[0]),
+        (257, size[1]),
+        (258, bits),
+        (259, compression),
+        (262, 1),
+        (277, 1),
+        (278, size[1]),
+        (339, format),
+    ];
+    numbers.map(|(tag, n)| (tag, Values::Short(vec![n]))).into()
+}
+
+/// Replaces or adds tags.
+fn with<const N: usize>(
+    mut fields: Vec<(u16, Values)>,
+    tags: [(u16, Values); N],
+) -> Vec<(u16, Values)> {
+    for (tag, values) in tags {
+        fields.retain(|(other, _)| *other != tag);
+        fields.push((tag, values));
+    }
+    fields
+}
+
+fn short(n: u16) -> Values {
+    Values::Short(vec![n])
+}
+
+/// A file of one image in one block.
+fn plain(fields: Vec<(u16, Values)>, block: Vec<u8>) -> Vec<u8> {
+    let blocks = vec![block];
+    tiff(PLAIN, vec![Image { fields, blocks }])
+}
+
+/// The values of a file, NaN for voids.
+fn values(bytes: &[u8]) -> Result<Vec<f32>, DemError> {
+    let open = RasterFile::open(Cursor::new(bytes), |_, _| Ok::<(), DemError>(()));
+    open?.values(1.0)
+}
+
+/// Why a file is refused.
+fn refusal(bytes: &[u8]) -> String {
+    values(bytes).unwrap_err().to_string()
+}
