@@ -54,7 +54,7 @@ fn end(size: usize) -> ! {
     // It does not allocate, and nobody needs to hear it.
     let _ = writeln!(
         io::stderr(),
-        "error: memory is full: {size} bytes more are needed; nothing is written"
+        "error: memory is full: {size} bytes more are needed"
     );
     process::exit(1);
 }

@@ -16,7 +16,7 @@ const READ_AHEAD: usize = 8192;
 /// Places on their way.
 pub(super) struct PlaceQueue {
     receiver: Receiver<Result<PlaceSpec, CliError>>,
-    /// What was received and is not taken yet.
+    /// A place or an error that was received and is not taken yet.
     next: Option<Result<PlaceSpec, CliError>>,
 }
 

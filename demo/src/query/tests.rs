@@ -23,7 +23,7 @@ impl Ground for SlopingGround {
     }
 }
 
-/// What is printed for an input, and how it ends.
+/// The text that is printed for an input, and how it ends.
 fn answers(input: impl BufRead + Send + 'static) -> (String, Result<(), CliError>) {
     let mut out = Vec::new();
     let places = PlaceQueue::read(|| input);

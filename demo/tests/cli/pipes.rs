@@ -44,7 +44,7 @@ fn many_lines_are_left_when_the_reader_is_gone() {
     let mut child = begun(folder.path(), &QUERY[..2], Stdio::piped());
     let mut input = child.stdin.take().unwrap();
     let writer = std::thread::spawn(move || {
-        let line = |i: u32| format!("{},{}\n", i * 7919 % 150 - 75, i * 7 % 360);
+        let line = |i: i32| format!("{},{}\n", i * 7919 % 150 - 75, i * 7 % 360);
         (0..400_000).try_for_each(|i| input.write_all(line(i % 10_000).as_bytes()))
     });
     let mut output = BufReader::new(child.stdout.take().unwrap());

@@ -2,7 +2,7 @@
 
 use super::check::{check_count, check_radius, direction_at};
 use super::error::GroundError;
-use super::level::level_for;
+use super::level::raster_level;
 use super::map_grid::{GridPoint, GridProjection, MapGrid};
 use super::raster::MapSquare;
 use bevy::math::DVec2;
@@ -114,7 +114,7 @@ impl DegreeBox {
             whole: self.pixels,
             first: [0, 0],
             size: self.pixels,
-            level: level_for(self.radius_m, pixel_m),
+            level: raster_level(self.radius_m, pixel_m),
         }
     }
 }
@@ -151,9 +151,8 @@ mod tests {
 
     #[test]
     fn levels_follow_the_height_and_the_width_at_the_equator() {
-        // A degree is 111 km, level 0 has edges of 52 km.
-        assert_eq!(grid([0.0, 0.0, 10.0, 10.0], [10, 10]).level(), 0);
-        assert_eq!(grid([0.0, 0.0, 10.0, 10.0], [10, 40]).level(), 1);
+        // A degree is 111 km; level 6 has edges of 0.8 km.
+        assert_eq!(grid([0.0, 0.0, 10.0, 10.0], [10, 10]).level(), 6);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::check::{check_count, check_length};
 use super::error::GroundError;
 use super::ground::Ground;
-use super::level::{LEVELS, level_for};
+use super::level::{LEVELS, raster_level};
 use super::map_grid::{GridPoint, GridProjection, MapGrid};
 use super::projection::AzimuthalEquidistant;
 use bevy::math::{DVec2, DVec3};
@@ -145,10 +145,11 @@ impl MapSquare {
         }
     }
 
-    /// Its own level, or the one whose edges are not longer than a pixel.
+    /// Its own level, or the one whose edges are not longer than a pixel; that is at least level 6, for
+    /// coarser ones show beds of rivers instead of the land.
     pub fn level(&self) -> u8 {
         self.level
-            .unwrap_or_else(|| level_for(self.projection.radius_m(), self.pixel_m()))
+            .unwrap_or_else(|| raster_level(self.projection.radius_m(), self.pixel_m()))
     }
 
     /// Heights at all pixels, in batches on all threads.

@@ -3,7 +3,7 @@
 
 use super::check::{check_count, check_length};
 use super::error::GroundError;
-use super::level::level_for;
+use super::level::raster_level;
 use super::map_grid::{GridPoint, GridProjection, MapGrid};
 use super::projection::AzimuthalEquidistant;
 use super::raster::{LEAST_PIXEL_M, MapSquare};
@@ -117,7 +117,7 @@ impl TileBlock {
             whole: size,
             first: [0, 0],
             size,
-            level: level_for(self.projection.radius_m(), self.spacing_m()),
+            level: raster_level(self.projection.radius_m(), self.spacing_m()),
         }
     }
 

@@ -52,9 +52,17 @@ impl PlanetForm {
         PathBuf::from(self.file.trim())
     }
 
-    /// The file beside it for the commands of the planet.
+    /// A new file beside it for the commands of the planet: nobody has named one that may be
+    /// replaced.
     fn scenario_file(&self) -> PathBuf {
-        self.file().with_extension("scenario.ron")
+        let numbered = |number: u32| match number {
+            1 => self.file().with_extension("scenario.ron"),
+            _ => self.file().with_extension(format!("{number}.scenario.ron")),
+        };
+        let mut files = (1..).map(numbered);
+        files
+            .find(|file| !file.exists())
+            .unwrap_or_else(|| self.file().with_extension("scenario.ron"))
     }
 
     /// Forgets the plates, continents and parameters of a preset.

@@ -10,10 +10,12 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// The name of a hidden folder: this and six random letters or digits. It is short, for a name that
-/// is as long as the system takes must still be written.
+/// The name of a hidden folder: this, six random letters or digits, the number of the process, for
+/// people who look, and an ending. It is short, for a name that is as long as the system takes must
+/// still be written.
 const PREFIX: &str = ".pangaea-";
 const RANDOM: usize = 6;
+const ENDING: &str = ".part";
 
 /// The file that is locked.
 const LOCK: &str = "lock";
@@ -34,7 +36,8 @@ impl HiddenFolder {
             sweep(folder);
         }
         let mut builder = tempfile::Builder::new();
-        builder.prefix(PREFIX).rand_bytes(RANDOM);
+        let ending = format!(".{}{ENDING}", std::process::id());
+        builder.prefix(PREFIX).rand_bytes(RANDOM).suffix(&ending);
         // The name of a folder that is not there says nothing to the user.
         let stage = builder.tempdir_in(folder).map_err(|error| error.kind())?;
         let mut alive = File::create_new(stage.path().join(LOCK))?;
@@ -67,9 +70,12 @@ fn sweep(folder: &Path) {
 }
 
 fn is_stage_name(name: &OsStr) -> bool {
-    let random = name.to_str().and_then(|name| name.strip_prefix(PREFIX));
-    random.is_some_and(|random| {
-        random.len() == RANDOM && random.bytes().all(|byte| byte.is_ascii_alphanumeric())
+    let name = name.to_str().and_then(|name| name.strip_prefix(PREFIX));
+    let parts = name.and_then(|name| name.strip_suffix(ENDING)?.split_once('.'));
+    parts.is_some_and(|(random, process)| {
+        random.len() == RANDOM
+            && random.bytes().all(|byte| byte.is_ascii_alphanumeric())
+            && process.parse::<u32>().is_ok()
     })
 }
 

@@ -1,4 +1,4 @@
-//! What says that Pangaea made a file: the standard field of its format.
+//! The mark that says that Pangaea made a file: the standard field of its format.
 //!
 //! ```text
 //! *.pangaea   the magic

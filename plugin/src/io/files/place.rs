@@ -1,4 +1,4 @@
-//! What a file keeps when it is replaced: its mode, its owner and group; or all but its content.
+//! A replaced file keeps its mode, its owner and group; or all but its content.
 
 use super::target::Target;
 use std::fs::{File, Metadata, OpenOptions};

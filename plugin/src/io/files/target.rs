@@ -11,7 +11,7 @@ const MOST_LINKS: usize = 40;
 pub(super) struct Target {
     /// Not a link.
     pub(super) path: PathBuf,
-    /// What is there already.
+    /// The file that is there already.
     pub(super) older: Option<OlderFile>,
 }
 

@@ -73,7 +73,6 @@ fn black_and_white(picture: &Path, grey: Option<[f32; 2]>) -> Result<[f32; 2], I
 
 /// Values of black and white.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
 struct MapSidecar {
     min: f32,
     max: f32,

@@ -26,7 +26,7 @@
 //!   at most 2^29 pixels. Version 3 is still read; older ones are not.
 
 use super::codec::Decoder;
-use super::sections::{self, Tag};
+use super::sections::{self, SectionTag};
 use super::{IoError, SaveError, write_atomically};
 use crate::climate::ClimateMaps;
 use crate::spawn::PlanetState;
@@ -62,7 +62,7 @@ impl<W: Write> Hashing<W> {
         self.out.write_all(bytes)
     }
 
-    fn put_section(&mut self, (tag, content): (Tag, Vec<u8>)) -> io::Result<()> {
+    fn put_section(&mut self, (tag, content): (SectionTag, Vec<u8>)) -> io::Result<()> {
         self.put(&tag)?;
         self.put(&(content.len() as u64).to_le_bytes())?;
         self.put(&content)

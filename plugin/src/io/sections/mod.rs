@@ -13,7 +13,7 @@ mod plates;
 
 pub(super) use climate::check_pixels;
 use split::FileSections;
-pub(super) use split::Tag;
+pub(super) use split::SectionTag;
 
 use super::SaveError;
 use crate::climate::ClimateMaps;
@@ -22,12 +22,12 @@ use crate::spawn::PlanetState;
 
 /// A part of the file that every planet has.
 struct SaveSection {
-    tag: &'static Tag,
+    tag: &'static SectionTag,
     encode: fn(&PlanetState) -> Vec<u8>,
 }
 
 /// The section that only planets with maps have.
-const CLIMATE: Tag = *b"CLIM";
+const CLIMATE: SectionTag = *b"CLIM";
 
 /// The sections before the columns of the crust, in the order of the file.
 const SECTIONS: &[SaveSection] = &[
@@ -43,19 +43,19 @@ const SECTIONS: &[SaveSection] = &[
     section(b"MESH", crust::write_mesh),
 ];
 
-const fn section(tag: &'static Tag, encode: fn(&PlanetState) -> Vec<u8>) -> SaveSection {
+const fn section(tag: &'static SectionTag, encode: fn(&PlanetState) -> Vec<u8>) -> SaveSection {
     SaveSection { tag, encode }
 }
 
 /// The tags of all sections that this program knows.
-fn tags() -> impl Iterator<Item = Tag> {
+fn tags() -> impl Iterator<Item = SectionTag> {
     let columns = Crust::COLUMNS.iter().map(|column| *column.tag);
     let always = SECTIONS.iter().map(|section| *section.tag).chain(columns);
     always.chain([CLIMATE])
 }
 
 /// Tags and contents of the sections that every planet has, in the order of the file.
-pub(super) fn encode(state: &PlanetState) -> impl Iterator<Item = (Tag, Vec<u8>)> + '_ {
+pub(super) fn encode(state: &PlanetState) -> impl Iterator<Item = (SectionTag, Vec<u8>)> + '_ {
     let tags = Crust::COLUMNS.iter().map(|column| *column.tag);
     let columns = tags.zip(state.crust.encode_columns());
     (SECTIONS.iter())
@@ -64,7 +64,7 @@ pub(super) fn encode(state: &PlanetState) -> impl Iterator<Item = (Tag, Vec<u8>)
 }
 
 /// Tag and content of the section of the climate's maps, if there are any.
-pub(super) fn encode_climate(maps: &ClimateMaps) -> Option<(Tag, Vec<u8>)> {
+pub(super) fn encode_climate(maps: &ClimateMaps) -> Option<(SectionTag, Vec<u8>)> {
     let some = maps.iter().next().is_some();
     some.then(|| (CLIMATE, climate::write(maps)))
 }

@@ -4,10 +4,10 @@ use crate::io::SaveError;
 use crate::io::codec::{Decoder, invalid};
 
 /// Four letters that name a section.
-pub(in crate::io) type Tag = [u8; 4];
+pub(in crate::io) type SectionTag = [u8; 4];
 
 /// The contents of the sections that this program knows.
-pub(in crate::io) struct FileSections<'a>(Vec<(Tag, Option<&'a [u8]>)>);
+pub(in crate::io) struct FileSections<'a>(Vec<(SectionTag, Option<&'a [u8]>)>);
 
 impl<'a> FileSections<'a> {
     /// Cuts `bytes`; `known` are the tags that this program knows. A section that it does not know
@@ -15,7 +15,7 @@ impl<'a> FileSections<'a> {
     /// capital: without it the planet would be another one.
     pub(super) fn split(
         bytes: &'a [u8],
-        known: impl Iterator<Item = Tag>,
+        known: impl Iterator<Item = SectionTag>,
     ) -> Result<Self, SaveError> {
         let mut sections = Self(known.map(|tag| (tag, None)).collect());
         let mut read = Decoder(bytes);
@@ -27,7 +27,7 @@ impl<'a> FileSections<'a> {
         Ok(sections)
     }
 
-    fn put(&mut self, tag: Tag, content: &'a [u8]) -> Result<(), SaveError> {
+    fn put(&mut self, tag: SectionTag, content: &'a [u8]) -> Result<(), SaveError> {
         match self.0.iter_mut().find(|(known, _)| *known == tag) {
             Some((_, Some(_))) => Err(invalid(format!("it has two sections {}", shown(tag)))),
             Some((_, place)) => {
@@ -40,19 +40,19 @@ impl<'a> FileSections<'a> {
     }
 
     /// The content of a section that a file may have.
-    pub(super) fn get(&self, tag: Tag) -> Option<&'a [u8]> {
+    pub(super) fn get(&self, tag: SectionTag) -> Option<&'a [u8]> {
         let section = self.0.iter().find(|(known, _)| *known == tag);
         section.and_then(|(_, content)| *content)
     }
 
     /// The content of a section that every file must have.
-    pub(super) fn require(&self, tag: Tag) -> Result<&'a [u8], SaveError> {
+    pub(super) fn require(&self, tag: SectionTag) -> Result<&'a [u8], SaveError> {
         self.get(tag)
             .ok_or_else(|| invalid(format!("its section {} is missing", shown(tag))))
     }
 }
 
 /// A tag in a message.
-fn shown(tag: Tag) -> String {
+fn shown(tag: SectionTag) -> String {
     tag.escape_ascii().to_string()
 }

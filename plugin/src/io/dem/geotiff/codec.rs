@@ -31,7 +31,7 @@ enum Compression {
     Lerc(LercWrapping),
 }
 
-/// What LERC's bytes are compressed with, by the second number of LercParameters.
+/// The compression of LERC's bytes, by the second number of LercParameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum LercWrapping {
     None,

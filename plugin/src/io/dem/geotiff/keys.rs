@@ -65,11 +65,6 @@ impl KeyDirectory {
         })
     }
 
-    /// Is there no key?
-    pub(super) fn is_empty(&self) -> bool {
-        self.keys.is_empty()
-    }
-
     /// The value of a key that is a code.
     pub(super) fn code(&self, key: Key) -> Option<u16> {
         let row = self.keys.iter().find(|row| row[0] == key.number)?;
@@ -99,9 +94,4 @@ impl KeyDirectory {
 /// The error of a key's value that is not read.
 pub(super) fn unknown(key: Key, value: impl core::fmt::Display) -> DemError {
     invalid(format!("{} {value} is not read", key.name))
-}
-
-/// The error of a file without keys where they are needed.
-pub(super) fn missing() -> DemError {
-    refused(tag::GEO_KEY_DIRECTORY)
 }

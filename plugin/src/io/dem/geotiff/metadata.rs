@@ -6,7 +6,7 @@ use super::tag;
 use crate::io::dem::error::DemError;
 use roxmltree::Document;
 
-/// What the numbers of the first band stand for: `scale` times number plus `offset`, in `unit`.
+/// The quantity of the first band: `scale` times number plus `offset`, in `unit`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Calibration {
     scale: f64,
@@ -49,7 +49,7 @@ impl Calibration {
         Ok(all)
     }
 
-    /// What a number stands for.
+    /// The quantity that a number stands for.
     pub(super) fn apply(&self, z: f64) -> f64 {
         z * self.scale + self.offset
     }

@@ -11,18 +11,18 @@ const SRTM_VOID: f64 = -32_768.0;
 /// The last place of an f32.
 const SINGLE: f64 = f32::EPSILON as f64;
 
-/// What marks a void.
+/// The numbers that mark voids.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Nodata {
     value: Option<f64>,
     /// The largest relative difference from it, over that of two numbers.
     tolerance: f64,
-    /// What stands in blocks that are left out.
+    /// The number in blocks that are left out.
     pub(super) fill: f64,
 }
 
 impl Nodata {
-    /// What a text marks for a type of samples. Without a text nothing is marked, but -32768 among
+    /// The voids that a text marks for a type of samples. Without a text nothing is marked, but -32768 among
     /// signed numbers of 16 bits.
     pub(super) fn of(text: Option<&str>, sample_type: SampleType) -> Result<Self, DemError> {
         let is_srtm = sample_type.kind == NumberKind::Signed && sample_type.bits == 16;

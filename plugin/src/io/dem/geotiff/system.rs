@@ -4,7 +4,7 @@
 //! refused unless the file has the unit, too: what is missing there are grids of regions, true to
 //! scale, that are newer than the table.
 
-use super::keys::{self, KeyDirectory, USER_DEFINED, missing, unknown};
+use super::keys::{self, KeyDirectory, USER_DEFINED, unknown};
 use super::method;
 use super::projection::{GroundScale, Projection};
 use super::units;
@@ -56,8 +56,8 @@ impl System {
             Some(GEOGRAPHIC) => geographic(keys),
             None | Some(0) if keys.code(keys::PROJECTED_SYSTEM).is_some() => projected(keys),
             None | Some(0) if keys.code(keys::GEODETIC_SYSTEM).is_some() => geographic(keys),
-            None if keys.is_empty() => Ok(Self::Unknown),
-            None => Err(missing()),
+            // Keys may tell no more than where in a pixel its value is.
+            None => Ok(Self::Unknown),
             Some(other) => Err(unknown(keys::MODEL_TYPE, other)),
         }
     }

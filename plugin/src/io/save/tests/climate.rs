@@ -5,7 +5,7 @@ use super::*;
 use crate::io::codec::Encoder;
 use crate::io::digest;
 
-const CLIMATE: Tag = *b"CLIM";
+const CLIMATE: SectionTag = *b"CLIM";
 
 /// The bits of the values of a map.
 fn bits(map: &EquirectMap) -> Vec<u32> {
@@ -27,7 +27,7 @@ fn voids_come_back_to_the_last_bit() {
 #[test]
 fn a_planet_without_maps_has_no_section_for_them() {
     let mut state = state();
-    let tags = |state: &PlanetState| -> Vec<Tag> {
+    let tags = |state: &PlanetState| -> Vec<SectionTag> {
         let parts = parts(&bytes(state));
         parts.into_iter().map(|(tag, _)| tag).collect()
     };

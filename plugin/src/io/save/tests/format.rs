@@ -7,7 +7,7 @@ use crate::io::digest;
 use crate::params::{OceanFloor, ProcessSwitches};
 
 /// The tags and contents of a file, as the format is documented.
-pub(super) fn parts(file: &[u8]) -> Vec<(Tag, Vec<u8>)> {
+pub(super) fn parts(file: &[u8]) -> Vec<(SectionTag, Vec<u8>)> {
     let mut rest = &file[HEADER_BYTES..file.len() - HASH_BYTES];
     let mut parts = Vec::new();
     while let Some((head, more)) = rest.split_at_checked(12) {
@@ -19,7 +19,7 @@ pub(super) fn parts(file: &[u8]) -> Vec<(Tag, Vec<u8>)> {
 }
 
 /// A file of that version with these sections and the right hash.
-pub(super) fn file(version: u32, parts: &[(Tag, Vec<u8>)]) -> Vec<u8> {
+pub(super) fn file(version: u32, parts: &[(SectionTag, Vec<u8>)]) -> Vec<u8> {
     let mut file = [&MAGIC[..], &version.to_le_bytes()].concat();
     for (tag, content) in parts {
         file.extend(tag);
@@ -32,7 +32,11 @@ pub(super) fn file(version: u32, parts: &[(Tag, Vec<u8>)]) -> Vec<u8> {
 }
 
 /// The sections of a file with another content in one of them.
-pub(super) fn replaced(file: &[u8], tag: Tag, content: Vec<u8>) -> Vec<(Tag, Vec<u8>)> {
+pub(super) fn replaced(
+    file: &[u8],
+    tag: SectionTag,
+    content: Vec<u8>,
+) -> Vec<(SectionTag, Vec<u8>)> {
     let mut parts = parts(file);
     let part = parts.iter_mut().find(|part| part.0 == tag);
     part.unwrap().1 = content;
@@ -166,7 +170,7 @@ fn the_version_of_a_file_is_told_from_its_beginning() {
 }
 
 /// A file with one section more.
-fn with_section(tag: &Tag) -> Vec<u8> {
+fn with_section(tag: &SectionTag) -> Vec<u8> {
     let mut parts = parts(&bytes(&state()));
     parts.insert(3, (*tag, b"of a newer program".to_vec()));
     file(VERSION, &parts)
