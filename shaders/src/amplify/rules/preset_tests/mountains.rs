@@ -124,7 +124,7 @@ fn open_ground_is_the_closed_form() {
             let want = mix(hilly.max(m(1.0)), terraced, 0.88 * edge.plateau());
             let got = f64::from(halved(&rules, EdgeKind::Terrain, &a, &b, level).height);
             assert!(
-                (got - want).abs() < m(4.0),
+                (got - want).abs() < m(1.5),
                 "{rules:?} {level} {seed}: {got}, not {want}"
             );
         }
