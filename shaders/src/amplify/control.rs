@@ -120,7 +120,8 @@ impl ValleyShape {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct ControlEdge {
-    /// Its ends; a river runs from the first to the second.
+    /// Its ends; a river runs from the first to the second. The direction of an edge of the ground is
+    /// part of the planet, too: draws that choose a side of the edge count from it.
     pub vertices: [u32; 2],
     /// The faces on both sides; the first has the edge in its winding direction.
     pub faces: [u32; 2],

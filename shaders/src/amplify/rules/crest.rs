@@ -1,7 +1,7 @@
 //! (r, T, r): the crest between two rivers, and between two gullies (paper 002 Fig. 13; rule R2).
 
 use super::preset::Rules;
-use super::{VertexGround, rise};
+use super::{VertexGround, fine, nodes, rise};
 use crate::amplify::arith::{mul_q16, square};
 use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::{Q16, metres, q16};
@@ -19,30 +19,33 @@ const DRAWN_SHARE: i32 = q16(0.95);
 
 /// The crest between two rivers: above both.
 pub fn between_rivers(rules: &Rules, context: &EdgeContext) -> VertexGround {
-    VertexGround::dry(
-        VertexKind::Terrain,
-        height(rules, context, LEAST_OVER_RIVERS),
-    )
+    let draw = share(context.new.seed, 0);
+    let height = height(rules, context, LEAST_OVER_RIVERS, draw);
+    VertexGround::dry(VertexKind::Terrain, height)
 }
 
 /// The crest between two gullies: above both.
 pub fn between_gullies(rules: &Rules, context: &EdgeContext) -> VertexGround {
-    VertexGround::dry(
-        VertexKind::Terrain,
-        height(rules, context, LEAST_OVER_GULLIES),
-    )
+    let xi = share(context.new.seed, 0);
+    let cube = mul_q16(square(xi), xi);
+    let draw = nodes::cliff(xi, cube, i32::from(context.new.plateau));
+    let height = height(rules, context, LEAST_OVER_GULLIES, draw);
+    VertexGround::dry(VertexKind::Terrain, height)
 }
 
-/// Height of a crest, grains. The release sets it (1 - 0.95ξ²)·min(C, 0.2 length) above the sea, at
-/// least min(0.2 length, `least`) above its rivers; ours raises it by the land's slope over half
-/// the edge, as far as the crust allows.
-fn height(rules: &Rules, context: &EdgeContext, least: i32) -> i32 {
+/// Height of a crest, grains. The release sets it (1 - 0.95r²)·min(C, 0.2 length) above the sea, r
+/// the `draw`, at least min(0.2 length, `least`) above its rivers; ours raises it by the land's
+/// slope over half the edge, as far as the crust allows.
+fn height(rules: &Rules, context: &EdgeContext, least: i32, draw: i32) -> i32 {
     if rules.landforms {
         return rise::height(rules, context, rise::DIVIDE_BULGE);
+    }
+    if context.level >= rules.fine_level {
+        return fine::height(rules, context);
     }
     let new = context.new;
     let rise = mul_q16(context.length, rules.crest_rise);
     let over_drains = context.a.height.max(context.b.height) + rise.min(least);
-    let kept = Q16 - mul_q16(square(share(new.seed, 0)), DRAWN_SHARE);
+    let kept = Q16 - mul_q16(square(draw), DRAWN_SHARE);
     over_drains.max(mul_q16(rise.min(new.crust), kept))
 }

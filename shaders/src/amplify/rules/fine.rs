@@ -13,6 +13,9 @@ use crate::amplify::vertex::EdgeContext;
 /// 0.618 / 16²: how much narrower the draw between the ends gets with the squared level (release).
 const NARROWING: i32 = q16(0.618) / 256;
 
+/// Most that fine ground is drawn up, as a share of its edge: 1 / 6.82 (release).
+const MOST_DRAWN_UP: i32 = q16(0.146_628);
+
 /// How far fine ground leaves the face beside it, as a share of the difference of its ends.
 const FACE_SPREAD: i32 = q16(0.09155);
 
@@ -50,8 +53,7 @@ fn released_height(context: &EdgeContext, low: i32, high: i32, toss: i32) -> i32
     let spread = Q16 - level * level * NARROWING;
     let base = mix(low, high, Q16 / 2 + mul_q16(spread, toss));
     let rough = mul_q16(draw(1), draw(2));
-    // 7 stands for 6.82, which is no whole number.
-    let raised = base + mul_q16(context.length, rough) / 7;
+    let raised = base + mul_q16(mul_q16(context.length, rough), MOST_DRAWN_UP);
     mix(base, raised, mul_q16(draw(3), draw(4)))
 }
 

@@ -31,7 +31,10 @@ const RISE_FROM_RIVER: i32 = q16(0.1);
 const MOST_RISE_FROM_RIVER: i32 = metres(500);
 
 /// Least of the same, grains (release).
-const LEAST_RISE_FROM_RIVER: i32 = metres(31);
+const LEAST_RISE_FROM_RIVER: i32 = metres(30);
+
+/// The same in ours.
+const OUR_LEAST_RISE_FROM_RIVER: i32 = metres(31);
 
 /// Share of the draws for a tributary that fail beside a great river: 100 of 128 (release).
 const GREAT_RIVER_REFUSAL: i32 = q16(0.78125);
@@ -57,16 +60,21 @@ pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let river = [context.b, context.a].into_iter().find(|end| end.is_wet());
     let height = match river {
         // Its land lies below the river: no share of the way reaches above it.
-        Some(river) if height <= river.height => above_river(context, river.height),
+        Some(river) if height <= river.height => above_river(rules, context, river.height),
         _ => height,
     };
     VertexGround::dry(VertexKind::Gully, height)
 }
 
-/// Height of a gully over a river that its land does not overtop, grains (release).
-fn above_river(context: &EdgeContext, river: i32) -> i32 {
+/// Height of a gully over a river that its land does not overtop, grains.
+fn above_river(rules: &Rules, context: &EdgeContext, river: i32) -> i32 {
+    let least = if rules.landforms {
+        OUR_LEAST_RISE_FROM_RIVER
+    } else {
+        LEAST_RISE_FROM_RIVER
+    };
     let most = mul_q16(context.length, RISE_FROM_RIVER).min(MOST_RISE_FROM_RIVER);
-    river + LEAST_RISE_FROM_RIVER + mul_q16(most, share(context.new.seed, 0))
+    river + least + mul_q16(most, share(context.new.seed, 0))
 }
 
 /// Whether an internal edge of a level becomes a tributary of the river at its junction; the angle

@@ -117,6 +117,13 @@ pub const fn plateau(height: i32, base: i32, presence: i32) -> i32 {
     mix(height, base, mul_q16(saturate(presence), PLATEAU_HOLD))
 }
 
+/// The draw r of a slope: ξ, on plateaus 1 - ξⁿ (release). Most draws of the latter are near 1: the
+/// slope keeps its height and breaks off at its drain. `power` is ξⁿ.
+#[inline]
+pub const fn cliff(xi: i32, power: i32, presence: i32) -> i32 {
+    mix(xi, Q16 - power, presence)
+}
+
 /// A height between two others, h = (1 - α) h₋ + α h₊, whichever of them is the higher.
 #[inline]
 pub const fn between(a: i32, b: i32, alpha: i32) -> i32 {

@@ -120,6 +120,81 @@ fn a_cache_changes_no_bit() {
     }
 }
 
+/// Perlin's sixteen gradients.
+const GRADIENTS: [[f64; 3]; 16] = [
+    [1.0, 1.0, 0.0],
+    [-1.0, 1.0, 0.0],
+    [1.0, -1.0, 0.0],
+    [-1.0, -1.0, 0.0],
+    [1.0, 0.0, 1.0],
+    [-1.0, 0.0, 1.0],
+    [1.0, 0.0, -1.0],
+    [-1.0, 0.0, -1.0],
+    [0.0, 1.0, 1.0],
+    [0.0, -1.0, 1.0],
+    [0.0, 1.0, -1.0],
+    [0.0, -1.0, -1.0],
+    [1.0, 1.0, 0.0],
+    [0.0, -1.0, 1.0],
+    [-1.0, 1.0, 0.0],
+    [0.0, -1.0, -1.0],
+];
+
+/// The hash of a cell in whole numbers that do not wrap, by remainders.
+fn hash_by_remainders(cell: [u32; 3], seed: u32) -> u32 {
+    const ALL: u128 = 1 << 32;
+    let multiply = |[a, b, c]: [u128; 3]| {
+        let a = (a + b * c) % ALL;
+        let b = (b + c * a) % ALL;
+        [a, b, (c + a * b) % ALL]
+    };
+    let mut state = cell.map(|x| (u128::from(x) * 1_664_525 + 1_013_904_223) % ALL);
+    state[0] ^= u128::from(seed);
+    state = multiply(state).map(|x| x ^ (x / 65_536));
+    let [a, b, c] = multiply(state);
+    (c ^ (a / 65_536) ^ (b * 65_536 % ALL)) as u32
+}
+
+/// Gradient noise of reals at a point of the lattice's own coordinates.
+fn real_noise(point: [u32; 3], cell: u32, seed: u32) -> f64 {
+    let size = f64::from(1_u32 << cell);
+    let at = point.map(|x| f64::from(x) / size);
+    let fade = |t: f64| ((6.0 * t - 15.0) * t + 10.0) * t * t * t;
+    let mut sum = 0.0;
+    for corner in 0..8_u32 {
+        let side = [0, 1, 2].map(|axis| corner >> axis & 1);
+        let address = [0, 1, 2].map(|i| (at[i] as u32 + side[i]) % (1 << (32 - cell)));
+        let gradient = GRADIENTS[(hash_by_remainders(address, seed) >> 7) as usize % 16];
+        let mut weighed = 0.0;
+        let mut weight = 1.0;
+        for axis in 0..3 {
+            let offset = at[axis].fract() - f64::from(side[axis]);
+            weighed += gradient[axis] * offset;
+            weight *= fade(1.0 - offset.abs());
+        }
+        sum += weight * weighed;
+    }
+    sum
+}
+
+#[test]
+fn noise_is_that_of_reals() {
+    for cell in [3, 9, 16, 17, 24, 30] {
+        for (k, point) in (0..).zip(points(2_000)) {
+            let seed = pcg(k);
+            let moved = [0, 1, 2].map(|axis| {
+                let origin = (seed ^ (axis * 0x9e37_79b9_u64) as u32) as u64 * 0x85eb_ca6b;
+                (point[axis as usize] as u32).wrapping_add(origin as u32)
+            });
+            let want = real_noise(moved, cell, seed) * 65_536.0;
+            let got = f64::from(gradient(point, cell, seed));
+            assert!((got - want).abs() < 32.0, "{cell} {k}: {got}, not {want}");
+        }
+    }
+}
+
+/// The hashes are those that integers of any size give, taken modulo 2³² by hand; the noise is that
+/// of reals within 2⁻¹¹, see above.
 #[test]
 fn bits_are_pinned() {
     assert_eq!(cell_hash(1, 2, 3, 4), 4_093_383_580);

@@ -30,6 +30,12 @@ pub struct Rules {
     pub steep_subduction: i32,
     /// Tangent of the slopes of old land.
     pub steep_old: i32,
+    /// Levels whose river edges fall more on their first half, so that the long profile is hollow:
+    /// first and one beyond the last.
+    pub hollow_levels: [u32; 2],
+    /// Share of its fall that a river edge of those levels has on its first half; 0.75 in the
+    /// release.
+    pub hollow_fall: i32,
     /// First level whose halving is that of fine ground: 10.
     pub fine_level: u32,
     /// Levels of internal edges that may become tributaries, first and one beyond the last.
@@ -60,6 +66,8 @@ impl Default for Rules {
             steep_collision: q16(1.37329),
             steep_subduction: q16(0.85449),
             steep_old: q16(0.97656),
+            hollow_levels: [1, 8],
+            hollow_fall: q16(0.65),
             fine_level: 10,
             tributary_levels: [0, 4],
             extension_levels: 5,
@@ -74,7 +82,8 @@ impl Default for Rules {
 }
 
 impl Rules {
-    /// As printed in paper 002: α of Appendix A, tributaries on internal edges of 3 to 25 km.
+    /// As printed in paper 002: α and hills of Appendix A, tributaries on internal edges of 3 to
+    /// 25 km, which are those of levels 0 to 3. Where the print has no number, the release's.
     pub const PAPER: Self = Self {
         form: Form::Paper,
         landforms: false,
@@ -82,8 +91,10 @@ impl Rules {
         steep_collision: q16(0.4),
         steep_subduction: q16(0.4),
         steep_old: q16(0.4),
+        hollow_levels: [0, 8],
+        hollow_fall: q16(0.75),
         fine_level: 10,
-        tributary_levels: [1, 4],
+        tributary_levels: [0, 4],
         extension_levels: 4,
         gully_levels: 8,
         gully_branching: q16(0.25),

@@ -8,13 +8,6 @@ use crate::amplify::fixed::{GRAINS, Q16, metres, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{EdgeContext, Vertex};
 
-/// Levels whose river edges fall more on their first half, so that the long profile is hollow: the
-/// first, and one beyond the last.
-const HOLLOW_LEVELS: core::ops::Range<u32> = 1..8;
-
-/// Share of its fall that a river edge of those levels has on its first half.
-const HOLLOW_FALL: i32 = q16(0.65);
-
 /// A spring rises from its mouth by the spring slope over this share of the edge.
 const SPRING_REACH: i32 = q16(0.6);
 
@@ -27,27 +20,37 @@ const LEAST_SPRING: i32 = q16(0.4);
 /// How much farther up the draw may put it.
 const DRAWN_SPRING: i32 = q16(0.2);
 
-/// Most depth of water at a spring, grains.
+/// Most depth of water at a spring of ours, grains; the release's springs have none.
 const SPRING_DEPTH: i32 = GRAINS / 4;
 
 /// The vertex that halves a river edge: a bed between those of its ends, or the spring of a
 /// tributary.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
-    match (context.a.is_wet(), context.b.is_wet()) {
-        (true, false) if context.b.kind == VertexKind::Terrain => {
-            spring(rules, context, context.a, context.b)
-        }
-        (false, true) => spring(rules, context, context.b, context.a),
-        _ => along(context),
+    match mouth([context.a.kind, context.b.kind]) {
+        Some(0) => spring(rules, context, context.a, context.b),
+        Some(_) => spring(rules, context, context.b, context.a),
+        None => along(rules, context),
     }
 }
 
-/// R1: the bed falls from one end to the other, two thirds of the way on the first half at the
-/// coarse levels, so that the long profile is hollow. Water likewise.
-fn along(context: &EdgeContext) -> VertexGround {
+/// The end of a river edge, 0 or 1, at which the tributary joins whose spring halves the edge;
+/// `None` where the river runs from end to end.
+pub(super) fn mouth([a, b]: [VertexKind; 2]) -> Option<usize> {
+    let is_wet = |kind| matches!(kind, VertexKind::River | VertexKind::Lake);
+    match (is_wet(a), is_wet(b)) {
+        (true, false) if b == VertexKind::Terrain => Some(0),
+        (false, true) => Some(1),
+        _ => None,
+    }
+}
+
+/// R1: the bed falls from one end to the other, at the coarse levels more on the first half than on
+/// the second, so that the long profile is hollow. Water likewise.
+fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let (up, down) = (context.a, context.b);
-    let share_of_fall = if HOLLOW_LEVELS.contains(&context.level) {
-        HOLLOW_FALL
+    let [first, end] = rules.hollow_levels;
+    let share_of_fall = if (first..end).contains(&context.level) {
+        rules.hollow_fall
     } else {
         Q16 / 2
     };
@@ -79,7 +82,8 @@ fn spring(rules: &Rules, context: &EdgeContext, mouth: &Vertex, land: &Vertex) -
         LEAST_SPRING + mul_q16(xi, DRAWN_SPRING),
     );
     let bed = gentle.min(drawn).max(mouth.bed + 1);
-    river(bed, mouth.water.min(bed + SPRING_DEPTH))
+    let depth = if rules.landforms { SPRING_DEPTH } else { 0 };
+    river(bed, mouth.water.min(bed + depth))
 }
 
 /// A river's bed under its water, which never lies below it; grains.

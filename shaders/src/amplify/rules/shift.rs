@@ -5,7 +5,7 @@
 //! one side, then back towards the middle where `weight` is below 1. Within a third of its
 //! triangle, so that no face turns over.
 
-use super::{EdgeKind, Rules};
+use super::{EdgeKind, Rules, river};
 use crate::amplify::arith::{linear_step, mul_q16, smooth};
 use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::{Q16, q16};
@@ -42,18 +42,23 @@ const COAST_LEVELS: u32 = 11;
 /// One beyond the last level whose ground is moved in print and release.
 const GROUND_LEVELS: u32 = 9;
 
-/// Share of the displacement that wet ground keeps.
-const GROUND_WEIGHT: i32 = q16(0.42725);
+/// Share of the displacement that wet ground of ours keeps, and how much more dry ground keeps.
+const GROUND_WEIGHT: [i32; 2] = [q16(0.42725), q16(0.30518)];
 
-/// How much more of it dry ground keeps.
-const DRY_WEIGHT: i32 = q16(0.30518);
+/// The same in print and release (release).
+const RELEASED_GROUND_WEIGHT: [i32; 2] = [q16(0.5), q16(0.45)];
+
+/// Least share of the way up from its mouth at which a spring of print and release lies, and how
+/// much the draw adds to it (release).
+const SPRING_PLACE: [i32; 2] = [q16(0.6), q16(0.2)];
 
 /// A sideways displacement; shares in Q16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shift {
-    /// Place along the edge from its first end: 0.33..0.66.
+    /// Place along the edge from its first end: 0.33..0.66; of springs 0.2..0.8, of which the
+    /// bounds of a face's corners leave 0.34..0.66.
     pub along: i32,
-    /// Share of the way to the triangle's barycentre: 0.33..0.66.
+    /// Share of the way to the triangle's barycentre: 0.33..0.66, or 0 of springs.
     pub inward: i32,
     /// Whether the triangle is that of the edge's second face.
     pub second: bool,
@@ -70,6 +75,12 @@ pub fn shift(
     level: u32,
     new: &Vertex,
 ) -> Shift {
+    if !rules.landforms
+        && edge == EdgeKind::River
+        && let Some(mouth) = river::mouth(kinds)
+    {
+        return spring(new.seed, mouth);
+    }
     // Uniform between a third and two thirds.
     let drawn = |k| LEAST + mul_q16(share(new.seed, k), LEAST);
     Shift {
@@ -77,6 +88,18 @@ pub fn shift(
         inward: drawn(14),
         second: share(new.seed, 13) >= Q16 / 2,
         weight: weight(rules, edge, kinds, level, new.wetness),
+    }
+}
+
+/// The place of a spring whose tributary joins at an end of its edge: on the edge, nearer to the
+/// land.
+fn spring(seed: u32, mouth: usize) -> Shift {
+    let up = SPRING_PLACE[0] + mul_q16(share(seed, 12), SPRING_PLACE[1]);
+    Shift {
+        along: if mouth == 0 { up } else { Q16 - up },
+        inward: 0,
+        second: false,
+        weight: Q16,
     }
 }
 
@@ -105,10 +128,13 @@ fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, wet
         EdgeKind::Terrain if kinds.contains(&Coast) || kinds.contains(&Sea) => {
             if level < COAST_LEVELS { Q16 } else { 0 }
         }
-        EdgeKind::Terrain if rules.landforms || level < GROUND_LEVELS => mul_q16(
-            calm,
-            GROUND_WEIGHT + mul_q16(super::landform::dryness(wetness), DRY_WEIGHT),
-        ),
+        EdgeKind::Terrain if rules.landforms => mul_q16(calm, by_dryness(GROUND_WEIGHT, wetness)),
+        EdgeKind::Terrain if level < GROUND_LEVELS => by_dryness(RELEASED_GROUND_WEIGHT, wetness),
         EdgeKind::Terrain => 0,
     }
+}
+
+/// A share of wet ground, and what dry ground adds to it; Q16.
+const fn by_dryness([wet, dry]: [i32; 2], wetness: u16) -> i32 {
+    wet + mul_q16(super::landform::dryness(wetness), dry)
 }

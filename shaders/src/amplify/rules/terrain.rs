@@ -1,17 +1,17 @@
 //! (t, T, t): the ground between two vertices of dry land (paper 002 Fig. 10, Appendix A; rule R5).
 //!
-//! Print and release: mountains young and old blended by age and wetness, terraces on dry rock,
-//! peaks at the coarse levels, hills, plateau. Ours: the common rise of all slopes ([`rise`]) in
-//! place of mountains and peaks.
+//! Print and release: all nodes of Appendix A, which are mountains young and old blended by age and
+//! wetness, terraces on dry rock, peaks at the coarse levels and hills; and plateaus. Ours: the
+//! common rise of all slopes ([`rise`]) in place of mountains and peaks.
 
 use super::landform::Landform;
 use super::preset::Rules;
 use super::{VertexGround, nodes, rise};
 use crate::amplify::arith::{
-    linear_step, mix, mul_q16, ordered, saturate, smooth, smoothstep, sqrt_q16, square,
+    linear_step, mix, mul_q16, ordered, ratio, saturate, smooth, smoothstep, sqrt_q16, square,
 };
 use crate::amplify::control::VertexKind;
-use crate::amplify::fixed::{Q16, metres, q16};
+use crate::amplify::fixed::{ONE, Q16, metres, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{EdgeContext, FAR, Vertex};
 
@@ -30,8 +30,15 @@ const DESERT_TERRACES: i32 = metres(4_000);
 /// How much of that old land takes back, grains (release).
 const OLD_TERRACES: i32 = metres(2_800);
 
+/// How much lower terraces begin at the poles, grains (release); in ours latitude counts through
+/// the climate alone.
+const POLAR_TERRACES: i32 = metres(2_200);
+
 /// Heights over which the lowest terrace sets in, grains (release).
-const TERRACE_ONSET: i32 = metres(256);
+const TERRACE_ONSET: i32 = metres(250);
+
+/// The same in ours.
+const OUR_TERRACE_ONSET: i32 = metres(256);
 
 /// Heights over which terraces' edges lose their raggedness, grains (release).
 const RAGGED_HEIGHTS: [i32; 2] = [metres(2_000), metres(2_800)];
@@ -39,11 +46,18 @@ const RAGGED_HEIGHTS: [i32; 2] = [metres(2_000), metres(2_800)];
 /// Added to the height of every peak, grains (release).
 const PEAK_BASE: i32 = metres(10);
 
-/// Least rise of peaks over their lower end, and how much full crust adds to it, grains.
-const PEAK_RISE: [i32; 2] = [metres(72), metres(614)];
+/// Most rise of peaks' feet over the lower end, under no crust, and how much full crust adds to it,
+/// grains (release).
+const PEAK_RISE: [i32; 2] = [metres(70), metres(600)];
 
-/// Dryness above which there are no hills (release).
-const DRIEST_HILLS: i32 = q16(0.9);
+/// Least height of hilly ground, grains (release).
+const LEAST_HILLY: i32 = metres(1);
+
+/// Dryness from which on there are no hills (release).
+const DRIEST_HILLS: i32 = q16(0.1);
+
+/// The same in ours.
+const OUR_DRIEST_HILLS: i32 = q16(0.9);
 
 /// Distance from a river at which hills are full, grains (release).
 const HILLS_AWAY: i32 = metres(25_000);
@@ -60,13 +74,16 @@ pub fn height(rules: &Rules, context: &EdgeContext) -> i32 {
     }
     let new = context.new;
     let form = Landform::of(rules, new);
-    let (low, high) = ordered(context.a.height, context.b.height);
     let mountain = mountain(rules, context, form);
-    let terraced = terraced(new, form, context.level, mountain);
+    let lowest = lowest_terrace(form) - mul_q16(polar(new), POLAR_TERRACES);
+    let onset = [lowest, lowest + TERRACE_ONSET];
+    let terraced = terraced(rules, context, form, onset, mountain);
     let fading = peak_fading(new.crust, context.level);
+    let low = context.a.height.min(context.b.height);
     let raised = peaks(new, form, low, terraced, fading);
-    let hilly = raised + hills(rules, context, form, fading);
-    nodes::plateau(hilly, low + (high - low) / 2, i32::from(new.plateau))
+    let hilly = (raised + hills(rules, context, form, fading)).max(LEAST_HILLY);
+    // A plateau has no peaks and no hills.
+    nodes::plateau(hilly, terraced, i32::from(new.plateau))
 }
 
 /// Ours: the common rise, then terraces on dry rock, hills no steeper than a few degrees, and
@@ -76,7 +93,9 @@ fn shaped(rules: &Rules, context: &EdgeContext) -> i32 {
     let form = Landform::of(rules, new);
     let (low, high) = ordered(context.a.height, context.b.height);
     let risen = rise::height(rules, context, rise::DIVIDE_BULGE);
-    let terraced = terraced(new, form, context.level, risen);
+    let lowest = lowest_terrace(form);
+    let onset = [lowest, lowest + OUR_TERRACE_ONSET];
+    let terraced = terraced(rules, context, form, onset, risen);
     // Hills must not overturn the slope they stand on.
     let limit = mul_q16(context.length, form.steep.max(LEAST_HILL_SLOPE)) / 4;
     let fading = peak_fading(new.crust, context.level);
@@ -106,30 +125,40 @@ const fn level_share(level: u32) -> i32 {
     (if level < 10 { level as i32 } else { 10 }) * Q16 / 10
 }
 
-/// Steps of 700 m on dry old rock, where the land is high enough.
-fn terraced(new: &Vertex, form: Landform, level: u32, height: i32) -> i32 {
+/// Steps of 700 m on dry old rock, which set in over the heights of `onset`.
+fn terraced(
+    rules: &Rules,
+    context: &EdgeContext,
+    form: Landform,
+    onset: [i32; 2],
+    height: i32,
+) -> i32 {
     if form.dry == 0 || form.old == 0 {
         return height;
     }
-    let lowest = lowest_terrace(form);
-    let onset = linear_step(lowest, lowest + TERRACE_ONSET, height);
     let weight = mul_q16(
-        mul_q16(form.old, Q16 - square(level_share(level))),
-        mul_q16(sqrt_q16(form.dry), onset),
+        mul_q16(form.old, Q16 - square(level_share(context.level))),
+        mul_q16(sqrt_q16(form.dry), linear_step(onset[0], onset[1], height)),
     );
     // Treads with smooth risers; at low heights a draw takes vertices back towards their tread,
     // which makes ragged edges.
     let stepped = nodes::terrace(height, nodes::TERRACE_STEP);
     let tread = nodes::floor_to(height, nodes::TERRACE_STEP);
-    let low = Q16 - smoothstep(RAGGED_HEIGHTS[0], RAGGED_HEIGHTS[1], height);
+    let at = if rules.landforms { height } else { stepped };
+    let low = Q16 - smoothstep(RAGGED_HEIGHTS[0], RAGGED_HEIGHTS[1], at);
     // Nine tenths of the way at most: some of the riser stays.
-    let ragged = mul_q16(share(new.seed, 1), low) / 10 * 9;
+    let ragged = mul_q16(share(context.new.seed, 1), low) / 10 * 9;
     mix(height, mix(stepped, tread, ragged), weight)
 }
 
 /// Height at which terraces begin: lower in deserts and in youth; grains.
 fn lowest_terrace(form: Landform) -> i32 {
     LOWEST_TERRACE - mul_q16(form.dry, DESERT_TERRACES - mul_q16(form.old, OLD_TERRACES))
+}
+
+/// The squared sine of a vertex's latitude, Q16.
+const fn polar(vertex: &Vertex) -> i32 {
+    square(ratio(vertex.direction[2].saturating_abs(), ONE))
 }
 
 /// How far peaks and hills have faded at a level, 0..1 Q16: later under low crust.
@@ -140,11 +169,9 @@ fn peak_fading(crust: i32, level: u32) -> i32 {
     smooth(smoothstep(0, span, level as i32 * Q16))
 }
 
-/// Peaks pull the ground of coarse levels towards their own height under the crust elevation.
+/// Peaks pull the ground of coarse levels towards their own height under the crust elevation. On no
+/// level does it lie below its lower end.
 fn peaks(new: &Vertex, form: Landform, low: i32, height: i32, fading: i32) -> i32 {
-    if fading >= Q16 || new.crust <= 0 {
-        return height;
-    }
     let xi = share(new.seed, 2);
     let old = mix(
         nodes::peak_old_wet(xi, new.crust),
@@ -153,16 +180,19 @@ fn peaks(new: &Vertex, form: Landform, low: i32, height: i32, fading: i32) -> i3
     );
     let peak = mix(nodes::peak_young(xi, new.crust), old, form.old) + PEAK_BASE;
     let rise = PEAK_RISE[0] + mul_q16(linear_step(0, FULL_CRUST, new.crust), PEAK_RISE[1]);
-    // No more than an eighth of the crust above the lower end, so that plains stay plain.
-    let rise = rise.min(new.crust / 8);
-    let floor = low + mul_q16(mul_q16(rise, xi), Q16 - fading);
-    mix(peak, height, fading).max(floor)
+    let foot = low + mul_q16(mul_q16(rise, share(new.seed, 5)), Q16 - fading);
+    mix(peak, height, fading).max(foot)
 }
 
 /// Hills, away from rivers and deserts; an offset in grains.
 fn hills(rules: &Rules, context: &EdgeContext, form: Landform, fading: i32) -> i32 {
     let new = context.new;
-    if new.hills == 0 || form.dry > DRIEST_HILLS {
+    let is_bare = if rules.landforms {
+        form.dry > OUR_DRIEST_HILLS
+    } else {
+        form.dry >= DRIEST_HILLS
+    };
+    if new.hills == 0 || is_bare {
         return 0;
     }
     let away = if new.river_distance >= FAR {

@@ -2,6 +2,7 @@
 
 mod local;
 mod meshes;
+mod order;
 mod precision;
 mod range;
 mod topology;

@@ -47,11 +47,22 @@ fn no_triangle_turns_over() {
     let base = planet();
     for rules in [Rules::default(), Rules::PAPER, Rules::RELEASE] {
         check_facing(&refine(&base, &rules, &View::whole(4), &Caps::default()));
+        let mut fans = 0;
         for k in 0..10 {
             let view = View::disc(on_river(&base, k), 100, 12);
-            check_facing(&refine(&base, &rules, &view, &Caps::default()));
+            let ground = refine(&base, &rules, &view, &Caps::default());
+            check_facing(&ground);
+            fans += in_fans(&ground);
         }
+        assert!(fans > 5_000, "{fans}");
     }
+}
+
+/// How many triangles share their leaf with others.
+fn in_fans(ground: &RefinedGround) -> usize {
+    let triangles = ground.triangles();
+    let leaves = triangles.chunk_by(|t, u| (t.level, t.face) == (u.level, u.face));
+    leaves.map(<[_]>::len).filter(|&n| n > 1).sum()
 }
 
 fn check_facing(ground: &RefinedGround) {

@@ -6,7 +6,7 @@ use crate::amplify::topology::{Face, SplitMark};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// All vertices by names of 128 bits, which follow from their paths from the control mesh.
-fn by_path(ground: &RefinedGround) -> BTreeMap<u128, Vertex> {
+pub(super) fn by_path(ground: &RefinedGround) -> BTreeMap<u128, Vertex> {
     let mut names = vec![0_u128; ground.vertices.len()];
     let base = ground.levels[0].edges.iter().flat_map(|e| e.vertices);
     for v in base {

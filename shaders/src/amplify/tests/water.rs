@@ -1,6 +1,7 @@
 //! Water runs downhill, lakes are level, discharge is conserved.
 
 use super::*;
+use crate::amplify::carve::carve_all;
 use crate::amplify::rules::EdgeKind;
 use crate::amplify::topology::{Edge, Level, NONE, SplitMark, gather};
 use std::collections::BTreeMap;
@@ -50,7 +51,54 @@ fn water_runs_downhill() {
     assert!(rivers > 3000, "{rivers}");
 }
 
-/// A lake has one level, and a new lake vertex has that of the water beside it.
+/// Once carved, along every piece of river that is drawn, into lakes and the sea too: no water rises
+/// downstream, and no bed but where it enters a lake. Neighbours may share a height, as the fall of
+/// a slow river on fine edges is less than a grain.
+#[test]
+fn carved_water_runs_downhill() {
+    let [mut rivers, mut mouths] = [0; 2];
+    for ground in river_views() {
+        let carved = carve_all(&ground.scale, &ground.vertices);
+        let drawn = edges(&ground).filter(|e| e.mark != SplitMark::Split);
+        for edge in drawn.filter(|e| e.kind == EdgeKind::River) {
+            let [up, down] = gather(&ground.vertices, edge.vertices);
+            let [above, below] = gather(&carved, edge.vertices);
+            // No water comes from beyond a spring.
+            if !is_river(up) {
+                continue;
+            }
+            assert!(above.water >= below.water, "{up:?} {down:?}");
+            let into_lake = down.kind == VertexKind::Lake;
+            assert!(into_lake || above.ground >= below.ground, "{up:?} {down:?}");
+            rivers += 1;
+            mouths += u32::from(down.kind == VertexKind::Sea);
+        }
+    }
+    assert!(rivers > 4_000 && mouths > 20, "{rivers} {mouths}");
+}
+
+/// Lake corners of one triangle have one level once carved, so every surface of hanging triangles
+/// has.
+#[test]
+fn surfaces_of_lakes_are_level() {
+    let mut sides = 0;
+    for ground in river_views() {
+        let carved = carve_all(&ground.scale, &ground.vertices);
+        for triangle in ground.triangles() {
+            let is_lake = |v: &u32| ground.vertices[*v as usize].kind == VertexKind::Lake;
+            let lake = triangle.vertices.into_iter().filter(is_lake);
+            let levels: Vec<i32> = lake.map(|v| carved[v as usize].water).collect();
+            assert!(
+                levels.windows(2).all(|pair| pair[0] == pair[1]),
+                "{levels:?}"
+            );
+            sides += levels.len().saturating_sub(1);
+        }
+    }
+    assert!(sides > 2_000, "{sides}");
+}
+
+/// A lake has one level wherever it is seen, and a new lake vertex has that of the water beside it.
 #[test]
 fn lakes_are_level() {
     let [mut lakes, mut made] = [0, 0];

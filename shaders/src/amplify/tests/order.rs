@@ -1,0 +1,88 @@
+//! No number of a vertex, edge or face, and no order of the work changes a bit.
+
+use super::views::by_path;
+use super::*;
+use crate::amplify::carve::{OceanCache, carve, carve_all};
+use crate::amplify::control::{ControlEdge, ControlFace, ControlMesh};
+
+/// The numbers below `count` in a random order.
+fn shuffled(count: usize, seed: u32) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..count as u32).collect();
+    order.sort_unstable_by_key(|&i| pcg(pcg(i) ^ seed));
+    order
+}
+
+/// Where every item of an order stands in it.
+fn places(order: &[u32]) -> Vec<u32> {
+    let mut places = vec![0; order.len()];
+    for (place, &item) in (0..).zip(order) {
+        places[item as usize] = place;
+    }
+    places
+}
+
+/// The same mesh with its vertices, edges and faces in another order, and each face from another
+/// corner on. Edges keep their direction, which is no number but tells their sides apart.
+fn renumbered(mesh: &ControlMesh, seed: u32) -> ControlMesh {
+    let [vertices, edges, faces] = [mesh.vertices.len(), mesh.edges.len(), mesh.faces.len()]
+        .map(|count| shuffled(count, seed));
+    let [vertex, edge, face] = [&vertices, &edges, &faces].map(|order| places(order));
+    let turned = |f: u32| {
+        let from = &mesh.faces[f as usize];
+        let turn = |i: usize| (i + pcg(f ^ seed) as usize % 3) % 3;
+        ControlFace {
+            vertices: [0, 1, 2].map(|i| vertex[from.vertices[turn(i)] as usize]),
+            edges: [0, 1, 2].map(|i| edge[from.edges[turn(i)] as usize]),
+        }
+    };
+    let moved = |e: u32| {
+        let from = &mesh.edges[e as usize];
+        ControlEdge {
+            vertices: from.vertices.map(|v| vertex[v as usize]),
+            faces: from.faces.map(|f| face[f as usize]),
+            ..*from
+        }
+    };
+    ControlMesh {
+        radius_m: mesh.radius_m,
+        vertices: vertices
+            .iter()
+            .map(|&v| mesh.vertices[v as usize])
+            .collect(),
+        edges: edges.iter().map(|&e| moved(e)).collect(),
+        faces: faces.iter().map(|&f| turned(f)).collect(),
+    }
+}
+
+#[test]
+fn numbers_of_the_control_mesh_change_no_bit() {
+    let mesh = control_mesh(300_000, 3, 7);
+    let base = Base::new(&mesh).unwrap();
+    for rules in [Rules::default(), Rules::PAPER, Rules::RELEASE] {
+        for k in 0..2 {
+            let other = Base::new(&renumbered(&mesh, k)).unwrap();
+            let view = View::disc(on_river(&base, k), 500, 13);
+            let [want, got] =
+                [&base, &other].map(|base| refine(base, &rules, &view, &Caps::default()));
+            assert_ne!(want.vertices, got.vertices, "nothing was moved");
+            assert_eq!(want.triangles().len(), got.triangles().len());
+            let [want, got] = [&want, &got].map(by_path);
+            assert!(want.len() > 10_000 && want == got, "{k}");
+        }
+    }
+}
+
+#[test]
+fn vertices_are_carved_in_any_order() {
+    let base = planet();
+    for k in 0..6 {
+        let ground = refined(&base, &View::disc(anywhere_or_on_river(&base, k), 500, 13));
+        let want = carve_all(&ground.scale, &ground.vertices);
+        let mut cache = OceanCache::default();
+        for v in shuffled(ground.vertices.len(), k) {
+            let v = v as usize;
+            let got = carve(&mut cache, &ground.scale, &ground.vertices[v]);
+            assert_eq!(got, want[v]);
+        }
+    }
+}
