@@ -1,6 +1,6 @@
 //! GeoKeys (OGC 19-008r4, section 7.1.2): numbers by which a raster names its coordinate system.
 
-use super::structure::{Directory, TiffFile, refused};
+use super::structure::{Directory, TiffFile};
 use super::tag;
 use crate::io::dem::error::{DemError, invalid};
 use std::io::{Read, Seek};
