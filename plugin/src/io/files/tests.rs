@@ -135,22 +135,27 @@ fn hidden_folders_of_dead_runs_go_and_no_others() {
     let folder = folder();
     let at = |name: &str| folder.path().join(name);
     for name in [
-        ".pangaea-Dead01",
-        ".pangaea-Alive1",
-        ".pangaea-notes",
+        ".pangaea-Dead01.7.part",
+        ".pangaea-Alive1.7.part",
+        ".pangaea-notes.part",
         ".other-Dead01",
     ] {
         fs::create_dir(at(name)).unwrap();
         fs::write(at(name).join("lock"), "").unwrap();
         fs::write(at(name).join("0"), "half").unwrap();
     }
-    fs::create_dir(at(".pangaea-Unborn")).unwrap();
-    let alive = File::open(at(".pangaea-Alive1/lock")).unwrap();
+    fs::create_dir(at(".pangaea-Unborn.7.part")).unwrap();
+    let alive = File::open(at(".pangaea-Alive1.7.part/lock")).unwrap();
     alive.lock().unwrap();
     put(&at("a"), "").unwrap();
-    let kept = [".other-Dead01", ".pangaea-Alive1", ".pangaea-notes", "a"];
+    let kept = [
+        ".other-Dead01",
+        ".pangaea-Alive1.7.part",
+        ".pangaea-notes.part",
+        "a",
+    ];
     assert_eq!(names(folder.path()), kept);
-    assert_eq!(names(&at(".pangaea-Alive1")), ["0", "lock"]);
+    assert_eq!(names(&at(".pangaea-Alive1.7.part")), ["0", "lock"]);
 }
 
 #[test]

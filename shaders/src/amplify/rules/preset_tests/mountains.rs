@@ -7,7 +7,7 @@ use VertexKind::Terrain;
 const STEP_M: f64 = 700.0;
 
 /// The land in the middle of an edge, 0..1.
-struct Land {
+struct RealLand {
     /// 0 wet, 1 dry.
     dry: f64,
     /// 0 young, 1 old.
@@ -20,7 +20,7 @@ struct Land {
     high: f64,
 }
 
-impl Land {
+impl RealLand {
     fn of(edge: &RealEdge) -> Self {
         let maps = edge.ends[0];
         let dry = 1.0 - smoothstep(0.15, 0.45, f64::from(maps.wetness) / 65_536.0);
@@ -38,7 +38,7 @@ impl Land {
 }
 
 /// Classic mountains.
-fn mountain(edge: &RealEdge, land: &Land) -> f64 {
+fn mountain(edge: &RealEdge, land: &RealLand) -> f64 {
     let [low, high] = edge.ordered();
     let (xi, delta) = (edge.xi(0), 1.0 - 0.4 * land.level);
     let power = xi * xi.sqrt();
@@ -53,7 +53,7 @@ fn mountain(edge: &RealEdge, land: &Land) -> f64 {
 }
 
 /// Terraced mountains.
-fn terraced(edge: &RealEdge, land: &Land, height: f64) -> f64 {
+fn terraced(edge: &RealEdge, land: &RealLand, height: f64) -> f64 {
     let step = m(STEP_M);
     let tread = (height / step).floor() * step;
     let stepped = tread + smoothstep(0.0, step, height - tread) * step;
@@ -68,7 +68,7 @@ fn terraced(edge: &RealEdge, land: &Land, height: f64) -> f64 {
 }
 
 /// Peaks.
-fn peaked(edge: &RealEdge, land: &Land, height: f64) -> f64 {
+fn peaked(edge: &RealEdge, land: &RealLand, height: f64) -> f64 {
     let (xi, crust) = (edge.xi(2), edge.crust());
     let old = mix((1.0 - xi * xi) * crust, xi * crust, land.dry);
     let peak = mix(xi * xi * crust, old, land.old) + m(10.0);
@@ -78,7 +78,7 @@ fn peaked(edge: &RealEdge, land: &Land, height: f64) -> f64 {
 }
 
 /// Offset of hills.
-fn hills(edge: &RealEdge, land: &Land) -> f64 {
+fn hills(edge: &RealEdge, land: &RealLand) -> f64 {
     let maps = edge.ends[0];
     if land.dry >= 0.1 {
         return 0.0;
@@ -95,7 +95,7 @@ fn hills(edge: &RealEdge, land: &Land) -> f64 {
 }
 
 /// Whether a rule jumps so near that a rounding decides: the floor of a step, and bare rock.
-fn is_at_a_jump(land: &Land, mountain: f64) -> bool {
+fn is_at_a_jump(land: &RealLand, mountain: f64) -> bool {
     let off = mountain.rem_euclid(m(STEP_M));
     off.min(m(STEP_M) - off) < m(1.0) || (land.dry - 0.1).abs() < 0.001
 }
@@ -113,7 +113,7 @@ fn open_ground_is_the_closed_form() {
                 ends: [&a, &b],
                 level,
             };
-            let land = Land::of(&edge);
+            let land = RealLand::of(&edge);
             let mountain = mountain(&edge, &land);
             if is_at_a_jump(&land, mountain) {
                 skipped += 1;
