@@ -13,8 +13,9 @@
 //! Content goes into a hidden folder `.pangaea-XXXXXX.PID.part` beside the file, is flushed to the
 //! disk and renamed. A link stays a link: the file that it names is replaced, or made. A file keeps
 //! its mode and, where the system permits it, its owner and group. Of several hard links the one
-//! that was named parts from the others. Where a name cannot be taken from its file, as with one that is
-//! mounted into a container, the complete content is copied into it; devices and pipes likewise.
+//! that was named parts from the others. Where a name cannot be taken from its file, as with one
+//! that is mounted into a container, the complete content is copied into it; devices and pipes
+//! likewise.
 //!
 //! Files of one call get their names while their folder is locked: two runs that write into one
 //! folder do so one after the other. A run that was killed leaves its hidden folder; the next one
