@@ -7,7 +7,7 @@ use crate::growth::GrowthPlan;
 use crate::headless::{Headless, initial_planet};
 use crate::interrupt;
 use crate::maps::MapSet;
-use crate::output::{Files, check_file, json, say, write_file};
+use crate::output::{Files, check_file, json, say_written, write_file};
 use bevy_pangaea::climate::ClimateMaps;
 use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::io::scenario::scenario_of;
@@ -36,7 +36,7 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     // Refused before minutes are spent on growing.
     save::check_maps(&climate).map_err(CliError::input)?;
     let maps = MapSet::default();
-    let mut files = Files::new(&args.out, file_names(&maps).iter().map(String::as_str))?;
+    let mut files = Files::new(&args.out, file_names(&maps))?;
     let scenario_out = args.scenario_out.as_deref();
     scenario_out.map_or(Ok(()), check_file)?;
     let (state, timings) = grow(&recipe, climate, plan)?;
@@ -51,21 +51,14 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     if let Some(path) = scenario_out {
         write_file(path, scenario.as_bytes())?;
     }
-    say(&format!(
-        "{} files in {}",
-        written.len(),
-        args.out.display()
-    ));
+    say_written(&written, &args.out);
     Ok(())
 }
 
 /// The names of all files.
-fn file_names(maps: &MapSet) -> Vec<String> {
-    [PLANET_FILE, STATS_FILE]
-        .map(String::from)
-        .into_iter()
-        .chain(maps.names())
-        .collect()
+fn file_names(maps: &MapSet) -> impl Iterator<Item = String> {
+    let of_generate = [PLANET_FILE, STATS_FILE].map(String::from);
+    of_generate.into_iter().chain(maps.names())
 }
 
 /// Grows a planet with maps of its climate, and says how long that took.

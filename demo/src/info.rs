@@ -68,10 +68,10 @@ fn maps(maps: &ClimateMaps) -> Vec<(&'static str, String)> {
 /// A map in words, with enough of its checksum to tell it from others.
 fn described(field: ClimateField, map: &EquirectMap) -> String {
     let [width, height] = map.size();
-    let voids = map.values().iter().filter(|value| value.is_nan()).count();
     format!(
-        "{}, {width} x {height} pixels, {voids} of them void, BLAKE3 {:.16}",
+        "{}, {width} x {height} pixels, {} of them void, BLAKE3 {:.16}",
         field.name(),
+        map.voids(),
         map_digest(map)
     )
 }

@@ -5,7 +5,7 @@ use crate::error::CliError;
 use crate::ground::bake_planet;
 use crate::headless::Headless;
 use crate::interrupt;
-use crate::output::{Files, say};
+use crate::output::{Files, say_written};
 use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::io::{load, png};
@@ -93,15 +93,9 @@ pub fn maps(args: &MapsArgs) -> Result<(), CliError> {
     let maps = MapSet::new(args);
     let climate = args.ground.climate.load()?;
     let state = load(&args.ground.planet)?;
-    let names: Vec<String> = maps.names().collect();
-    let mut files = Files::new(&args.out, names.iter().map(String::as_str))?;
+    let mut files = Files::new(&args.out, maps.names())?;
     maps.draw(&bake_planet(state, climate)?, &mut files)?;
     interrupt::check()?;
-    let written = files.write()?;
-    say(&format!(
-        "{} files in {}",
-        written.len(),
-        args.out.display()
-    ));
+    say_written(&files.write()?, &args.out);
     Ok(())
 }

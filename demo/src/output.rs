@@ -22,9 +22,9 @@ impl Files {
     ///
     /// # Errors
     /// If one of them cannot be written.
-    pub fn new<'a>(
+    pub fn new(
         folder: &Path,
-        names: impl IntoIterator<Item = &'a str>,
+        names: impl IntoIterator<Item = impl AsRef<str>>,
     ) -> Result<Self, CliError> {
         // From here on an early return removes the folders that were made.
         let files = Self {
@@ -33,7 +33,8 @@ impl Files {
             files: Vec::new(),
         };
         files.make_folder()?;
-        let outputs: Vec<Output> = names.into_iter().map(|name| files.output(name)).collect();
+        let outputs = names.into_iter().map(|name| files.output(name.as_ref()));
+        let outputs: Vec<Output> = outputs.collect();
         check_outputs(&outputs)?;
         Ok(files)
     }
@@ -77,6 +78,11 @@ impl Drop for Files {
             let _ = fs::remove_dir(folder);
         }
     }
+}
+
+/// Says how many files were written to a folder.
+pub fn say_written(files: &[PathBuf], folder: &Path) {
+    say(&format!("{} files in {}", files.len(), folder.display()));
 }
 
 /// The folders of a path that do not exist, the innermost first.

@@ -88,7 +88,7 @@ pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
     let source = PlanetSource::new(None, &args.growth)?;
     let names = ORBIT_VIEWS.map(|(name, ..)| format!("{name}.png"));
     // The adapter and the folder are tried before the planet grows.
-    let mut files = Files::new(&args.out, names.iter().map(String::as_str))?;
+    let mut files = Files::new(&args.out, &names)?;
     let mut offscreen = Offscreen::new(ORBIT_SIZE).map_err(PictureError::from)?;
     let radius = source.radius();
     offscreen.show(source.planet()?);

@@ -3,7 +3,7 @@
 
 use crate::error::CliError;
 use crate::output::say;
-use bevy_pangaea::climate::{ClimateMaps, EquirectMap};
+use bevy_pangaea::climate::{ClimateField, ClimateMaps, EquirectMap};
 use bevy_pangaea::io::load_map;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -34,17 +34,16 @@ impl ClimateArgs {
     /// Names the first file that cannot be read, is no map of a planet, or has values that no
     /// climate has.
     pub fn load(&self) -> Result<ClimateMaps, CliError> {
-        type MapField = fn(&mut ClimateMaps) -> &mut Option<EquirectMap>;
-        let fields: [(_, _, MapField); 3] = [
-            (&self.temperature, None, |maps| &mut maps.temperature),
-            (&self.rain, None, |maps| &mut maps.rain),
-            (&self.wetness, Some([0.0, 1.0]), |maps| &mut maps.wetness),
-        ];
         let mut maps = ClimateMaps::default();
-        for (file, grey, field) in fields {
+        for field in ClimateField::ALL {
+            let (file, grey) = match field {
+                ClimateField::Temperature => (&self.temperature, None),
+                ClimateField::Rain => (&self.rain, None),
+                ClimateField::Wetness => (&self.wetness, Some([0.0, 1.0])),
+            };
             let Some(path) = file else { continue };
             let map = load_map(path, grey)?;
-            *field(&mut maps) = Some(map.clone());
+            maps.set(field, map.clone());
             // What was read before is good: it is this file that is refused.
             maps.check()
                 .map_err(|problem| CliError::input(format!("{}: {problem}", path.display())))?;

@@ -20,13 +20,17 @@ fn grey_map(path: &Path, grey: u8) {
         .unwrap();
 }
 
+/// So many points of the planet, a line each.
+fn points(count: i32) -> String {
+    (0..count)
+        .map(|i| format!("{},{}\n", 60 - i % 120, 3 * (i % 117) - 170))
+        .collect()
+}
+
 /// How many of 400 points are frozen, and how many are land.
 fn frozen_and_land(folder: &Path, maps: &[&str]) -> (usize, usize) {
-    let points: Vec<String> = (0..400)
-        .map(|i| format!("{},{}", 60 - i % 120, 3 * (i % 117) - 170))
-        .collect();
     let args = [&["query", "planet.pangaea", "--level", "6"], maps].concat();
-    let text = succeed_with_input(folder, &args, &points.join("\n"));
+    let text = succeed_with_input(folder, &args, &points(400));
     let frozen = |line: &&str| line.ends_with("snow") || line.ends_with("ice");
     let land = |line: &&str| !line.ends_with("sea_floor");
     (
@@ -101,11 +105,8 @@ fn dry_planet() -> TempDir {
 
 /// Heights and kinds of the ground at 300 points, and what is said on stderr.
 fn ground(folder: &Path, maps: &[&str]) -> (String, String) {
-    let points: Vec<String> = (0..300)
-        .map(|i| format!("{},{}", 60 - i % 120, 3 * (i % 117) - 170))
-        .collect();
     let args = [&["query", "a/planet.pangaea", "--level", "8"], maps].concat();
-    let output = pangaea_with_input(folder, &args, &points.join("\n"));
+    let output = pangaea_with_input(folder, &args, &points(300));
     assert!(output.status.success(), "{}", stderr(&output));
     let said = stderr(&output);
     (String::from_utf8(output.stdout).unwrap(), said)

@@ -28,8 +28,7 @@ pub fn digest(state: &PlanetState) -> String {
     hasher.update(MAGIC);
     hasher.update(&BEGINNING.to_le_bytes());
     for (tag, content) in sections::encode(state) {
-        hasher.update(&tag);
-        hasher.update(&(content.len() as u64).to_le_bytes());
+        hasher.update(&sections::head(tag, &content));
         hasher.update(&content);
     }
     add_maps(&mut hasher, &state.climate);

@@ -39,6 +39,8 @@ mod digest;
 
 mod capture;
 
+mod limited;
+
 mod text;
 
 pub mod preset;

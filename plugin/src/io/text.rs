@@ -4,11 +4,10 @@
 //! and UTF-16 is read where a mark tells of it. Lines may end as on any system.
 
 use super::IoError;
+use super::limited::read_at_most;
 use ron::extensions::Extensions;
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 use thiserror::Error;
 
@@ -88,18 +87,11 @@ fn utf16(units: &[u8], unit: fn([u8; 2]) -> u16) -> Option<String> {
 
 /// The content of a text file that is not too long.
 pub(super) fn read_text(path: &Path) -> Result<String, IoError> {
-    // One byte more than allowed tells a long file from a full one.
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(MAX_TEXT + 1).read_to_end(&mut bytes))
-        .map_err(|source| IoError::read(path, source))?;
-    if bytes.len() as u64 > MAX_TEXT {
-        let too_long = TextError {
-            line: 0,
-            problem: format!("the file is longer than {MAX_TEXT} bytes"),
-        };
-        return Err(too_long.in_file(path));
-    }
+    let too_long = || TextError {
+        line: 0,
+        problem: format!("the file is longer than {MAX_TEXT} bytes"),
+    };
+    let bytes = read_at_most(path, MAX_TEXT)?.ok_or_else(|| too_long().in_file(path))?;
     let text = decode(&bytes).map_err(|error| error.in_file(path))?;
     Ok(text.into_owned())
 }

@@ -19,15 +19,22 @@ use bevy::math::DVec3;
 /// # Errors
 /// [`GroundError::NotADirection`], [`GroundError::Level`].
 pub fn checked(direction: DVec3, level: u8) -> Result<DVec3, GroundError> {
-    if level > LEVELS {
-        return Err(GroundError::Level(level));
-    }
+    check_level(level)?;
     let largest = direction.abs().max_element();
     if !direction.is_finite() || largest == 0.0 {
         return Err(GroundError::NotADirection);
     }
     // Dividing by the largest component first keeps the length clear of overflow and underflow.
     Ok((direction / largest).normalize())
+}
+
+/// Refuses levels beyond the finest.
+pub(super) fn check_level(level: u8) -> Result<(), GroundError> {
+    if level > LEVELS {
+        Err(GroundError::Level(level))
+    } else {
+        Ok(())
+    }
 }
 
 /// The direction of a latitude and a longitude in degrees; longitudes count from -360 to 360.

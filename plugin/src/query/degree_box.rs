@@ -151,7 +151,14 @@ mod tests {
 
     #[test]
     fn levels_follow_the_height_and_the_width_at_the_equator() {
-        // A degree is 111 km; level 6 has edges of 0.8 km.
+        // A degree is 111 km, level 7 has edges of 0.4 km.
+        assert_eq!(grid([0.0, 0.0, 0.05, 0.05], [10, 10]).level(), 7);
+        assert_eq!(grid([0.0, 0.0, 0.05, 0.05], [10, 40]).level(), 9);
+        assert_eq!(grid([0.0, 0.0, 0.05, 0.05], [40, 10]).level(), 9);
+    }
+
+    #[test]
+    fn coarse_boxes_show_the_land_and_not_the_beds_of_rivers() {
         assert_eq!(grid([0.0, 0.0, 10.0, 10.0], [10, 10]).level(), 6);
     }
 

@@ -1,7 +1,7 @@
 //! Regular grids of points on a map: what squares, tiles and boxes have in common.
 
+use super::check::check_level;
 use super::error::GroundError;
-use super::level::LEVELS;
 use super::projection::AzimuthalEquidistant;
 use crate::math;
 use bevy::math::{DVec2, DVec3};
@@ -80,6 +80,26 @@ pub struct MapGrid {
 }
 
 impl MapGrid {
+    /// A whole grid about the centre of a projection, of points `step_m` apart in both directions.
+    pub(super) fn about(
+        projection: AzimuthalEquidistant,
+        step_m: f64,
+        point: GridPoint,
+        size: [usize; 2],
+        level: u8,
+    ) -> Self {
+        Self {
+            projection: GridProjection::Azimuthal(projection),
+            middle: DVec2::ZERO,
+            step: DVec2::splat(step_m),
+            point,
+            whole: size,
+            first: [0, 0],
+            size,
+            level,
+        }
+    }
+
     /// The projection.
     pub fn projection(&self) -> &GridProjection {
         &self.projection
@@ -120,11 +140,8 @@ impl MapGrid {
     /// # Errors
     /// [`GroundError::Level`] beyond the finest.
     pub fn at_level(self, level: u8) -> Result<Self, GroundError> {
-        if level > LEVELS {
-            Err(GroundError::Level(level))
-        } else {
-            Ok(Self { level, ..self })
-        }
+        check_level(level)?;
+        Ok(Self { level, ..self })
     }
 
     /// The whole grid, of which this may be a window.

@@ -69,6 +69,8 @@ pub use ground::Ground;
 pub use level::{LEVELS, level_for, spacing};
 pub use map_grid::{GridPoint, GridProjection, MapGrid};
 pub use pangaea_shaders::amplify::rules::Rules;
+#[cfg(feature = "export")]
+pub(crate) use patch::row_triangles;
 pub use patch::{Patch, collider_patch};
 pub use planet::PlanetGround;
 pub use projection::AzimuthalEquidistant;

@@ -85,19 +85,23 @@ pub fn collider_patch(
     })
 }
 
-/// Two triangles for each cell of a square grid of `n` by `n` corners whose rows begin in the north
-/// west, counter-clockwise seen from outside.
+/// Two triangles for each cell of a square grid of `n` by `n` corners.
 fn grid_triangles(n: usize) -> Vec<[u32; 3]> {
-    let mut triangles = Vec::with_capacity(2 * (n - 1) * (n - 1));
-    for y in 0..n - 1 {
-        for x in 0..n - 1 {
-            let north_west = (y * n + x) as u32;
-            let south_west = north_west + n as u32;
-            triangles.push([north_west, south_west, north_west + 1]);
-            triangles.push([north_west + 1, south_west, south_west + 1]);
-        }
-    }
-    triangles
+    (0..n - 1).flat_map(|y| row_triangles(n, y)).collect()
+}
+
+/// Two triangles for each cell between row `y` of a grid of `n` columns of corners and the next
+/// row, counter-clockwise seen from outside. Rows begin in the west, the first is in the north.
+#[inline]
+pub(crate) fn row_triangles(n: usize, y: usize) -> impl Iterator<Item = [u32; 3]> {
+    (y * n..y * n + n - 1).flat_map(move |corner| {
+        let north_west = corner as u32;
+        let south_west = north_west + n as u32;
+        [
+            [north_west, south_west, north_west + 1],
+            [north_west + 1, south_west, south_west + 1],
+        ]
+    })
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! Heights on squares, for exports, statistics and pictures.
 
-use super::check::{check_count, check_length};
+use super::check::{check_count, check_length, check_level};
 use super::error::GroundError;
 use super::ground::Ground;
-use super::level::{LEVELS, raster_level};
-use super::map_grid::{GridPoint, GridProjection, MapGrid};
+use super::level::raster_level;
+use super::map_grid::{GridPoint, MapGrid};
 use super::projection::AzimuthalEquidistant;
-use bevy::math::{DVec2, DVec3};
+use bevy::math::DVec3;
 use bevy::reflect::Reflect;
 
 /// Smallest side of a pixel in m.
@@ -95,14 +95,11 @@ impl MapSquare {
     /// # Errors
     /// [`GroundError::Level`] beyond the finest.
     pub fn at_level(self, level: u8) -> Result<Self, GroundError> {
-        if level > LEVELS {
-            Err(GroundError::Level(level))
-        } else {
-            Ok(Self {
-                level: Some(level),
-                ..self
-            })
-        }
+        check_level(level)?;
+        Ok(Self {
+            level: Some(level),
+            ..self
+        })
     }
 
     /// The projection.
@@ -132,21 +129,17 @@ impl MapSquare {
 
     /// The centres of its pixels, at its level.
     pub fn grid(&self) -> MapGrid {
-        let size = [self.pixels; 2];
-        MapGrid {
-            projection: GridProjection::Azimuthal(self.projection),
-            middle: DVec2::ZERO,
-            step: DVec2::splat(self.pixel_m()),
-            point: GridPoint::PixelCentre,
-            whole: size,
-            first: [0, 0],
-            size,
-            level: self.level(),
-        }
+        MapGrid::about(
+            self.projection,
+            self.pixel_m(),
+            GridPoint::PixelCentre,
+            [self.pixels; 2],
+            self.level(),
+        )
     }
 
-    /// Its own level, or the one whose edges are not longer than a pixel; that is at least level 6, for
-    /// coarser ones show beds of rivers instead of the land.
+    /// Its own level, or the one whose edges are not longer than a pixel; that is at least level 6,
+    /// for coarser ones show beds of rivers instead of the land.
     pub fn level(&self) -> u8 {
         self.level
             .unwrap_or_else(|| raster_level(self.projection.radius_m(), self.pixel_m()))

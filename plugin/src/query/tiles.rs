@@ -4,7 +4,7 @@
 use super::check::{check_count, check_length};
 use super::error::GroundError;
 use super::level::raster_level;
-use super::map_grid::{GridPoint, GridProjection, MapGrid};
+use super::map_grid::{GridPoint, MapGrid};
 use super::projection::AzimuthalEquidistant;
 use super::raster::{LEAST_PIXEL_M, MapSquare};
 use crate::math::TAU;
@@ -109,16 +109,14 @@ impl TileBlock {
     /// All vertices of the block, at the level whose edges are not longer than they are apart.
     pub fn grid(&self) -> MapGrid {
         let size = self.tiles.map(|n| n * (self.vertices - 1) + 1);
-        MapGrid {
-            projection: GridProjection::Azimuthal(self.projection),
-            middle: DVec2::ZERO,
-            step: DVec2::splat(self.spacing_m()),
-            point: GridPoint::Vertex,
-            whole: size,
-            first: [0, 0],
+        let level = raster_level(self.projection.radius_m(), self.spacing_m());
+        MapGrid::about(
+            self.projection,
+            self.spacing_m(),
+            GridPoint::Vertex,
             size,
-            level: raster_level(self.projection.radius_m(), self.spacing_m()),
-        }
+            level,
+        )
     }
 
     /// The vertices of the tile in a column, counted from the west, and a row, from the north;

@@ -55,14 +55,13 @@ impl PlanetForm {
     /// A new file beside it for the commands of the planet: nobody has named one that may be
     /// replaced.
     fn scenario_file(&self) -> PathBuf {
-        let numbered = |number: u32| match number {
-            1 => self.file().with_extension("scenario.ron"),
-            _ => self.file().with_extension(format!("{number}.scenario.ron")),
-        };
-        let mut files = (1..).map(numbered);
-        files
-            .find(|file| !file.exists())
-            .unwrap_or_else(|| self.file().with_extension("scenario.ron"))
+        let mut file = self.file().with_extension("scenario.ron");
+        let mut number = 1;
+        while file.exists() {
+            number += 1;
+            file = self.file().with_extension(format!("{number}.scenario.ron"));
+        }
+        file
     }
 
     /// Forgets the plates, continents and parameters of a preset.
@@ -208,14 +207,14 @@ fn files(
             ui.label(busy.color(ACCENT));
         }
     });
-    let scenario = form.scenario_file();
     let button = Button::new("Save as scenario");
-    let button = ui.add_enabled(has_planet, button).on_hover_text(format!(
-        "Writes the commands so far to {}; played on the same recipe, they give the same planet",
-        scenario.display()
-    ));
+    let button = ui.add_enabled(has_planet, button).on_hover_text(
+        "Writes the commands so far to a new file .scenario.ron beside the planet's; played on the \
+         same recipe, they give the same planet",
+    );
     if button.clicked() {
-        out.ask(Action::SaveScenario(scenario));
+        // Only now: looking for a free name asks the disk.
+        out.ask(Action::SaveScenario(form.scenario_file()));
     }
 }
 

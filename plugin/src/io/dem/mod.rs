@@ -32,10 +32,10 @@ pub use error::DemError;
 pub use tile::Dem;
 
 use super::IoError;
+use super::limited::read_at_most;
 use super::sidecar::{self, Sidecar};
 use error::{MAX_BYTES, invalid};
 use std::fs::{self, File};
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The files in a folder whose extensions are those of elevation models, ordered by name; not those
@@ -154,16 +154,8 @@ pub(super) fn open(path: &Path) -> Result<File, IoError> {
 
 /// The bytes of a file that is not too large.
 pub(super) fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
-    // One byte more than allowed tells a large file from a full one.
-    let mut bytes = Vec::new();
-    open(path)?
-        .take(MAX_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|source| IoError::read(path, source))?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(IoError::dem(path, DemError::TooLarge));
-    }
-    Ok(bytes)
+    let bytes = read_at_most(path, MAX_BYTES)?;
+    bytes.ok_or_else(|| IoError::dem(path, DemError::TooLarge))
 }
 
 #[cfg(all(test, feature = "export"))]

@@ -41,6 +41,7 @@ impl Dem {
             )));
         }
         for z in &mut values {
+            // One NaN for all voids: filling them marks some by another.
             if z.is_nan() || z.abs() > MAX_HEIGHT_M {
                 *z = f32::NAN;
             }

@@ -10,7 +10,7 @@
 
 use super::encoding::Encoding;
 use super::glb::{MeshSize, write_head};
-use crate::query::{AzimuthalEquidistant, GridProjection, MapGrid};
+use crate::query::{AzimuthalEquidistant, GridProjection, MapGrid, row_triangles};
 use bevy::math::{DVec3, Vec3};
 use core::ops::Range;
 use rayon::prelude::*;
@@ -128,14 +128,7 @@ impl<'a> MeshSource<'a> {
     fn write_triangles(&self, out: &mut dyn Write, rows: Range<usize>) -> io::Result<()> {
         let n = self.source.grid.columns();
         for y in rows.start..rows.end.min(self.source.grid.rows() - 1) {
-            let triangles = (y * n..y * n + n - 1).flat_map(|north_west| {
-                let south_west = north_west + n;
-                [
-                    [north_west, south_west, north_west + 1],
-                    [north_west + 1, south_west, south_west + 1],
-                ]
-            });
-            let indices = triangles.flatten().map(|i| i as u32);
+            let indices = row_triangles(n, y).flatten();
             out.write_all(&indices.flat_map(u32::to_le_bytes).collect::<Vec<u8>>())?;
         }
         Ok(())

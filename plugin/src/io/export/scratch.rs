@@ -6,6 +6,7 @@
 
 use super::error::{ExportError, as_io_error, cannot_encode};
 use crate::io::IoError;
+use crate::io::files::folder_of;
 use crate::query::{Ground, GroundError, MapGrid};
 use core::ops::Range;
 use std::fs::File;
@@ -65,11 +66,7 @@ impl HeightScratch {
 /// A file without a name on the disk that `path` is to be on; where its folder takes none, as with
 /// devices, on the disk of temporary files.
 fn nameless_beside(path: &Path) -> io::Result<File> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    tempfile::tempfile_in(folder).or_else(|_| tempfile::tempfile())
+    tempfile::tempfile_in(folder_of(path)).or_else(|_| tempfile::tempfile())
 }
 
 /// A range that takes in a band; refuses heights that are none.

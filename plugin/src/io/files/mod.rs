@@ -37,6 +37,8 @@ mod draft;
 
 pub use mark::{MarkedJson, is_marked};
 pub use output::Output;
+#[cfg(feature = "export")]
+pub(super) use target::folder_of;
 
 use super::IoError;
 use draft::OutputSet;

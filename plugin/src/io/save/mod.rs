@@ -63,8 +63,7 @@ impl<W: Write> Hashing<W> {
     }
 
     fn put_section(&mut self, (tag, content): (SectionTag, Vec<u8>)) -> io::Result<()> {
-        self.put(&tag)?;
-        self.put(&(content.len() as u64).to_le_bytes())?;
+        self.put(&sections::head(tag, &content))?;
         self.put(&content)
     }
 }

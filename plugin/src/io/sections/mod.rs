@@ -63,6 +63,14 @@ pub(super) fn encode(state: &PlanetState) -> impl Iterator<Item = (SectionTag, V
         .chain(columns)
 }
 
+/// The bytes before a section's content: its tag and its length.
+pub(super) fn head(tag: SectionTag, content: &[u8]) -> [u8; 12] {
+    let mut head = [0; 12];
+    head[..4].copy_from_slice(&tag);
+    head[4..].copy_from_slice(&(content.len() as u64).to_le_bytes());
+    head
+}
+
 /// Tag and content of the section of the climate's maps, if there are any.
 pub(super) fn encode_climate(maps: &ClimateMaps) -> Option<(SectionTag, Vec<u8>)> {
     let some = maps.iter().next().is_some();

@@ -26,7 +26,6 @@ pub(super) struct Layout {
     pub(super) codec: Codec,
     /// Offset and length of every block; length 0 for one that is left out.
     blocks: Vec<(u64, u64)>,
-    is_tiled: bool,
 }
 
 /// Most pixels to the side of a tile: the largest image that is read, in one.
@@ -79,7 +78,6 @@ impl Layout {
         }
         let planar = file.number_or(directory, tag::PLANAR_CONFIGURATION, 1)?;
         let sample_type = SampleType::read(file, directory)?;
-        let is_tiled = directory.has(tag::TILE_OFFSETS);
         let mut layout = Self {
             size,
             block: block(file, directory, size)?,
@@ -88,7 +86,6 @@ impl Layout {
             sample_type,
             codec: Codec::read(file, directory, sample_type)?,
             blocks: Vec::new(),
-            is_tiled,
         };
         layout.blocks = layout.find_blocks(file, directory)?;
         Ok(layout)
@@ -100,7 +97,7 @@ impl Layout {
         file: &mut TiffFile<R>,
         directory: &Directory,
     ) -> Result<Vec<(u64, u64)>, DemError> {
-        let (where_, lengths) = if self.is_tiled {
+        let (where_, lengths) = if directory.has(tag::TILE_OFFSETS) {
             (tag::TILE_OFFSETS, tag::TILE_BYTE_COUNTS)
         } else {
             (tag::STRIP_OFFSETS, tag::STRIP_BYTE_COUNTS)
