@@ -124,7 +124,11 @@ impl<'a> CellFlood<'a> {
 /// A number in the order of the levels.
 fn rank(level: f32) -> u32 {
     let bits = level.to_bits();
-    if bits >> 31 == 1 { !bits } else { bits | 1 << 31 }
+    if bits >> 31 == 1 {
+        !bits
+    } else {
+        bits | 1 << 31
+    }
 }
 
 #[cfg(test)]

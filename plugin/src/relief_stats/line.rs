@@ -16,7 +16,9 @@ mod tests {
 
     #[test]
     fn a_power_law_has_its_exponent() {
-        let points: Vec<[f64; 2]> = (0..5).map(|x| [f64::from(x), 3.0 - 0.5 * f64::from(x)]).collect();
+        let points: Vec<[f64; 2]> = (0..5)
+            .map(|x| [f64::from(x), 3.0 - 0.5 * f64::from(x)])
+            .collect();
         assert!((falling_exponent(&points).unwrap() - 0.5).abs() < 1e-12);
         assert_eq!(falling_exponent(&[[1.0, 2.0], [1.0, 3.0]]), None);
         assert_eq!(falling_exponent(&[]), None);

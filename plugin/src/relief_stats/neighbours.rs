@@ -1,7 +1,5 @@
 //! The eight neighbours of a cell.
 
-use crate::query::HeightGrid;
-
 /// A step from a cell to a neighbour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct CellStep {

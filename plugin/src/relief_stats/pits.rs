@@ -30,7 +30,11 @@ pub fn pits_percent(tile: &HeightGrid) -> Option<f64> {
     let is_pit = |cell: usize| is_pit(&cells.values, cell, &offsets);
     let pits: usize = (1..=rows)
         .into_par_iter()
-        .map(|y| (1..=columns).filter(|x| is_pit(y * cells.width + x)).count())
+        .map(|y| {
+            (1..=columns)
+                .filter(|x| is_pit(y * cells.width + x))
+                .count()
+        })
         .sum();
     Some(100.0 * pits as f64 / (columns * rows) as f64)
 }

@@ -87,7 +87,12 @@ impl AreaBin {
     /// Mean logarithm of the area, and logarithm of the mean slope; `None` of few or level cells.
     fn log_means(&self) -> Option<[f64; 2]> {
         let counts = self.count >= FEWEST_CELLS && self.slope > 0.0;
-        counts.then(|| [self.log_area / self.count, math::ln(self.slope / self.count)])
+        counts.then(|| {
+            [
+                self.log_area / self.count,
+                math::ln(self.slope / self.count),
+            ]
+        })
     }
 }
 
