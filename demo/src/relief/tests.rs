@@ -53,15 +53,16 @@ fn figures_have_the_documented_form() {
     );
 }
 
+fn near(figures: &ReliefFigures) -> Option<(String, f64)> {
+    let near = figures.nearest.clone();
+    near.map(|near| (near.name, near.distance))
+}
+
 #[test]
 fn the_nearest_tile_is_named() {
     let mut classes = [hillside("old_belts"), no_sites()];
     let mut tiles = [level("A"), hillside("B"), level("C")];
     compare(&mut classes, &mut tiles);
-    let near = |figures: &ReliefFigures| {
-        let near = figures.nearest.clone();
-        near.map(|near| (near.name, near.distance))
-    };
     assert_eq!(near(&classes[0]), Some(("B".into(), 0.0)));
     assert_eq!(near(&classes[1]), None);
     // A tile is not compared with itself; slopes and level ground have no form in common.

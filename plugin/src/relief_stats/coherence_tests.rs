@@ -49,25 +49,24 @@ fn crossing_waves_have_that_of_their_amplitudes() {
     }
 }
 
-/// Cones all over a window, 16 cells apart, fall to all sides.
-#[test]
-fn cones_have_next_to_none() {
-    let cones = |x: f64, y: f64| {
-        let [east, south] = [x, y].map(|place| place.rem_euclid(16.0) - 8.0);
-        -50.0 * (east * east + south * south).sqrt()
-    };
-    let found = coherence_of(cones).unwrap();
-    assert!(found.p90 < 0.02, "{found:?}");
+/// Cones 16 cells apart.
+fn cones(x: f64, y: f64) -> f64 {
+    let [east, south] = [x, y].map(|place| place.rem_euclid(16.0) - 8.0);
+    -50.0 * (east * east + south * south).sqrt()
 }
 
-/// White noise has a coherence of about √(π/2n) of n independent gradients.
+/// Heights that hang on no other.
+fn noise(x: f64, y: f64) -> f64 {
+    let seed = (x as u64 * 1_000_003 + y as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let mixed = (seed ^ seed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    (mixed >> 32) as f64 * 1e-8
+}
+
+/// Cones fall to all sides; noise has a coherence of about √(π/2n) of n independent gradients.
 #[test]
-fn noise_has_next_to_none() {
-    let noise = |x: f64, y: f64| {
-        let seed = (x as u64 * 1_000_003 + y as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        let mixed = (seed ^ seed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        (mixed >> 32) as f64 * 1e-8
-    };
+fn cones_and_noise_have_next_to_none() {
+    let found = coherence_of(cones).unwrap();
+    assert!(found.p90 < 0.02, "{found:?}");
     let found = coherence_of(noise).unwrap();
     assert!(found.median < 0.06 && found.p90 < 0.1, "{found:?}");
 }
@@ -84,18 +83,16 @@ fn small_tiles_have_none() {
     assert_eq!(GradientCoherence::of(&tile), None);
 }
 
-/// Windows are as long on finer pixels.
+/// Windows are as long on finer pixels: crossing waves of 32 cells, in thirds of cells.
 #[test]
 fn finer_pixels_make_no_difference() {
-    let height = |i: usize| 100.0 * math::sin(TAU * ((i % 384) as f64 + 0.5) / 96.0);
-    let tile = |columns: usize, heights: Vec<f32>, pixel: f64| HeightGrid {
-        width: columns,
-        height: columns,
-        values: heights,
-        pixel_m: [pixel; 2],
-    };
-    let bumps = |i: usize| (height(i) + 0.5 * height(i / 384)) as f32;
-    let fine = tile(384, (0..384 * 384).map(bumps).collect(), 30.866_666);
-    let found = GradientCoherence::of(&fine).unwrap();
-    assert!((found.median - 0.6).abs() < 0.002, "{found:?}");
+    let wave = |pixel: usize| 100.0 * math::sin(TAU * (pixel as f64 + 0.5) / 96.0);
+    let bumps = |i: usize| (wave(i % 384) + 0.5 * wave(i / 384)) as f32;
+    let found = GradientCoherence::of(&HeightGrid {
+        width: 384,
+        height: 384,
+        values: (0..384 * 384).map(bumps).collect(),
+        pixel_m: [92.6 / 3.0; 2],
+    });
+    assert!((found.unwrap().median - 0.6).abs() < 0.002, "{found:?}");
 }

@@ -156,11 +156,16 @@ impl Serialize for GeomorphonShares {
 /// The part of one form with shares `p` and `q` in the divergence.
 fn divergence_term(p: f64, q: f64) -> f64 {
     let middle = 0.5 * (p + q);
-    let half = |share: f64| {
-        let bits = math::ln(share / middle) / core::f64::consts::LN_2;
-        if share > 0.0 { 0.5 * share * bits } else { 0.0 }
-    };
-    half(p) + half(q)
+    0.5 * (relative_bits(p, middle) + relative_bits(q, middle))
+}
+
+/// p log₂(p / q); 0 of p = 0.
+fn relative_bits(p: f64, q: f64) -> f64 {
+    if p > 0.0 {
+        p * math::ln(p / q) / core::f64::consts::LN_2
+    } else {
+        0.0
+    }
 }
 
 /// How many cells of a row have each form.

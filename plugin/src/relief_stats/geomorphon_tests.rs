@@ -68,14 +68,14 @@ fn planes_are_flat_below_half_a_degree() {
     assert_eq!(form_of(plane(60.0)), Geomorphon::Slope);
 }
 
-/// Walls around the middle are seen 20 cells away, along diagonals 14.
+/// Walls around the middle, so many cells away, on level ground.
+fn walls(at: f64) -> impl Fn(f64, f64) -> f64 {
+    move |east, south| 500.0 * f64::from(u8::from(east.abs() == at || south.abs() == at))
+}
+
+/// Walls are seen 20 cells away, along diagonals 14.
 #[test]
 fn forms_far_away_are_not_seen() {
-    let walls = |at: f64| {
-        move |east: f64, south: f64| {
-            500.0 * f64::from(u8::from(east.abs() == at || south.abs() == at))
-        }
-    };
     assert_eq!(form_of(walls(14.0)), Geomorphon::Depression);
     assert_eq!(form_of(walls(15.0)), Geomorphon::Footslope);
     assert_eq!(form_of(walls(20.0)), Geomorphon::Footslope);
@@ -113,16 +113,19 @@ fn angle_sum(tile: &HeightGrid, [x, y]: [usize; 2], step: CellStep) -> f64 {
     extremes[0] + extremes[1]
 }
 
+/// Hills so many m high, with dents.
+fn hills(metres: f64) -> impl Fn(f64, f64) -> f64 {
+    move |east, south| {
+        let dents = ((east * 37.0 + south * 101.0) as i64 as u64).wrapping_mul(0x9E37_79B9_7F4A);
+        let dent = (dents >> 40 & 0xFF) as f64 / 1024.0;
+        metres * (1.0 + math::sin(east / 7.0) + math::sin(south / 11.0) + dent)
+    }
+}
+
 #[test]
 fn tangents_decide_as_angles_do() {
     for metres in [3.0, 40.0, 4000.0] {
-        let rough = |east: f64, south: f64| {
-            let mixed =
-                ((east * 37.0 + south * 101.0) as i64 as u64).wrapping_mul(0x9E37_79B9_7F4A);
-            metres * (1.0 + math::sin(east / 7.0) + math::sin(south / 11.0))
-                + metres * (mixed >> 40 & 0xFF) as f64 / 1024.0
-        };
-        let tile = square(70, rough);
+        let tile = square(70, hills(metres));
         let found = GeomorphonShares::of(&tile).unwrap();
         let expected = reference(&tile).map(|count| count as f64 / 900.0);
         assert_eq!(found.0, expected, "{metres}");

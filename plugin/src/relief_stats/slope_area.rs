@@ -1,12 +1,14 @@
 //! The exponent θ of the slope-area law: channels that carry more water are less steep,
 //! slope ~ area^-θ (Flint 1974; Tarboton, Bras and Rodriguez-Iturbe 1991).
 //!
-//! Areas and slopes are those of the flow over the filled cells of 92.6 m. Slopes are averaged in
-//! bins of the area, four to a factor of ten, from 0.1 km² (below it, slopes are those of
-//! hillsides) to 1000 km² (beyond it, a tile of 60 km has a channel or two); θ is the slope, turned
-//! around, of the line of least squares through the logarithms of areas and mean slopes. Level
-//! ground counts with a slope of 0: heights in whole metres make valleys into stairs. Water that
-//! enters the tile from beyond its edges is missing.
+//! Areas and slopes are those of the flow over the filled cells of 92.6 m. Logarithms of the slopes
+//! are averaged in bins of the area, four to a factor of ten, from 0.316 km² (below it, slopes are
+//! those of hillsides) to 100 km² (beyond it, a tile of 60 km has a few channels); θ is the slope,
+//! turned around, of the line of least squares through the means.
+//!
+//! Limits. Level cells are left out: they are lakes, filled depressions, and the treads of stairs
+//! that heights in whole metres make of valleys. Where such stairs are all that falls, as on a
+//! plain, θ is near 0. Water that enters the tile from beyond its edges is missing.
 
 use super::cells::on_cells;
 use super::flow::CellFlow;
@@ -15,13 +17,13 @@ use crate::math;
 use crate::query::HeightGrid;
 
 /// Smallest and largest area of the fit in km².
-const AREAS_KM2: [f64; 2] = [0.1, 1000.0];
+const AREAS_KM2: [f64; 2] = [0.316_227_766_016_838, 100.0];
 
 /// Bins to a factor of ten of the area.
 const BINS_PER_DECADE: f64 = 4.0;
 
 /// Bins of the whole range.
-const BINS: usize = 16;
+const BINS: usize = 10;
 
 /// Fewest cells of a bin that counts.
 const FEWEST_CELLS: f64 = 10.0;
@@ -50,7 +52,12 @@ pub fn slope_area_exponent(tile: &HeightGrid) -> Option<f64> {
     let flow = CellFlow::of(&cells);
     let cell_km2 = cells.pixel_m[0] * cells.pixel_m[1] * 1e-6;
     let mut bins = [AreaBin::default(); BINS];
-    for (&slope, &upstream) in flow.slope.iter().zip(&flow.upstream) {
+    let falling = flow
+        .slope
+        .iter()
+        .zip(&flow.upstream)
+        .filter(|(slope, _)| **slope > 0.0);
+    for (&slope, &upstream) in falling {
         let area = f64::from(upstream) * cell_km2;
         if let Some(bin) = bin_of(area).and_then(|bin| bins.get_mut(bin)) {
             bin.add(area, f64::from(slope));
@@ -74,25 +81,20 @@ fn bin_of(area: f64) -> Option<usize> {
 struct AreaBin {
     count: f64,
     log_area: f64,
-    slope: f64,
+    log_slope: f64,
 }
 
 impl AreaBin {
     fn add(&mut self, area: f64, slope: f64) {
         self.count += 1.0;
         self.log_area += math::ln(area);
-        self.slope += slope;
+        self.log_slope += math::ln(slope);
     }
 
-    /// Mean logarithm of the area, and logarithm of the mean slope; `None` of few or level cells.
+    /// Mean logarithms of area and slope; `None` of few cells.
     fn log_means(&self) -> Option<[f64; 2]> {
-        let counts = self.count >= FEWEST_CELLS && self.slope > 0.0;
-        counts.then(|| {
-            [
-                self.log_area / self.count,
-                math::ln(self.slope / self.count),
-            ]
-        })
+        (self.count >= FEWEST_CELLS)
+            .then(|| [self.log_area, self.log_slope].map(|sum| sum / self.count))
     }
 }
 

@@ -32,7 +32,7 @@ pub struct ReliefStats {
     pub spectral_exponent: Option<f64>,
     /// Coherence of the gradient in windows of 5.93 km; as [`GradientCoherence::of`].
     pub coherence: Option<GradientCoherence>,
-    /// Exponent θ of slope ~ area^-θ from 0.1 to 1000 km²; as [`slope_area_exponent`].
+    /// Exponent θ of slope ~ area^-θ from 0.316 to 100 km²; as [`slope_area_exponent`].
     pub slope_area_exponent: Option<f64>,
     /// Cells of 92.6 m that lie lower than all of their neighbours, in %; as [`pits_percent`].
     pub pits_percent: Option<f64>,
