@@ -41,11 +41,13 @@ const FEWEST_TO_A_SIDE: usize = 3;
 /// use bevy_pangaea::query::HeightGrid;
 /// use bevy_pangaea::relief_stats::slope_area_exponent;
 ///
-/// // A valley 10 km long: everything is as steep as the area of its floor tells.
-/// let height = |i: usize| (i % 99).abs_diff(49) as f32 * 40.0 + 3.0 * ((i / 99) as f32).sqrt();
-/// let values = (0..9801).map(height).collect();
-/// let tile = HeightGrid { width: 99, height: 99, values, pixel_m: [92.6; 2] };
-/// assert!(slope_area_exponent(&tile).is_some_and(|theta| theta > 0.0));
+/// // Valleys 10 columns wide that fall to the south, n rows from their heads as steep as n^-1/2.
+/// let height = |x: usize, n: usize| 40.0 * x.abs_diff(5) as f32 - 30.0 * (n as f32).sqrt();
+/// let values = (0..10_000).map(|i| height(i % 10, i / 100)).collect();
+/// let tile = HeightGrid { width: 100, height: 100, values, pixel_m: [92.6; 2] };
+/// let theta = slope_area_exponent(&tile).ok_or("level ground")?;
+/// assert!((theta - 0.5).abs() < 0.05);
+/// # Ok::<(), &str>(())
 /// ```
 pub fn slope_area_exponent(tile: &HeightGrid) -> Option<f64> {
     let cells = on_cells(tile, FEWEST_TO_A_SIDE)?;
