@@ -1,8 +1,8 @@
 //! A tile on cells of 92.6 m, for figures that hang on the size of pixels.
 //!
-//! 92.6 m are the three arc seconds of SRTM, and the pixels of the tiles around sites. Pixels within
-//! 5 % of it are cells as they are, each way on its own; of smaller ones a cell is the mean over its
-//! area. Larger pixels lack what such figures are about: there are no cells.
+//! 92.6 m are the three arc seconds of SRTM, and the pixels of the tiles around sites. Pixels
+//! within 5 % of it are cells as they are, each way on its own; of smaller ones a cell is the mean
+//! over its area. Larger pixels lack what such figures are about: there are no cells.
 
 use crate::query::HeightGrid;
 use rayon::prelude::*;

@@ -15,7 +15,8 @@ const NO_CELL: u32 = u32::MAX;
 
 /// The flow over the cells of a tile; columns have an entry per cell.
 pub(super) struct CellFlow {
-    /// Drop to the next cell by its distance; 0 at the edges of the tile and on level filled ground.
+    /// Drop to the next cell by its distance; 0 at the edges of the tile and on level filled
+    /// ground.
     pub slope: Vec<f32>,
     /// Cells whose water passes, itself included.
     pub upstream: Vec<u32>,
