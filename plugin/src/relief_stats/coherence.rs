@@ -11,8 +11,8 @@
 //! no coherence, like level ground.
 //!
 //! Windows have 64 x 64 cells of 92.6 m and stand every half window, all within the tile. Gradients
-//! are differences over two cells (over one at the edges of the tile). Real ground has medians of
-//! 0.17 to 0.29.
+//! are differences over two cells (over one at the edges of the tile). Measured mountains have
+//! medians of 0.15 to 0.25, a forested plain has 0.09.
 
 use super::cells::on_cells;
 use super::gradient::gradient;

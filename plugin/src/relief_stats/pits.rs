@@ -1,8 +1,9 @@
 //! Pits: cells that lie lower than all of their eight neighbours.
 //!
-//! Rivers cut through what dams them up, so real ground has few: 0.1 to 0.3 % of cells of 92.6 m,
-//! closed basins, lakes and flaws of the survey together. Cells that are means of finer pixels in
-//! whole metres have two or three times as many: means break the ties of level ground.
+//! Rivers cut through what dams them up, so mountains have few: 0.1 to 0.4 % of cells of 92.6 m,
+//! closed basins, lakes and flaws of the survey together. Surveys of plains have more, noise of
+//! vegetation among it. Cells that are means of finer pixels in whole metres have more, too: means
+//! break the ties of level ground.
 
 use super::cells::on_cells;
 use super::neighbours::neighbour_offsets;
