@@ -151,7 +151,7 @@
 //! | `render` | yes | [`render`]: the globe; without it no renderer is built |
 //! | `export` | yes | [`io::export`](mod@io::export), [`io::png`]: the ground as GeoTIFF, EXR, greys, glTF; maps as PNG |
 //! | `dem` | yes | [`io::load_dem`], [`io::load_map`]: GeoTIFF, PNG and HGT are read |
-//! | `relief_stats` | yes | [`relief_stats`]: slopes, relief in windows, spectra |
+//! | `relief_stats` | yes | [`relief_stats`]: slopes, relief in windows, spectra, fabric, geomorphons |
 //! | `window` | no | a window through winit and X11, for the example `minimal` |
 //!
 //! To reload presets when their files change, switch on Bevy's own feature `file_watcher`.

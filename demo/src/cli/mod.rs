@@ -92,6 +92,14 @@ pub enum Command {
     /// mesh
     Export(ExportArgs),
     /// Print relief statistics by what built the relief, beside those of real ground
+    ///
+    /// Three tables, whose figures are medians over the sites of a class. Relief: range of the
+    /// elevation in windows of 10 km, slope that a tenth of the ground exceeds, exponent of the
+    /// power spectrum. Fabric: coherence of the gradient in windows of 5.93 km, 0 to 1, and its
+    /// 90th percentile; exponent of slope ~ area^-x; cells lower than all their neighbours; the
+    /// tile of --dem whose forms are most alike, by Jensen-Shannon distance, 0 to 1. Forms: mean
+    /// shares of the ten geomorphons, 20 cells around, 1 degree. Fabric and forms are those of
+    /// cells of 92.6 m; a dash stands for a figure that the ground does not have.
     Relief(ReliefArgs),
     /// Print height, water, normal and surface of points of the ground
     Query(QueryArgs),

@@ -41,7 +41,7 @@ fn relief(folder: &Path, more: &[&str]) -> Value {
     let args = [&sites[..], &["--json", "r.json"], more].concat();
     let text = succeed(folder, &args);
     assert_contains(&text, &CLASSES);
-    assert_contains(&text, &["relief in 10 km"]);
+    assert_contains(&text, &["relief in 10 km", "coherence", "geomorphons, %"]);
     read_json(&folder.join("r.json"))
 }
 
@@ -53,6 +53,14 @@ fn assert_has_classes(figures: &Value) {
         assert!(sites <= 1);
         for key in ["relief10_median_m", "slope_p90_deg"] {
             assert!(figures[key].is_number() || sites == 0, "{class} {key}");
+        }
+        for key in [
+            "coherence_median",
+            "coherence_p90",
+            "slope_area_exponent",
+            "pits_percent",
+        ] {
+            assert!(figures.get(key).is_some(), "{class} {key}");
         }
         // A site may be too rough or too flat to have one.
         assert!(figures.get("spectral_exponent").is_some(), "{class}");
@@ -78,6 +86,17 @@ fn relief_has_figures_of_real_tiles() {
     let ratio = annapurna.as_f64().unwrap() / 3221.0;
     assert!((ratio - 1.0).abs() < 0.05, "{annapurna}");
     assert_eq!(tiles["N44W072"]["sites"], 1);
+    assert_eq!(
+        tiles["himalaya-annapurna"]["nearest_tile"],
+        "andes-aconcagua"
+    );
+    assert_eq!(
+        tiles["himalaya-annapurna"]["geomorphons"]
+            .as_object()
+            .unwrap()
+            .len(),
+        10
+    );
     assert_eq!(tiles.as_object().unwrap().len(), 5);
 }
 

@@ -159,13 +159,21 @@ pub fn class_relief(
     Ok(reliefs)
 }
 
+/// The median of a figure over the sites of a class; `None` where no site has it.
+pub fn median_of(
+    reliefs: &[ReliefStats],
+    figure: impl Fn(&ReliefStats) -> Option<f64>,
+) -> Option<f64> {
+    median(reliefs.iter().filter_map(figure).collect())
+}
+
 /// Medians over the sites of a class: relief in 10 km in m, 90th percentile of the slope in
 /// degrees, spectral exponent. `None` where no site has the figure.
 pub fn medians(reliefs: &[ReliefStats]) -> [Option<f64>; 3] {
     [
-        median(reliefs.iter().filter_map(|r| r.relief10_median_m).collect()),
-        median(reliefs.iter().map(|r| r.slope_p90_deg).collect()),
-        median(reliefs.iter().filter_map(|r| r.spectral_exponent).collect()),
+        median_of(reliefs, |relief| relief.relief10_median_m),
+        median_of(reliefs, |relief| Some(relief.slope_p90_deg)),
+        median_of(reliefs, |relief| relief.spectral_exponent),
     ]
 }
 

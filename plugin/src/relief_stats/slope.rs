@@ -1,6 +1,6 @@
-//! Slope: the angle of the steepest descent, by differences over two pixels (over one at the edges
-//! of the tile).
+//! Slope: the angle of the steepest descent.
 
+use super::gradient::gradient;
 use super::quantile::percentile;
 use crate::math;
 use crate::query::HeightGrid;
@@ -30,18 +30,7 @@ pub(super) fn slope_stats(tile: &HeightGrid) -> SlopeStats {
 
 /// Slope of a pixel in degrees.
 fn slope_at(tile: &HeightGrid, x: usize, y: usize) -> f32 {
-    let (west, east) = (x.saturating_sub(1), (x + 1).min(tile.width - 1));
-    let (north, south) = (y.saturating_sub(1), (y + 1).min(tile.height - 1));
-    let row = tile.row(y);
-    let [pixel_x, pixel_y] = tile.pixel_m;
-    let to_east = rise(row[west], row[east], east - west, pixel_x);
-    let column = [north, south].map(|y| tile.row(y)[x]);
-    let to_south = rise(column[0], column[1], south - north, pixel_y);
+    let [to_east, to_south] = gradient(tile, x, y);
     let steepest = (to_east * to_east + to_south * to_south).sqrt();
     math::atan2(steepest, 1.0).to_degrees() as f32
-}
-
-/// Rise per m from a height to another, so many pixels away.
-fn rise(from: f32, to: f32, pixels: usize, pixel_m: f64) -> f64 {
-    (f64::from(to) - f64::from(from)) / (pixels.max(1) as f64 * pixel_m)
 }

@@ -6,6 +6,7 @@
 //! "Fractals and chaos in geology", §7). Only wave numbers of that range are transformed: long
 //! waves are few, and a plain sum over a row is cheaper for them than the fast transform of all.
 
+use super::line::falling_exponent;
 use crate::math::{self, PI, TAU};
 use crate::query::HeightGrid;
 use rayon::prelude::*;
@@ -219,11 +220,7 @@ impl RadialSpectrum {
         if points.len() < FEWEST_RINGS {
             return None;
         }
-        let n = points.len() as f64;
-        let [mx, my] = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / n);
-        let covariance: f64 = points.iter().map(|p| (p[0] - mx) * (p[1] - my)).sum();
-        let variance: f64 = points.iter().map(|p| (p[0] - mx) * (p[0] - mx)).sum();
-        (variance > 0.0).then(|| -covariance / variance)
+        falling_exponent(&points)
     }
 }
 

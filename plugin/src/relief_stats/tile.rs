@@ -1,13 +1,15 @@
 //! All figures of one tile.
 
+use super::cells::is_whole;
+use super::coherence::GradientCoherence;
+use super::geomorphon::GeomorphonShares;
+use super::pits::pits_percent;
 use super::slope::slope_stats;
+use super::slope_area::slope_area_exponent;
 use super::spectrum::spectral_exponent;
 use super::windows::window_relief;
 use crate::query::HeightGrid;
 use bevy::reflect::Reflect;
-
-/// Fewest values to a side of a tile.
-const FEWEST_VALUES: usize = 3;
 
 /// The relief of one tile.
 #[derive(Clone, Copy, Debug, PartialEq, Reflect, serde::Serialize)]
@@ -28,6 +30,14 @@ pub struct ReliefStats {
     /// Exponent β of the power spectrum k^-β from 1.5 to 24 km; `None` where the tile has no such
     /// wavelengths.
     pub spectral_exponent: Option<f64>,
+    /// Coherence of the gradient in windows of 5.93 km; as [`GradientCoherence::of`].
+    pub coherence: Option<GradientCoherence>,
+    /// Exponent θ of slope ~ area^-θ from 0.316 to 100 km²; as [`slope_area_exponent`].
+    pub slope_area_exponent: Option<f64>,
+    /// Cells of 92.6 m that lie lower than all of their neighbours, in %; as [`pits_percent`].
+    pub pits_percent: Option<f64>,
+    /// Shares of the ten geomorphons; as [`GeomorphonShares::of`].
+    pub geomorphons: Option<GeomorphonShares>,
 }
 
 impl ReliefStats {
@@ -63,16 +73,10 @@ impl ReliefStats {
             slope_p90_deg: slope.p90_deg,
             hypsometric_integral: (high > low).then(|| (mean - low) / (high - low)),
             spectral_exponent: spectral_exponent(tile),
+            coherence: GradientCoherence::of(tile),
+            slope_area_exponent: slope_area_exponent(tile),
+            pits_percent: pits_percent(tile),
+            geomorphons: GeomorphonShares::of(tile),
         })
     }
-}
-
-/// Whether size, pixels and values of a tile make sense.
-fn is_whole(tile: &HeightGrid) -> bool {
-    let is_pixel = |&size: &f64| size > 0.0 && size.is_finite();
-    tile.width >= FEWEST_VALUES
-        && tile.height >= FEWEST_VALUES
-        && tile.values.len() == tile.width * tile.height
-        && tile.pixel_m.iter().all(is_pixel)
-        && tile.values.iter().all(|z| z.is_finite())
 }

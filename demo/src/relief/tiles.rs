@@ -1,0 +1,87 @@
+//! The elevation models of a folder, and what is wrong with those that are passed over.
+
+use super::figures::ReliefFigures;
+use crate::error::CliError;
+use crate::output::say;
+use bevy_pangaea::io::{dem_files, load_dem};
+use bevy_pangaea::relief_stats::ReliefStats;
+use std::ffi::OsStr;
+use std::path::Path;
+
+/// The figures of the elevation models in a folder. Files that are none are passed over with a
+/// warning; it is an error if nothing is left.
+pub(super) fn tile_figures(folder: &Path) -> Result<Vec<ReliefFigures>, CliError> {
+    let mut figures: Vec<ReliefFigures> = Vec::new();
+    let mut problems = Vec::new();
+    for path in dem_files(folder)? {
+        match tile_relief(&path) {
+            Ok(relief) => {
+                let name = tile_name(&path, &figures);
+                figures.push(ReliefFigures::new(name, &[relief]));
+            }
+            Err(problem) => problems.push(problem.to_string()),
+        }
+    }
+    if figures.is_empty() {
+        return Err(nothing_left(folder, &problems));
+    }
+    for problem in problems {
+        say(&format!("warning: {problem}; it is passed over"));
+    }
+    Ok(figures)
+}
+
+/// Share of voids in a tile that is no more than a flaw.
+const MOST_VOIDS: f64 = 0.1;
+
+/// The relief of an elevation model; much of it that is filled is said.
+fn tile_relief(path: &Path) -> Result<ReliefStats, CliError> {
+    // Such as the `._NAME` that macOS puts beside every NAME.
+    if text(path.file_name()).starts_with('.') {
+        return Err(refused(path, "it is a hidden file"));
+    }
+    let tile = load_dem(path)?;
+    let relief =
+        ReliefStats::of(&tile.grid).ok_or_else(|| refused(path, "the tile is too small"))?;
+    let share = tile.voids as f64 / tile.grid.values.len() as f64;
+    if share > MOST_VOIDS {
+        let percent = (100.0 * share).round();
+        say(&format!(
+            "warning: {}: {percent} % of it are voids, filled from their neighbours",
+            path.display()
+        ));
+    }
+    Ok(relief)
+}
+
+fn refused(path: &Path, problem: &str) -> CliError {
+    CliError::input(format!("{}: {problem}", path.display()))
+}
+
+/// The name of a tile, with its extension if there are two that differ in that alone.
+fn tile_name(path: &Path, others: &[ReliefFigures]) -> String {
+    let stem = text(path.file_stem());
+    if others.iter().any(|tile| tile.name == stem) {
+        text(path.file_name())
+    } else {
+        stem
+    }
+}
+
+/// The error of a folder in which no file is an elevation model.
+fn nothing_left(folder: &Path, problems: &[String]) -> CliError {
+    let reason = match problems {
+        [] => "it has no .hgt, .tif or .png files".into(),
+        [only] => only.clone(),
+        [first, others @ ..] => format!("{first} (refused, too: {} more)", others.len()),
+    };
+    CliError::input(format!(
+        "cannot compare with {}: {reason}",
+        folder.display()
+    ))
+}
+
+/// A part of a path as text.
+fn text(part: Option<&OsStr>) -> String {
+    part.unwrap_or_default().to_string_lossy().into_owned()
+}
