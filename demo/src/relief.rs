@@ -8,7 +8,7 @@ use crate::headless::Headless;
 use crate::output::{self, check_file, print, say, write_file};
 use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::{dem_files, load, load_dem};
+use bevy_pangaea::io::{dem_files, load_dem, load_planet};
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::relief_stats::{
     CLASSES, ReliefClass, ReliefStats, SiteInput, class_relief, medians, sites,
@@ -64,7 +64,7 @@ pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
         Some(folder) => tile_figures(folder)?,
         None => Vec::new(),
     };
-    let headless = bake_planet(load(&args.ground.planet)?, climate)?;
+    let headless = bake_planet(load_planet(&args.ground.planet)?, climate)?;
     let classes = class_figures(&headless, args.sites)?;
     if let Some(path) = &args.json {
         write_file(path, &output::json(&all_figures(&classes, &tiles))?)?;

@@ -1,12 +1,17 @@
 //! Actions that concern the clock of the planet, its plates and the selection.
 
+use super::messages::MessageLog;
 use super::state::{Action, PlateDrag, SPEED_LIMITS, Selection, ShownPlanet, Tool};
 use super::view::ShownPlates;
 use bevy::prelude::*;
+use bevy_pangaea::hydrology::TerrainMaps;
 use bevy_pangaea::prelude::*;
 
 /// Single steps that may wait at most, so that a key held down does not run on for seconds.
 const MAX_WAITING_STEPS: u32 = 20;
+
+/// Why nothing can be done to a planet of maps.
+const NO_PLATES: &str = "this planet is made of maps: no plate of it moves, and time stands still";
 
 /// Does what is asked of the clock and the plates, and selects.
 pub fn apply(
@@ -15,12 +20,18 @@ pub fn apply(
     shown: Res<ShownPlanet>,
     mut controls: Query<&mut ClockControls>,
     mut selection: ResMut<Selection>,
+    mut messages: ResMut<MessageLog>,
+    mapped: Query<(), With<TerrainMaps>>,
 ) {
     for action in actions.read() {
         if let Action::Select(plate) = action {
             selection.0 = *plate;
         }
         let Some(planet) = shown.0 else { continue };
+        if needs_plates(action) && mapped.contains(planet) {
+            messages.error(NO_PLATES);
+            continue;
+        }
         if let Action::Tectonic(command) = action {
             commands.entity(planet).tectonic(command.clone());
         }
@@ -28,6 +39,14 @@ pub fn apply(
             set_controls(&mut controls, action);
         }
     }
+}
+
+/// Whether an action lets time pass, or is a command to the plates.
+fn needs_plates(action: &Action) -> bool {
+    matches!(
+        action,
+        Action::TogglePlay | Action::SingleStep | Action::Tectonic(_)
+    )
 }
 
 fn set_controls(controls: &mut ClockControls, action: &Action) {
