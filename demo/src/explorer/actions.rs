@@ -87,3 +87,44 @@ pub fn forget_lost_plates(
         drag.0 = None;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bevy_pangaea::climate::EquirectMap;
+
+    /// Whether time stands still after it was asked to pass, and how many messages that gave.
+    fn after_play(is_mapped: bool) -> (bool, usize) {
+        let mut app = App::new();
+        app.add_message::<Action>()
+            .init_resource::<Selection>()
+            .init_resource::<MessageLog>()
+            .add_systems(Update, apply);
+        let paused = ClockControls {
+            paused: true,
+            ..default()
+        };
+        let planet = app.world_mut().spawn(paused).id();
+        if is_mapped {
+            app.world_mut().entity_mut(planet).insert(TerrainMaps {
+                crust: EquirectMap::from_fn(2, |_, _| 1.0).unwrap(),
+                age: None,
+                plateau: None,
+                hills: None,
+            });
+        }
+        app.insert_resource(ShownPlanet(Some(planet)));
+        app.world_mut().write_message(Action::TogglePlay);
+        app.update();
+        let world = app.world();
+        let controls = world.get::<ClockControls>(planet).unwrap();
+        let said = world.resource::<MessageLog>().entries().count();
+        (controls.paused, said)
+    }
+
+    #[test]
+    fn time_does_not_pass_on_a_planet_of_maps_and_that_is_said() {
+        assert_eq!(after_play(false), (false, 0));
+        assert_eq!(after_play(true), (true, 1));
+    }
+}

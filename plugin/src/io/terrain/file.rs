@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 const SHARE: [f32; 2] = [0.0, 1.0];
 
 /// The place of a map among others.
-type MapField = fn(&mut TerrainMaps) -> &mut Option<EquirectMap>;
+type TerrainField = fn(&mut TerrainMaps) -> &mut Option<EquirectMap>;
 
 /// The fields of a terrain file.
 #[derive(Debug, serde::Deserialize)]
@@ -78,7 +78,7 @@ impl TerrainFile {
             plateau: None,
             hills: None,
         };
-        let fields: [(_, _, MapField); 3] = [
+        let fields: [(_, _, TerrainField); 3] = [
             (&self.age, None, |maps| &mut maps.age),
             (&self.plateaus, Some(SHARE), |maps| &mut maps.plateau),
             (&self.hills, Some(SHARE), |maps| &mut maps.hills),
