@@ -3,6 +3,7 @@
 use crate::program::{
     assert_contains, assert_refused_in, names_in, pangaea, succeed, succeed_with_input,
 };
+use bevy_pangaea::math;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -14,18 +15,17 @@ const COAST: f64 = 40.0;
 const MOUNTAIN: (f64, f64) = (10.0, -20.0);
 
 /// Degrees between two places.
-fn degrees_between(a: (f64, f64), b: (f64, f64)) -> f64 {
-    let [(lat_a, lon_a), (lat_b, lon_b)] = [a, b].map(|(x, y)| (x.to_radians(), y.to_radians()));
-    let cosine = lat_a.sin() * lat_b.sin() + lat_a.cos() * lat_b.cos() * (lon_a - lon_b).cos();
-    cosine.clamp(-1.0, 1.0).acos().to_degrees()
+fn degrees_between([a, b]: [(f64, f64); 2]) -> f64 {
+    let [a, b] = [a, b].map(|(lat, lon)| math::direction(lat, lon));
+    math::angle_between(a, b).to_degrees()
 }
 
 /// Elevation in m: a round continent, a plain of 1 km within 30° of its middle, from where it falls
 /// to the sea and on to a floor of 4 km, and a mountain of 4 km.
 fn island(lat: f64, lon: f64) -> f64 {
-    let inland = COAST - degrees_between((lat, lon), (0.0, 0.0));
+    let inland = COAST - degrees_between([(lat, lon), (0.0, 0.0)]);
     let plain = (100.0 * inland).clamp(-4000.0, 1000.0);
-    let away = degrees_between((lat, lon), MOUNTAIN);
+    let away = degrees_between([(lat, lon), MOUNTAIN]);
     plain + (3000.0 * (1.0 - away / 5.0)).max(0.0)
 }
 
@@ -139,13 +139,13 @@ fn the_share_of_land_is_that_of_the_map() {
         .map(|i| {
             let sine = (2.0 * f64::from(i) + 1.0) / 3000.0 - 1.0;
             let turn = f64::from(i) * 0.618_033_988_749_895;
-            (sine.asin().to_degrees(), 360.0 * turn.fract() - 180.0)
+            (math::asin(sine).to_degrees(), 360.0 * turn.fract() - 180.0)
         })
         .collect();
     let ground = ask(folder.path(), "a/island.terrain.ron", "6", &points);
     let land = ground.iter().filter(|at| !at.is_sea).count() as f64 / 3000.0;
     // The share of a cap.
-    let share = 0.5 * (1.0 - COAST.to_radians().cos());
+    let share = 0.5 * (1.0 - math::cos(COAST.to_radians()));
     assert!((land - share).abs() < 0.015, "{land} {share}");
 }
 

@@ -79,7 +79,8 @@ fn rivers_follow_the_maps_and_not_the_surface() {
 
 /// A dome that falls from 2 km in the middle of the west to the sea, and to its floor.
 fn dome(lat: f64, lon: f64) -> f32 {
-    (2.0 - 0.06 * lat.hypot(lon + 90.0)).max(-4.0) as f32
+    let away = (lat * lat + (lon + 90.0) * (lon + 90.0)).sqrt();
+    (2.0 - 0.06 * away).max(-4.0) as f32
 }
 
 #[test]
