@@ -10,7 +10,7 @@ use crate::values::{BoxSpec, PixelsSpec, RegionSpec, TilesSpec};
 use bevy_pangaea::io::export::{
     ExportArea, ExportError, ExportFiles, ExportFormat, ExportJob, Exported,
 };
-use bevy_pangaea::io::{check_outputs, load};
+use bevy_pangaea::io::{check_outputs, load_planet};
 use bevy_pangaea::query::{
     AzimuthalEquidistant, DegreeBox, GridProjection, Ground, GroundError, MapGrid, MapSquare,
     TileBlock,
@@ -25,7 +25,7 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     let shape = Shape::of(args)?;
     check_output(args, &shape)?;
     let climate = args.ground.climate.load()?;
-    let state = load(&args.ground.planet)?;
+    let state = load_planet(&args.ground.planet)?;
     let area = shape.area(1000.0 * state.planet.radius)?;
     let mut job = ExportJob::new(area, &args.out)?;
     if let Some(range) = args.range {

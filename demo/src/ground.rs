@@ -22,13 +22,13 @@ pub fn bake_planet(mut state: PlanetState, given: ClimateMaps) -> Result<Headles
     Ok(headless)
 }
 
-/// Replaces maps of a save by those that the user gives, and says so where they differ.
+/// Replaces maps of the climate that a planet came with by those that the user gives, and says so where they differ.
 pub fn replace_maps(saved: &mut ClimateMaps, given: &ClimateMaps) {
     for (field, map) in given.iter() {
         let name = field.name();
         if saved.get(field).is_some_and(|saved| saved != map) {
             say(&format!(
-                "warning: --{name} replaces the map of {name} that the planet was saved with"
+                "warning: --{name} replaces the map of {name} that the planet came with"
             ));
         }
         saved.set(field, map.clone());

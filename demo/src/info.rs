@@ -5,11 +5,13 @@ use crate::error::CliError;
 use crate::headless::Headless;
 use crate::output::{check_file, print, write_file};
 use bevy_pangaea::authoring::Recording;
-use bevy_pangaea::climate::{ClimateField, ClimateMaps, EquirectMap};
+use bevy_pangaea::climate::{ClimateMaps, EquirectMap};
+use bevy_pangaea::hydrology::TerrainMaps;
 use bevy_pangaea::io::scenario::scenario_of;
-use bevy_pangaea::io::{Stats, Timings, digest, load, map_digest, save};
+use bevy_pangaea::io::{PlanetFileKind, Stats, Timings, digest, load_planet, map_digest, save};
 use bevy_pangaea::planet::Planet;
 use std::fmt::Write;
+use std::path::Path;
 
 /// Runs the command.
 ///
@@ -18,8 +20,8 @@ use std::fmt::Write;
 pub fn info(args: &InfoArgs) -> Result<(), CliError> {
     let scenario_out = args.scenario_out.as_deref();
     scenario_out.map_or(Ok(()), check_file)?;
-    let state = load(&args.file)?;
-    let version = save::version_of(&args.file)?;
+    let state = load_planet(&args.file)?;
+    let format = format(&args.file)?;
     if let Some(path) = scenario_out {
         write_file(path, scenario_of(&state).as_bytes())?;
     }
@@ -30,15 +32,24 @@ pub fn info(args: &InfoArgs) -> Result<(), CliError> {
         hash,
         Timings::default(),
     );
-    print(&facts(version, &headless, &stats)?)
+    print(&facts(format, &headless, &stats)?)
+}
+
+/// The format of a planet file: the version of a save.
+fn format(path: &Path) -> Result<String, CliError> {
+    Ok(match PlanetFileKind::of(path) {
+        PlanetFileKind::Save => save::version_of(path)?.to_string(),
+        PlanetFileKind::Terrain => "terrain file".into(),
+        PlanetFileKind::Elevation => "map of the elevation".into(),
+    })
 }
 
 /// The facts as lines of a name and a value.
-fn facts(version: u32, headless: &Headless, stats: &Stats) -> Result<String, CliError> {
+fn facts(format: String, headless: &Headless, stats: &Stats) -> Result<String, CliError> {
     let planet = headless.get::<Planet>()?;
     let commands = headless.get::<Recording>()?.0.len();
     let origin = [
-        ("format", version.to_string()),
+        ("format", format),
         ("digest", stats.digest.clone()),
         ("seed", planet.seed.to_string()),
         ("radius", format!("{} km", planet.radius)),
@@ -50,7 +61,7 @@ fn facts(version: u32, headless: &Headless, stats: &Stats) -> Result<String, Cli
         ),
         ("commands", commands.to_string()),
     ];
-    let maps = maps(headless.get::<ClimateMaps>()?);
+    let maps = maps(headless)?;
     let mut text = String::new();
     for (name, value) in origin.into_iter().chain(maps).chain(measures(stats)) {
         let _ = writeln!(text, "{name:<12} {value}");
@@ -58,19 +69,24 @@ fn facts(version: u32, headless: &Headless, stats: &Stats) -> Result<String, Cli
     Ok(text)
 }
 
-/// The maps that replace fields of the climate.
-fn maps(maps: &ClimateMaps) -> Vec<(&'static str, String)> {
-    maps.iter()
-        .map(|(field, map)| ("map", described(field, map)))
-        .collect()
+/// The maps that a planet is made of, and those that replace fields of its climate.
+fn maps(headless: &Headless) -> Result<Vec<(&'static str, String)>, CliError> {
+    // Planets that were grown have no terrain.
+    let terrain = headless.get::<TerrainMaps>().ok();
+    let terrain = terrain.into_iter().flat_map(TerrainMaps::iter);
+    let climate = headless.get::<ClimateMaps>()?.iter();
+    let climate = climate.map(|(field, map)| (field.name(), map));
+    Ok(terrain
+        .chain(climate)
+        .map(|(name, map)| ("map", described(name, map)))
+        .collect())
 }
 
 /// A map in words, with enough of its checksum to tell it from others.
-fn described(field: ClimateField, map: &EquirectMap) -> String {
+fn described(name: &str, map: &EquirectMap) -> String {
     let [width, height] = map.size();
     format!(
-        "{}, {width} x {height} pixels, {} of them void, BLAKE3 {:.16}",
-        field.name(),
+        "{name}, {width} x {height} pixels, {} of them void, BLAKE3 {:.16}",
         map.voids(),
         map_digest(map)
     )

@@ -41,7 +41,7 @@ mod explorer;
 #[cfg(test)]
 mod fuzz_tests;
 
-use bevy_pangaea::io::load;
+use bevy_pangaea::io::load_planet;
 use clap::{Parser, error::ErrorKind};
 use cli::{Cli, Command};
 use error::CliError;
@@ -75,7 +75,7 @@ fn explore(cli: &Cli) -> Result<(), CliError> {
         output::check_file(path)?;
     }
     let open = match &cli.start.open {
-        Some(path) => Some((Box::new(load(path)?), path.clone())),
+        Some(path) => Some((Box::new(load_planet(path)?), path.clone())),
         None => None,
     };
     explorer::run(explorer::Options {

@@ -8,7 +8,7 @@ use crate::interrupt;
 use crate::output::{Files, say_written};
 use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::{load, png};
+use bevy_pangaea::io::{load_planet, png};
 use bevy_pangaea::overlay::{MapProjection, Overlay};
 use std::fmt::Display;
 
@@ -92,7 +92,7 @@ pub fn maps(args: &MapsArgs) -> Result<(), CliError> {
     interrupt::watch();
     let maps = MapSet::new(args);
     let climate = args.ground.climate.load()?;
-    let state = load(&args.ground.planet)?;
+    let state = load_planet(&args.ground.planet)?;
     let mut files = Files::new(&args.out, maps.names())?;
     maps.draw(&bake_planet(state, climate)?, &mut files)?;
     interrupt::check()?;

@@ -12,7 +12,7 @@ use crate::error::CliError;
 use crate::ground::{bake_planet, ground};
 use crate::output::{has_reader, print_to};
 use crate::values::PlaceSpec;
-use bevy_pangaea::io::load;
+use bevy_pangaea::io::load_planet;
 use bevy_pangaea::query::{Ground, Sample, direction_at};
 use pace::Pace;
 use places::PlaceQueue;
@@ -35,7 +35,8 @@ pub fn query(args: &QueryArgs) -> Result<(), CliError> {
         None => PlaceQueue::read(|| io::stdin().lock()),
     };
     let climate = args.ground.climate.load()?;
-    let ground = ground(&bake_planet(load(&args.ground.planet)?, climate)?)?;
+    let planet = load_planet(&args.ground.planet)?;
+    let ground = ground(&bake_planet(planet, climate)?)?;
     answer(places, &ground, args.level, io::stdout(), has_reader)
 }
 

@@ -14,7 +14,7 @@ use crate::headless::Headless;
 use crate::output::{self, check_file, print, write_file};
 use crate::progress;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::load;
+use bevy_pangaea::io::load_planet;
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::relief_stats::{CLASSES, ReliefClass, SiteInput, class_relief, sites};
 use figures::{ReliefFigures, all_figures, compare};
@@ -36,7 +36,7 @@ pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
         Some(folder) => tile_figures(folder)?,
         None => Vec::new(),
     };
-    let headless = bake_planet(load(&args.ground.planet)?, climate)?;
+    let headless = bake_planet(load_planet(&args.ground.planet)?, climate)?;
     let mut classes = class_figures(&headless, args.sites)?;
     compare(&mut classes, &mut tiles);
     if let Some(path) = &args.json {

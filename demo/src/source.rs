@@ -4,7 +4,7 @@ use crate::cli::GrowthArgs;
 use crate::error::CliError;
 use crate::growth::GrowthPlan;
 use crate::headless::{Headless, initial_planet};
-use bevy_pangaea::io::load;
+use bevy_pangaea::io::load_planet;
 use bevy_pangaea::planet::PlanetRecipe;
 use bevy_pangaea::spawn::PlanetState;
 use std::path::Path;
@@ -25,7 +25,7 @@ impl PlanetSource {
     pub fn new(file: Option<&Path>, args: &GrowthArgs) -> Result<Self, CliError> {
         args.threads.start()?;
         if let Some(path) = file {
-            return Ok(Self::Saved(Box::new(load(path)?)));
+            return Ok(Self::Saved(Box::new(load_planet(path)?)));
         }
         let recipe = args.recipe.checked()?;
         let plan = GrowthPlan::new(args, recipe.params.time_step)?;

@@ -117,6 +117,8 @@
 //! A planet with [`BakeSettings`] is baked whenever its surface has changed. Its [`ClimateMaps`],
 //! if you give it some, replace fields of the climate, and are saved with it. Its [`PlanetBake`]
 //! makes a [`PlanetGround`], which answers without a GPU, and with the same bits on every machine.
+//! A planet with [`TerrainMaps`](hydrology::TerrainMaps) has its ground from them instead of a
+//! simulation: [`PlanetState::from_maps`](spawn::PlanetState::from_maps).
 //!
 //! ```
 //! # use bevy::prelude::*;
@@ -150,7 +152,7 @@
 //! |---|---|---|
 //! | `render` | yes | [`render`]: the globe; without it no renderer is built |
 //! | `export` | yes | [`io::export`](mod@io::export), [`io::png`]: the ground as GeoTIFF, EXR, greys, glTF; maps as PNG |
-//! | `dem` | yes | [`io::load_dem`], [`io::load_map`]: GeoTIFF, PNG and HGT are read |
+//! | `dem` | yes | [`io::load_dem`], [`io::load_map`], [`io::load_planet`]: GeoTIFF, PNG and HGT are read, and planets of maps |
 //! | `relief_stats` | yes | [`relief_stats`]: slopes, relief in windows, spectra, fabric, geomorphons |
 //! | `window` | no | a window through winit and X11, for the example `minimal` |
 //!

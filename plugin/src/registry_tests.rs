@@ -11,6 +11,7 @@ const COMPONENTS: &[&str] = &[
     "authoring::scenario::Scenario",
     "climate::fields::ClimateMaps",
     "crust::ledger::Ledger",
+    "hydrology::terrain_maps::TerrainMaps",
     "ids::PlateId",
     "io::preset::follow::PlanetPreset",
     "params::TectonicParams",

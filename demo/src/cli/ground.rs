@@ -11,7 +11,14 @@ use std::path::PathBuf;
 /// The planet whose ground is asked for.
 #[derive(Args, Debug)]
 pub struct GroundArgs {
-    /// A planet file, *.pangaea
+    /// A planet file: a save *.pangaea, or maps, *.terrain.ron or the elevation as .tif or .png
+    ///
+    /// A terrain file names the maps that a planet is made of, in RON: (elevation: "earth.tif",
+    /// unit: metres, radius: 6370, seed: 0, rain: "rain.tif"). All but the elevation may be left
+    /// out; others are age (of the last orogeny, in My), plateaus and hills (0 to 1), temperature
+    /// and wetness. Names of files count from its folder. The elevation is in metres unless the
+    /// unit is kilometres, 0 at the sea, and has no voids. A map in its place is the elevation in
+    /// metres; a grey .png without a sidecar NAME.json {"min", "max"} reaches from -12 to 12 km.
     #[arg(value_name = "PLANET.pangaea")]
     pub planet: PathBuf,
     /// Maps that replace fields of the climate.

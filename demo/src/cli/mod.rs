@@ -61,7 +61,7 @@ pub struct Cli {
 /// The planet that the explorer opens with.
 #[derive(Args, Debug, Default, Clone)]
 pub struct StartArgs {
-    /// A planet file to open instead of growing a planet
+    /// A planet file to open instead of growing a planet, or maps, as `pangaea maps` takes them
     #[arg(
         long,
         value_name = "PLANET.pangaea",

@@ -10,7 +10,8 @@ use std::path::PathBuf;
 /// Options of `render`.
 #[derive(Args, Debug)]
 pub struct RenderArgs {
-    /// A planet file; without one a planet is grown by the options below
+    /// A planet file, or maps, as `pangaea maps` takes them; without one a planet is grown by the
+    /// options below
     #[arg(
         value_name = "PLANET.pangaea",
         conflicts_with_all = ["seed", "samples", "plates", "land", "until", "preset", "scenario"]

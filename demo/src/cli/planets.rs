@@ -83,7 +83,7 @@ pub struct BenchArgs {
 /// Options of `info`.
 #[derive(Args, Debug)]
 pub struct InfoArgs {
-    /// A planet file, *.pangaea
+    /// A planet file: a save *.pangaea, or maps, as `pangaea maps` takes them
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// Write all commands of the planet, carried out and to come, as a scenario, too

@@ -7,8 +7,8 @@
 //! widgets     the small widgets of all panels
 //! state       shared types: actions, selection, tool, look, pointer
 //! view        the planet on show, as panels and marks read it
-//! actions     the clock of the planet, its plates and the selection
 //! messages    the log; event_log writes events of the planet into it
+//! actions     the clock of the planet, its plates and the selection
 //! discard     the question before a planet that is not saved goes
 //! saving      files that are to be written of the planet
 //! session     growing, loading and saving planets in the background
@@ -36,9 +36,9 @@ mod state;
 
 mod view;
 
-mod actions;
-
 mod messages;
+
+mod actions;
 
 mod event_log;
 

@@ -10,7 +10,8 @@ use super::messages::MessageLog;
 use super::saving::{SaveContent, SaveOutcome, SaveQueue, SaveRequest};
 use super::state::{Action, PresetRead, Selection, ShownPlanet};
 use bevy::prelude::*;
-use bevy_pangaea::io;
+use bevy_pangaea::hydrology::TerrainMaps;
+use bevy_pangaea::io::{self, PlanetFileKind};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::schedule::StepCursor;
 use bevy_pangaea::spawn::PlanetState;
@@ -125,7 +126,7 @@ fn grow(recipe: &PlanetRecipe) -> Result<JobResult, String> {
 }
 
 fn load(path: PathBuf) -> Result<JobResult, String> {
-    let state = io::load(&path).map_err(text)?;
+    let state = io::load_planet(&path).map_err(text)?;
     Ok(JobResult::Loaded(Box::new(state), path))
 }
 
@@ -145,6 +146,9 @@ fn request_save(
         messages.error(format!("there is no planet to save as {}", path.display()));
     } else if path.as_os_str().is_empty() {
         messages.error("name a file to save the planet to");
+    } else if PlanetFileKind::of(path) != PlanetFileKind::Save {
+        // The form names the maps that were loaded: they must not be lost.
+        messages.error("a planet is saved as *.pangaea, not over the maps that it is made of");
     } else {
         session.saves.ask(request);
     }
@@ -194,16 +198,10 @@ fn show_loaded(world: &mut World, state: PlanetState, path: &Path) {
 /// Spawns the planet in place of the present one; whether time runs, and how fast, stays.
 fn replace(world: &mut World, state: PlanetState) {
     let old = world.resource::<ShownPlanet>().0;
-    let controls = old.and_then(|old| world.get::<ClockControls>(old));
-    let controls = controls.map(|controls| ClockControls {
-        paused: controls.paused,
-        speed: controls.speed,
-        ..default()
-    });
+    let mut controls = old.map(|old| kept_controls(world, old)).unwrap_or_default();
+    controls.paused |= state.terrain.is_some();
     let planet = state.spawn(world);
-    world
-        .entity_mut(planet)
-        .insert(controls.unwrap_or_default());
+    world.entity_mut(planet).insert(controls);
     world.resource_mut::<ShownPlanet>().0 = Some(planet);
     // Numbers of plates mean nothing on another planet.
     world.resource_mut::<Selection>().0 = None;
@@ -214,6 +212,18 @@ fn replace(world: &mut World, state: PlanetState) {
     if let Some(old) = old {
         world.despawn(old);
     }
+}
+
+/// How time passes on the planet after `old`. A planet of maps, on which it stands still, says
+/// nothing of the next one.
+fn kept_controls(world: &World, old: Entity) -> ClockControls {
+    let was_grown = world.get::<TerrainMaps>(old).is_none();
+    let controls = world.get::<ClockControls>(old).filter(|_| was_grown);
+    controls.map_or_else(default, |controls| ClockControls {
+        paused: controls.paused,
+        speed: controls.speed,
+        ..default()
+    })
 }
 
 fn revision(world: &World, planet: Entity) -> Option<PlanetRevision> {

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::explorer::messages::Tone;
+use bevy_pangaea::climate::EquirectMap;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
@@ -169,6 +170,42 @@ fn bad_files_are_refused() {
     assert_refused(&mut app, Action::Save(PathBuf::new()));
     assert_refused(&mut app, Action::ReadPreset(nowhere));
     assert_eq!(shown(&app), first);
+}
+
+/// A planet of maps of which all is land 1 km high.
+fn mapped() -> PlanetState {
+    let maps = TerrainMaps {
+        crust: EquirectMap::from_fn(4, |_, _| 1.0).unwrap(),
+        age: None,
+        plateau: None,
+        hills: None,
+    };
+    let planet = Planet {
+        radius: 6370.0,
+        seed: 1,
+    };
+    PlanetState::from_maps(planet, maps).unwrap()
+}
+
+#[test]
+fn time_stands_still_on_a_planet_of_maps_and_passes_on_the_next_one() {
+    let mut app = app();
+    begin_with(&mut app, Box::new(mapped()), "a.terrain.ron".into());
+    app.update();
+    assert!(controls(&mut app).paused);
+    assert_done(&mut app, Action::Grow(recipe()), "a new planet");
+    assert!(!controls(&mut app).paused);
+}
+
+#[test]
+fn a_save_does_not_replace_maps() {
+    let folder = TempDir::new().unwrap();
+    let (mut app, _) = grown();
+    for name in ["a.terrain.ron", "a.tif", "a.png"] {
+        let path = folder.path().join(name);
+        assert_refused(&mut app, Action::Save(path.clone()));
+        assert!(!path.exists());
+    }
 }
 
 #[test]

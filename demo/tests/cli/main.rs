@@ -14,6 +14,7 @@
 //! explorer     what is refused before a window opens
 //! export       squares of the ground
 //! climate      maps of a user
+//! terrain      planets of maps alone
 //! query        points of the ground
 //! relief       relief statistics, beside those of real tiles
 //! ```
@@ -45,6 +46,8 @@ mod explorer;
 mod export;
 
 mod climate;
+
+mod terrain;
 
 mod query;
 

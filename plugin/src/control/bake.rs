@@ -108,6 +108,17 @@ pub enum BakeError {
     Map(#[from] MapError),
 }
 
+impl BakeError {
+    /// Refuses radii in km that no planet has.
+    pub(crate) fn check_radius(radius: f64) -> Result<(), Self> {
+        if radius > 0.0 && radius <= Bake::MAX_RADIUS {
+            Ok(())
+        } else {
+            Err(Self::Radius(radius))
+        }
+    }
+}
+
 impl Bake {
     /// Largest radius in km: on larger planets the water of a year would not fit into 64 bits.
     pub const MAX_RADIUS: f64 = 100_000.0;
@@ -140,9 +151,7 @@ impl Bake {
         maps: &ClimateMaps,
         rules: &BakeRules,
     ) -> Result<Self, BakeError> {
-        if !(radius > 0.0 && radius <= Self::MAX_RADIUS) {
-            return Err(BakeError::Radius(radius));
-        }
+        BakeError::check_radius(radius)?;
         // Maps come from users: refused before anything is built on them.
         maps.check()?;
         if let BakeSource::Maps(terrain) = source {

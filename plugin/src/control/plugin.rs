@@ -1,7 +1,8 @@
 //! A bake that follows a running planet in the background.
 //!
-//! A planet with [`BakeSettings`] is baked whenever its [`PlanetSurface`], its [`ClimateMaps`] or
-//! the settings have changed and no bake of it is under way. Bakes run on a thread pool of their
+//! A planet with [`BakeSettings`] is baked whenever its [`PlanetSurface`], its [`ClimateMaps`], its
+//! [`TerrainMaps`] or the settings have changed and no bake of it is under way. Where it has
+//! [`TerrainMaps`], they are its ground, not the surface. Bakes run on a thread pool of their
 //! own: they share the processors with the simulation, but a frame never waits for them. The
 //! finished bake is the component [`PlanetBake`], and [`BakeFinished`] is triggered on the planet.
 //! The planet's state and its digest are not touched.
@@ -10,6 +11,7 @@ use super::bake::{Bake, BakeError, BakeFrame, BakeSource};
 use super::settings::BakeSettings;
 use crate::climate::ClimateMaps;
 use crate::crust::{PlanetSurface, Surface};
+use crate::hydrology::TerrainMaps;
 use crate::planet::{Lattice, Planet};
 use crate::sphere::SphereMesh;
 use bevy::ecs::query::QueryData;
@@ -37,16 +39,18 @@ pub struct PlanetBake(pub Arc<Bake>);
 struct BakeWish {
     settings: BakeSettings,
     maps: ClimateMaps,
+    terrain: Option<TerrainMaps>,
 }
 
 impl BakeWish {
     fn asks_for_the_same(&self, other: &Self) -> bool {
-        self.settings.asks_for_the_same(&other.settings) && self.maps == other.maps
+        let same_maps = self.maps == other.maps && self.terrain == other.terrain;
+        same_maps && self.settings.asks_for_the_same(&other.settings)
     }
 }
 
 /// Bakes a planet as its [`Surface`] is now, and waits for it: for tools and tests. Uses its
-/// [`BakeSettings`], or the default ones, and its [`ClimateMaps`].
+/// [`BakeSettings`], or the default ones, its [`ClimateMaps`] and its [`TerrainMaps`].
 ///
 /// # Errors
 /// [`BakeError`] for settings that no bake can have; the planet keeps its last one.
@@ -62,6 +66,7 @@ pub fn bake_now(world: &mut World, planet: Entity) -> Result<(), BakeError> {
     let wish = BakeWish {
         settings: entity.get().cloned().unwrap_or_default(),
         maps: entity.get().cloned().unwrap_or_default(),
+        terrain: entity.get().cloned(),
     };
     wish.settings.check()?;
     let frame = reusable(entity.get::<PlanetBake>(), own, lattice, &wish.settings);
@@ -86,13 +91,18 @@ fn bake(
             Some(lattice),
         )?),
     };
-    Bake::new(
-        &frame,
-        planet.radius,
-        &BakeSource::Surface(surface),
-        &wish.maps,
-        &wish.settings.rules,
-    )
+    let source = match &wish.terrain {
+        Some(maps) => BakeSource::Maps(maps),
+        None => BakeSource::Surface(surface),
+    };
+    let rules = &wish.settings.rules;
+    let bake = Bake::new(&frame, planet.radius, &source, &wish.maps, rules)?;
+    // Maps have no moment of their own: whoever waits for a bake of this surface has it.
+    Ok(Bake {
+        version: surface.version,
+        time: surface.time,
+        ..bake
+    })
 }
 
 /// The frame of the last bake, if it serves the next one.
@@ -172,6 +182,7 @@ struct BakeQuery {
     surface: &'static PlanetSurface,
     settings: &'static BakeSettings,
     maps: &'static ClimateMaps,
+    terrain: Option<&'static TerrainMaps>,
     last: Option<&'static PlanetBake>,
     baked: Option<&'static Baked>,
 }
@@ -181,6 +192,7 @@ impl BakeQueryItem<'_, '_> {
         BakeWish {
             settings: self.settings.clone(),
             maps: self.maps.clone(),
+            terrain: self.terrain.cloned(),
         }
     }
 

@@ -3,19 +3,20 @@
 //! In: the base mesh, its ground and its climate. Out: [`Drainage`].
 //!
 //! ```text
-//! base      the base mesh: Poisson-disk points, triangles, winds; once per seed
-//! landform  relief around a vertex, by the age and kind of its crust
-//! terrain   the ground and the landforms of its vertices, from the crust or from a user's maps
-//! coast     sea, coast and land, such that estuaries have room
-//! flood     which way water leaves every place
-//! flow      discharge, to the last cubic metre
-//! sinks     basins without an outlet
-//! network   the choice of a river network
-//! growth    the paper's own network, grown from the coasts; a preset
-//! profile   levels, beds and lakes along the rivers
-//! order     Horton-Strahler order, basins
-//! drainage  all of them together
-//! stats     figures: Horton's ratios, Hack's exponent
+//! base          the base mesh: Poisson-disk points, triangles, winds; once per seed
+//! landform      relief around a vertex, by the age and kind of its crust
+//! terrain_maps  a user's maps instead of a simulation
+//! terrain       the ground and the landforms of its vertices, from the crust or from a user's maps
+//! coast         sea, coast and land, such that estuaries have room
+//! flood         which way water leaves every place
+//! flow          discharge, to the last cubic metre
+//! sinks         basins without an outlet
+//! network       the choice of a river network
+//! growth        the paper's own network, grown from the coasts; a preset
+//! profile       levels, beds and lakes along the rivers
+//! order         Horton-Strahler order, basins
+//! drainage      all of them together
+//! stats         figures: Horton's ratios, Hack's exponent
 //! ```
 //!
 //! Heights are whole grains of 1/1024 m ([`pangaea_shaders::amplify::fixed`]), water is whole cubic
@@ -24,6 +25,8 @@
 mod base;
 
 mod landform;
+
+mod terrain_maps;
 
 mod terrain;
 
@@ -55,4 +58,5 @@ pub use network::RiverNetwork;
 pub(crate) use profile::MIN_FALL;
 pub use profile::{Lake, NO_LAKE, Profile};
 pub use stats::{Horton, HydrologyStats};
-pub use terrain::{Terrain, TerrainMaps};
+pub use terrain::Terrain;
+pub use terrain_maps::TerrainMaps;

@@ -4,11 +4,11 @@
 
 use super::base::{BaseMesh, Transfer};
 use super::landform::{CrustSample, RELIEF_BELOW_MEAN};
-use crate::climate::{EARTH_RADIUS, EquirectMap, MapError};
+use super::terrain_maps::TerrainMaps;
+use crate::climate::{EARTH_RADIUS, EquirectMap};
 use crate::crust::Surface;
-use crate::math;
 use crate::parallel;
-use bevy::math::{DVec3, Vec3};
+use bevy::math::Vec3;
 use bevy::reflect::Reflect;
 use pangaea_shaders::amplify::fixed::GRAINS;
 
@@ -36,88 +36,6 @@ pub struct Terrain {
     /// Direction of the ridge that made the ocean floor, undirected; unit length or zero.
     pub ridge: Vec<Vec3>,
 }
-
-/// Maps of a user, from which a planet is made without a simulation (paper 002 §3). The crust must
-/// be whole; where another map is void it counts as not given.
-#[derive(Clone, Debug, PartialEq, Reflect)]
-pub struct TerrainMaps {
-    /// Elevation of the crust in km, -15..=15, negative under the sea.
-    pub crust: EquirectMap,
-    /// A: age of the last orogeny in My, at least 0; without it, high ground counts as folded 100
-    /// My ago.
-    pub age: Option<EquirectMap>,
-    /// P: presence of plateaus, 0..=1.
-    pub plateau: Option<EquirectMap>,
-    /// B: presence of hills, 0..=1.
-    pub hills: Option<EquirectMap>,
-}
-
-impl TerrainMaps {
-    /// Refuses maps with values that no planet has.
-    ///
-    /// # Errors
-    /// [`MapError::Range`]; [`MapError::Void`] for a crust with voids.
-    pub fn check(&self) -> Result<(), MapError> {
-        // The usual mistake gets its own words.
-        let kilometres = "from -15 to 15 km: the values look like metres";
-        let what = "the elevation of the crust";
-        EquirectMap::check(Some(&self.crust), what, -15.0..=15.0, kilometres)?;
-        self.crust.check_whole(what)?;
-        let past = 0.0..=f32::INFINITY;
-        let age = self.age.as_ref();
-        EquirectMap::check(age, "the age of the orogeny", past, "at least 0 My")?;
-        for (map, what) in [
-            (&self.plateau, "the presence of plateaus"),
-            (&self.hills, "the presence of hills"),
-        ] {
-            EquirectMap::check(map.as_ref(), what, 0.0..=1.0, "from 0 to 1")?;
-        }
-        Ok(())
-    }
-
-    /// The crust that the maps mean at a unit direction.
-    fn crust_at(&self, p: DVec3) -> CrustSample {
-        let elevation = self.crust.at(p).unwrap_or(VOID_ELEVATION_KM);
-        let age = self.age.as_ref().and_then(|age| age.at(p));
-        let folded = match age {
-            // Whoever gives ages gives them for all ground.
-            Some(_) => 1.0,
-            None => {
-                math::smoothstep(f64::from((elevation - FOLDED_FROM_KM) / FOLDED_WITHIN_KM)) as f32
-            }
-        };
-        CrustSample {
-            elevation,
-            folded,
-            age: age.map_or(UNKNOWN_AGE_MY, |age| age.max(0.0)),
-            // A map does not say which kind of belt built its mountains.
-            collision: 0.5,
-            oceanic: if elevation < OCEAN_BELOW_KM { 1.0 } else { 0.0 },
-            ocean_age: UNKNOWN_OCEAN_AGE_MY,
-            noise: 0.0,
-            ..CrustSample::default()
-        }
-    }
-}
-
-/// Elevation in km of a void of the crust, which no map that was checked has: sea.
-const VOID_ELEVATION_KM: f32 = -1.0;
-
-/// Elevation in km from which on ground of unknown age counts as folded in part.
-const FOLDED_FROM_KM: f32 = 0.4;
-
-/// Further rise in km to ground that counts as folded altogether: plains are lower than 400 m,
-/// mountains higher than 1600 m.
-const FOLDED_WITHIN_KM: f32 = 1.2;
-
-/// Age in My of the orogeny of folded ground of unknown age: half worn down.
-const UNKNOWN_AGE_MY: f32 = 100.0;
-
-/// Elevation in km below which the crust of maps is oceanic: the middle of continental slopes.
-const OCEAN_BELOW_KM: f32 = -2.0;
-
-/// Age in My of the ocean floor of maps: near the mean of Earth's (64 My, Seton et al. 2020).
-const UNKNOWN_OCEAN_AGE_MY: f32 = 80.0;
 
 /// Share of folded crust from which on a vertex has an age of orogeny.
 const LEAST_FOLDED: f32 = 0.02;

@@ -1,4 +1,6 @@
 use super::*;
+use crate::climate::MapError;
+use crate::math;
 
 /// A map with a value at the north pole.
 fn with_pole(value: f32) -> EquirectMap {

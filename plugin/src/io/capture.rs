@@ -3,6 +3,7 @@
 use crate::authoring::{Inbox, Recording, Scenario, TimedCommand};
 use crate::climate::ClimateMaps;
 use crate::crust::{Crust, Frames, Ledger};
+use crate::hydrology::TerrainMaps;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlateNumbers};
 use crate::plate::front::FrontField;
@@ -58,6 +59,7 @@ pub fn capture(world: &World, planet: Entity) -> Option<PlanetState> {
         polarity: entity.get::<PolarityMemory>()?.clone(),
         fronts: entity.get::<FrontField>()?.clone(),
         climate: entity.get::<ClimateMaps>().cloned().unwrap_or_default(),
+        terrain: entity.get::<TerrainMaps>().cloned(),
     })
 }
 

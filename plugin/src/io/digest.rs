@@ -2,7 +2,7 @@
 
 use super::save::MAGIC;
 use super::sections;
-use crate::climate::{ClimateMaps, EquirectMap};
+use crate::climate::EquirectMap;
 use crate::spawn::PlanetState;
 
 /// The version of the format that digests begin with, the one in which they were first given: a
@@ -31,7 +31,10 @@ pub fn digest(state: &PlanetState) -> String {
         hasher.update(&sections::head(tag, &content));
         hasher.update(&content);
     }
-    add_maps(&mut hasher, &state.climate);
+    let climate = state.climate.iter();
+    add_maps(&mut hasher, climate.map(|(field, map)| (field.name(), map)));
+    let terrain = state.terrain.iter().flat_map(|terrain| terrain.iter());
+    add_maps(&mut hasher, terrain);
     hasher.finalize().to_hex().to_string()
 }
 
@@ -50,9 +53,12 @@ pub fn map_digest(map: &EquirectMap) -> String {
     map_hash(map).to_hex().to_string()
 }
 
-fn add_maps(hasher: &mut blake3::Hasher, maps: &ClimateMaps) {
-    for (field, map) in maps.iter() {
-        hasher.update(field.name().as_bytes());
+fn add_maps<'a>(
+    hasher: &mut blake3::Hasher,
+    maps: impl Iterator<Item = (&'static str, &'a EquirectMap)>,
+) {
+    for (name, map) in maps {
+        hasher.update(name.as_bytes());
         hasher.update(map_hash(map).as_bytes());
     }
 }

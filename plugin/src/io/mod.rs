@@ -18,6 +18,7 @@
 //! export     the ground: GeoTIFF, EXR, 16-bit greys, glTF; squares, tiles, boxes of degrees
 //! dem        elevation models of real ground
 //! maps       maps of the whole planet: climate, terrain
+//! terrain    *.terrain.ron: planets of maps
 //! ```
 //!
 //! Input is never trusted: every error is one line that names the file, and no input makes a loader
@@ -64,6 +65,9 @@ mod dem;
 #[cfg(feature = "dem")]
 mod maps;
 
+#[cfg(feature = "dem")]
+pub mod terrain;
+
 pub use capture::capture;
 #[cfg(feature = "dem")]
 pub use dem::{Dem, DemError, dem_files, load_dem};
@@ -80,4 +84,6 @@ pub use scenario::{load_scenario, save_scenario};
 #[cfg(any(feature = "dem", feature = "export"))]
 pub use sidecar::Sidecar;
 pub use stats::{Stats, Timings};
+#[cfg(feature = "dem")]
+pub use terrain::{PlanetFileKind, load_planet};
 pub use text::TextError;

@@ -3,6 +3,7 @@
 //! ```text
 //! warnings   whatever a recipe asks for and its planet will not have
 //! state      PlanetState: a planet before it is in a world
+//! mapped     a planet of a user's maps, without a simulation
 //! prepare    what follows from the state, found before the planet enters its world
 //! events     PlanetReady, PlanetFailed
 //! build      building a planet on an entity, at once or in the background
@@ -16,6 +17,8 @@
 mod warnings;
 
 mod state;
+
+mod mapped;
 
 mod events;
 

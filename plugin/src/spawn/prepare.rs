@@ -5,6 +5,7 @@ use super::state::PlanetState;
 use crate::authoring::{Inbox, Recording, Scenario};
 use crate::climate::ClimateMaps;
 use crate::crust::{Crust, Frames, Ledger, PlanetSurface};
+use crate::hydrology::TerrainMaps;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlateNumbers};
 use crate::plate::boundary::Rim;
@@ -64,6 +65,7 @@ pub(super) struct PreparedPlanet {
     world: World,
     planet: Entity,
     pending: Scenario,
+    terrain: Option<TerrainMaps>,
 }
 
 impl PlanetState {
@@ -103,6 +105,7 @@ impl PlanetState {
             world,
             planet,
             pending: self.pending,
+            terrain: self.terrain,
         }
     }
 }
@@ -147,6 +150,10 @@ impl PreparedPlanet {
             Inbox::default(),
             SurfaceProjection::default(),
         ));
+        match self.terrain {
+            Some(maps) => entity.insert(maps),
+            None => entity.remove::<TerrainMaps>(),
+        };
         if !self.pending.0.is_empty() {
             entity.insert(self.pending);
         }

@@ -3,6 +3,7 @@
 use crate::authoring::{Recording, Scenario};
 use crate::climate::ClimateMaps;
 use crate::crust::{Crust, Frame, Frames, Ledger, ledger};
+use crate::hydrology::TerrainMaps;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlanetError, PlanetRecipe, PlateNumbers};
 use crate::plate::front::FrontField;
@@ -47,6 +48,8 @@ pub struct PlanetState {
     pub fronts: FrontField,
     /// Maps that replace fields of the climate.
     pub climate: ClimateMaps,
+    /// Maps that the planet is made of, where it was not grown.
+    pub terrain: Option<TerrainMaps>,
 }
 
 impl PlanetState {
@@ -76,10 +79,21 @@ impl PlanetState {
         let (motions, owner) = initial_plates(recipe, &mesh);
         let mut crust = initial_crust(recipe, &mesh, &owner);
         crust.frame.clone_from(&owner);
+        Ok(Self::with_crust(recipe, mesh, motions, crust))
+    }
+
+    /// The planet at time 0 whose crust lies on plates with these motions; a plate's frame has its
+    /// place in the list. Of the recipe count seed, radius and parameters.
+    pub(super) fn with_crust(
+        recipe: &PlanetRecipe,
+        mesh: Arc<SphereMesh>,
+        motions: Vec<PlateMotion>,
+        crust: Crust,
+    ) -> Self {
         let (numbers, plates) = numbered(motions);
         let frames = Frames(plates.iter().map(|&(id, ..)| Frame::at_rest(id)).collect());
         let stats = stats::plate_stats(&mesh, &crust, &frames, recipe.radius, |_| true);
-        Ok(Self {
+        Self {
             planet: Planet {
                 radius: recipe.radius,
                 seed: recipe.seed,
@@ -101,7 +115,8 @@ impl PlanetState {
             pending: Scenario::default(),
             polarity: PolarityMemory::default(),
             climate: ClimateMaps::default(),
-        })
+            terrain: None,
+        }
     }
 }
 

@@ -29,6 +29,12 @@ pub enum MapFileError {
     /// A sidecar that does not hold the values of black and white.
     #[error("the sidecar must be {{\"min\": .., \"max\": ..}}, two different finite numbers")]
     Sidecar,
+    /// Elevations in metres of which none is beyond 15 m.
+    #[error(
+        "no elevation is beyond 15 m; if they are kilometres, a terrain file must say so: \
+         `unit: kilometres`"
+    )]
+    Flat,
     /// The size or a value is not one of a map.
     #[error(transparent)]
     Map(#[from] MapError),

@@ -13,7 +13,10 @@ mod error;
 
 mod turn;
 
+mod reduce;
+
 pub use error::MapFileError;
+pub(super) use reduce::reduced;
 
 use super::IoError;
 use super::dem::geotiff::RasterFile;

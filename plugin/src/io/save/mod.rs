@@ -24,6 +24,7 @@
 //! - The version counts changes that older programs could not read right. Version 4 added the
 //!   section `CLIM`: the maps that replace fields of the climate, compressed without loss, together
 //!   at most 2^29 pixels. Version 3 is still read; older ones are not.
+//! - The section `TERR` holds the maps that a planet is made of, in the same way.
 
 use super::codec::Decoder;
 use super::sections::{self, SectionTag};
@@ -73,17 +74,22 @@ impl<W: Write> Hashing<W> {
 /// # Errors
 /// [`SaveError::TooLarge`].
 pub fn check_maps(maps: &ClimateMaps) -> Result<(), SaveError> {
-    sections::check_pixels(maps)
+    sections::check_pixels(maps.iter().map(|(_, map)| map))
+}
+
+fn check_all_maps(state: &PlanetState) -> Result<(), SaveError> {
+    check_maps(&state.climate)?;
+    let terrain = state.terrain.iter().flat_map(|terrain| terrain.iter());
+    sections::check_pixels(terrain.map(|(_, map)| map))
 }
 
 /// Writes a planet. Equal state gives equal bytes.
 ///
 /// # Errors
-/// The error of `out`, or [`io::ErrorKind::InvalidInput`] with a [`SaveError`] for maps that
-/// [`check_maps`] refuses.
+/// The error of `out`, or [`io::ErrorKind::InvalidInput`] with a [`SaveError`] for maps with
+/// more pixels than a save holds.
 pub fn write_to(state: &PlanetState, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
-    check_maps(&state.climate)
-        .map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
+    check_all_maps(state).map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
     let mut out = Hashing {
         out,
         hasher: blake3::Hasher::new(),
@@ -93,7 +99,7 @@ pub fn write_to(state: &PlanetState, out: &mut (impl Write + ?Sized)) -> io::Res
     for section in sections::encode(state) {
         out.put_section(section)?;
     }
-    if let Some(section) = sections::encode_climate(&state.climate) {
+    for section in sections::encode_maps(state) {
         out.put_section(section)?;
     }
     // The hash is not part of what it covers.

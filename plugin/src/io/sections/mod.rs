@@ -3,6 +3,8 @@
 
 mod split;
 
+mod maps;
+
 mod account;
 mod climate;
 mod crust;
@@ -10,13 +12,13 @@ mod fronts;
 mod params;
 mod planet;
 mod plates;
+mod terrain;
 
-pub(super) use climate::check_pixels;
+pub(super) use maps::check_pixels;
 use split::FileSections;
 pub(super) use split::SectionTag;
 
 use super::SaveError;
-use crate::climate::ClimateMaps;
 use crate::crust::Crust;
 use crate::spawn::PlanetState;
 
@@ -26,8 +28,11 @@ struct SaveSection {
     encode: fn(&PlanetState) -> Vec<u8>,
 }
 
-/// The section that only planets with maps have.
+/// The section that only planets with maps of their climate have.
 const CLIMATE: SectionTag = *b"CLIM";
+
+/// The section that only planets of maps have.
+const TERRAIN: SectionTag = *b"TERR";
 
 /// The sections before the columns of the crust, in the order of the file.
 const SECTIONS: &[SaveSection] = &[
@@ -51,7 +56,7 @@ const fn section(tag: &'static SectionTag, encode: fn(&PlanetState) -> Vec<u8>) 
 fn tags() -> impl Iterator<Item = SectionTag> {
     let columns = Crust::COLUMNS.iter().map(|column| *column.tag);
     let always = SECTIONS.iter().map(|section| *section.tag).chain(columns);
-    always.chain([CLIMATE])
+    always.chain([CLIMATE, TERRAIN])
 }
 
 /// Tags and contents of the sections that every planet has, in the order of the file.
@@ -71,10 +76,13 @@ pub(super) fn head(tag: SectionTag, content: &[u8]) -> [u8; 12] {
     head
 }
 
-/// Tag and content of the section of the climate's maps, if there are any.
-pub(super) fn encode_climate(maps: &ClimateMaps) -> Option<(SectionTag, Vec<u8>)> {
-    let some = maps.iter().next().is_some();
-    some.then(|| (CLIMATE, climate::write(maps)))
+/// Tags and contents of the sections of a user's maps, where there are any.
+pub(super) fn encode_maps(state: &PlanetState) -> impl Iterator<Item = (SectionTag, Vec<u8>)> + '_ {
+    let some = state.climate.iter().next().is_some();
+    let climate = some.then(|| (CLIMATE, climate::write(&state.climate)));
+    let terrain = state.terrain.as_ref();
+    let terrain = terrain.map(|terrain| (TERRAIN, maps::write(terrain.iter())));
+    climate.into_iter().chain(terrain)
 }
 
 /// Makes a planet of all sections. The mesh, which takes longest, comes last.
@@ -95,6 +103,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<PlanetState, SaveError> {
     let pending = account::read_pending(file.require(*b"PEND")?)?;
     let polarity = fronts::read_polarity(file.require(*b"POLA")?)?;
     let climate = file.get(CLIMATE).map(climate::read).transpose()?;
+    let terrain = file.get(TERRAIN).map(terrain::read).transpose()?;
     let lattice = crust::read_mesh(mesh)?;
     let fronts = fronts.on_mesh(&lattice);
     Ok(PlanetState {
@@ -113,6 +122,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<PlanetState, SaveError> {
         polarity,
         fronts,
         climate: climate.unwrap_or_default(),
+        terrain,
     })
 }
 

@@ -4,11 +4,13 @@ mod climate;
 mod damage;
 mod format;
 mod round_trip;
+mod terrain;
 
 use super::*;
 use crate::authoring::{Brush, PaintTarget, Recording, Scenario, TectonicCommand, TimedCommand};
 use crate::climate::EquirectMap;
 use crate::crust::{Cause, Crust, CrustKind, Frame, Frames, Ledger, Orogeny};
+use crate::hydrology::TerrainMaps;
 use crate::math;
 use crate::params::TectonicParams;
 use crate::planet::{GeologicClock, Lattice, Planet, PlateNumbers};
@@ -46,6 +48,7 @@ fn state() -> PlanetState {
         polarity: polarity(),
         fronts: fronts(&mesh),
         climate: maps(),
+        terrain: Some(terrain()),
         lattice: Lattice(mesh),
     }
 }
@@ -155,6 +158,16 @@ fn maps() -> ClimateMaps {
         temperature: EquirectMap::from_fn(4, |lat, _| 30.0 - lat.abs() as f32).ok(),
         rain: EquirectMap::from_fn(3, |lat, lon| (500.1 + lat + 0.1 * lon) as f32).ok(),
         wetness: None,
+    }
+}
+
+/// Maps of a planet that was not grown: an age, and no plateaus.
+fn terrain() -> TerrainMaps {
+    TerrainMaps {
+        crust: EquirectMap::from_fn(5, |lat, lon| (0.01 * lat + 0.001 * lon) as f32).unwrap(),
+        age: uniform(30.5),
+        plateau: None,
+        hills: EquirectMap::from_fn(3, |lat, _| if lat > 0.0 { 0.5 } else { f32::NAN }).ok(),
     }
 }
 

@@ -23,6 +23,7 @@ fn a_planet_comes_back_with_the_same_bits() {
     assert_eq!(back.ledger, state.ledger);
     assert_eq!(back.recording, state.recording);
     assert_eq!(back.climate, state.climate);
+    assert_eq!(back.terrain, state.terrain);
     assert_eq!(back.polarity, state.polarity);
     assert_eq!(back.lattice.points(), state.lattice.points());
 }

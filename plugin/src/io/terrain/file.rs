@@ -1,0 +1,114 @@
+//! The fields of a terrain file, and the planet that they describe.
+
+use super::elevation::HeightUnit;
+use crate::climate::{ClimateField, ClimateMaps, EARTH_RADIUS, EquirectMap};
+use crate::hydrology::TerrainMaps;
+use crate::io::maps::{MapFileError, reduced};
+use crate::io::text::TextError;
+use crate::io::{IoError, load_map};
+use crate::planet::Planet;
+use crate::spawn::PlanetState;
+use std::path::{Path, PathBuf};
+
+/// Values of black and white of a share.
+const SHARE: [f32; 2] = [0.0, 1.0];
+
+/// The place of a map among others.
+type TerrainField = fn(&mut TerrainMaps) -> &mut Option<EquirectMap>;
+
+/// The fields of a terrain file.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TerrainFile {
+    elevation: PathBuf,
+    #[serde(default)]
+    unit: HeightUnit,
+    #[serde(default = "earth_radius")]
+    radius: f64,
+    #[serde(default)]
+    seed: u64,
+    age: Option<PathBuf>,
+    plateaus: Option<PathBuf>,
+    hills: Option<PathBuf>,
+    temperature: Option<PathBuf>,
+    rain: Option<PathBuf>,
+    wetness: Option<PathBuf>,
+}
+
+fn earth_radius() -> f64 {
+    EARTH_RADIUS
+}
+
+impl TerrainFile {
+    /// The file that would name this map and nothing else, in the same folder.
+    pub(super) fn of_elevation(map: &Path) -> Self {
+        Self {
+            elevation: map.file_name().unwrap_or_default().into(),
+            unit: HeightUnit::Metres,
+            radius: earth_radius(),
+            seed: 0,
+            age: None,
+            plateaus: None,
+            hills: None,
+            temperature: None,
+            rain: None,
+            wetness: None,
+        }
+    }
+
+    /// The planet of a file at `path`.
+    pub(super) fn planet(&self, path: &Path) -> Result<PlanetState, IoError> {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let planet = Planet {
+            radius: self.radius,
+            seed: self.seed,
+        };
+        let (terrain, climate) = (self.terrain(folder)?, self.climate(folder)?);
+        let state = PlanetState::from_maps(planet, terrain).map_err(|error| {
+            let problem = error.to_string();
+            TextError { line: 0, problem }.in_file(path)
+        })?;
+        Ok(PlanetState { climate, ..state })
+    }
+
+    fn terrain(&self, folder: &Path) -> Result<TerrainMaps, IoError> {
+        let mut maps = TerrainMaps {
+            crust: self.unit.load(&folder.join(&self.elevation))?,
+            age: None,
+            plateau: None,
+            hills: None,
+        };
+        let fields: [(_, _, TerrainField); 3] = [
+            (&self.age, None, |maps| &mut maps.age),
+            (&self.plateaus, Some(SHARE), |maps| &mut maps.plateau),
+            (&self.hills, Some(SHARE), |maps| &mut maps.hills),
+        ];
+        for (file, grey, field) in fields {
+            let Some(file) = file else { continue };
+            let path = folder.join(file);
+            let refused = |error| IoError::map(&path, MapFileError::Map(error));
+            let map = load_map(&path, grey)?;
+            *field(&mut maps) = Some(map.clone());
+            // What was read before is good: it is this file that is refused.
+            maps.check().map_err(refused)?;
+            *field(&mut maps) = Some(reduced(&map).map_err(refused)?);
+        }
+        Ok(maps)
+    }
+
+    fn climate(&self, folder: &Path) -> Result<ClimateMaps, IoError> {
+        let mut maps = ClimateMaps::default();
+        for (file, grey, field) in [
+            (&self.temperature, None, ClimateField::Temperature),
+            (&self.rain, None, ClimateField::Rain),
+            (&self.wetness, Some(SHARE), ClimateField::Wetness),
+        ] {
+            let Some(file) = file else { continue };
+            let path = folder.join(file);
+            maps.set(field, load_map(&path, grey)?);
+            maps.check()
+                .map_err(|error| IoError::map(&path, MapFileError::Map(error)))?;
+        }
+        Ok(maps)
+    }
+}
