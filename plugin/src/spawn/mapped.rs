@@ -26,8 +26,8 @@ impl PlanetState {
     /// use bevy_pangaea::planet::Planet;
     /// use bevy_pangaea::spawn::PlanetState;
     ///
-    /// // Land of 500 m in the north, sea of 4 km in the south.
-    /// let crust = EquirectMap::from_fn(32, |lat, _| if lat > 0.0 { 0.5 } else { -4.0 })?;
+    /// // Land of 500 m in the north, sea of 500 m in the south.
+    /// let crust = EquirectMap::from_fn(32, |lat, _| if lat > 0.0 { 0.5 } else { -0.5 })?;
     /// let maps = TerrainMaps { crust, age: None, plateau: None, hills: None };
     /// let state = PlanetState::from_maps(Planet { radius: 6370.0, seed: 1 }, maps)?;
     /// let land = state.crust.elevation.iter().filter(|&&km| km > 0.0).count();

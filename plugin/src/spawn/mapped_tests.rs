@@ -56,7 +56,10 @@ fn nothing_happens_on_a_planet_of_maps() {
     let planet = state.spawn(app.world_mut());
     run_steps(app.world_mut(), planet, 3);
     let after = capture(app.world(), planet).unwrap();
-    assert_eq!(after.crust.elevation, before.elevation);
+    // To a millimetre: a resample interpolates, and sums of weights are rounded.
+    for (now, then) in after.crust.elevation.iter().zip(&before.elevation) {
+        assert!((now - then).abs() < 1e-6, "{now} {then}");
+    }
     assert_eq!(after.crust.kind, before.kind);
     assert_eq!((after.plates.len(), after.terrain.is_some()), (1, true));
 }
