@@ -144,7 +144,7 @@
 //! - [`io`] has saves, scenarios, maps and figures; [`overlay`] has 21 quantities as colours with
 //!   their legends.
 //! - All components, settings and events that hold plain values are reflected and registered, for
-//!   editors, scenes and scripts. A scene holds a planet's recipe; a save file holds its state.
+//!   editors, scenes, `bsn!` and scripts. A scene holds a planet's recipe; a save file holds its state.
 //!
 //! # Features
 //!

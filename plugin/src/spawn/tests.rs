@@ -9,6 +9,7 @@ use crate::io;
 use crate::planet::{ClockControls, GeologicClock, Planet, PlanetRecipe};
 use crate::plate::{Plate, Plates, Terrane};
 use crate::schedule::run_steps;
+use bevy::ecs::template::FromTemplate;
 use bevy::prelude::*;
 use core::time::Duration;
 
@@ -267,4 +268,20 @@ fn a_recipe_is_spawned_by_its_reflection() {
     let planet = entity.id();
     wait(&mut app, 1, 0);
     assert_eq!(app.world().get::<Planet>(planet).unwrap().seed, 13);
+}
+
+#[test]
+fn a_recipe_is_spawned_by_a_scene_in_code() {
+    let mut app = app();
+    // `bsn!` patches the default of a component's template with the fields that a scene names,
+    // and builds the component of it.
+    let mut template = <PlanetRecipe as FromTemplate>::Template::default();
+    template.seed = 14;
+    template.samples = 500;
+    template.plate_count = 8;
+    let mut entity = app.world_mut().spawn_empty();
+    let built = entity.build_template(&template).unwrap();
+    let planet = entity.insert(built).id();
+    wait(&mut app, 1, 0);
+    assert_eq!(app.world().get::<Planet>(planet).unwrap().seed, 14);
 }
