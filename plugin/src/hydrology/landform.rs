@@ -99,7 +99,7 @@ impl CrustSample {
 
     /// How much of a young belt's relief is left, 0..=1.
     pub(super) fn youth(&self) -> f32 {
-        1.0 - smoothstep(self.age / WORN_AGE_MY)
+        1.0 - worn(self.age)
     }
 
     /// R in km.
@@ -150,6 +150,11 @@ impl CrustSample {
         let foreland = (1.0 - self.folded) * smoothstep((z - 0.25) / 0.5);
         (old + 0.7 * foreland).min(1.0)
     }
+}
+
+/// How far age has worn land that was folded so many My ago, 0..=1; 1 for an infinite age.
+pub(crate) fn worn(age: f32) -> f32 {
+    smoothstep(age / WORN_AGE_MY)
 }
 
 /// Three samples and their weights.

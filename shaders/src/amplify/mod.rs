@@ -68,7 +68,7 @@
 //! | s_h, s_d | `gully_bed`, `gully_distance` | grains |
 //! | φ | [`Vertex::flow`](vertex::Vertex::flow), root of `discharge` | Q16; discharge 2⁻³² of 200,000 m³/s |
 //! | e_r | `valley` | `ValleyShape`, 0..4 |
-//! | C, A, W, P, B | `crust`, `age`, `wetness`, `plateau`, `hills` | grains, 1/64 My, Q16 |
+//! | C, A, W, P, B | `crust`, `worn`, `wetness`, `plateau`, `hills` | grains, Q16 |
 //! | ξ, χ | [`seed::share`] of the vertex's seed | Q16 |
 //! | r, t, l, s, g | [`VertexKind`](control::VertexKind) | |
 //! | 𝓡, 𝓣 | [`EdgeKind`](rules::EdgeKind) | |
