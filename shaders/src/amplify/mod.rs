@@ -23,6 +23,7 @@
 //! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river, nearest gully |
 //! | [`face_split`] | edge, face | the same level | halves, inner edges, children |
 //! | [`carve`] | vertex | itself | final ground and water |
+//! | [`show`] | vertex | itself, view | ground and water that a level shows of it |
 //! | [`emit`] | leaf, triangle | split edges; water | triangles of ground and of water |
 //!
 //! [`step`] runs the passes of one level, [`ground::refine`] all levels of a view. [`local`]
@@ -110,6 +111,8 @@ pub mod vertex_resolve;
 pub mod step;
 
 pub mod carve;
+pub mod show;
+
 pub mod emit;
 
 pub mod ground;
