@@ -14,7 +14,7 @@
 use super::rivers::{RiverEdges, RiverRule};
 use super::topology::Topology;
 use crate::climate::Climate;
-use crate::hydrology::{Drainage, MIN_FALL, NO_VERTEX, ShoreClass, Terrain};
+use crate::hydrology::{Drainage, MIN_FALL, NO_VERTEX, ShoreClass, Terrain, worn};
 use crate::parallel;
 use crate::sphere::SphereMesh;
 use bevy::math::Vec3;
@@ -184,7 +184,7 @@ fn vertex(input: &ControlInput, rivers: &RiverEdges, i: usize) -> ControlVertex 
         crust,
         kind: levels.kind as u8,
         valley: valley_shape(terrain, climate, i) as u8,
-        age: age(terrain.age[i]),
+        worn: q16(worn(terrain.age[i])),
         collision: q16(terrain.collision[i]),
         wetness: q16(climate.wetness[i]),
         plateau: q16(terrain.plateau[i]),
@@ -223,15 +223,10 @@ fn q16(share: f32) -> u16 {
     units.min(u32::from(u16::MAX)) as u16
 }
 
-/// An age in 64ths of a My; `u16::MAX` is kept for "never".
+/// An age in 64ths of a My; the oldest that 16 bits tell, 1024 My, stands for all that is older.
 fn age(my: f32) -> u16 {
-    if my.is_finite() {
-        let units = (my.max(0.0) * AGE_UNITS_PER_MY).round();
-        // The oldest that 16 bits tell, 1024 My, stands for all that is older.
-        units.min(f32::from(u16::MAX - 1)) as u16
-    } else {
-        u16::MAX
-    }
+    let units = (my.max(0.0) * AGE_UNITS_PER_MY).round();
+    units.min(f32::from(u16::MAX)) as u16
 }
 
 /// A unit vector in 32767ths.

@@ -204,9 +204,11 @@ fn valleys_are_shaped_by_ice_plateaus_and_youth() {
 #[test]
 fn units_are_those_of_the_contract() {
     assert_eq!([0.5, 1.0, -1.0, f32::NAN].map(q16), [32_768, 65_535, 0, 0]);
+    assert_eq!([10.0, 5000.0].map(age), [640, u16::MAX]);
+    // Worn by half in half the time; ground that was never folded is like the oldest.
     assert_eq!(
-        [10.0, f32::INFINITY, 5000.0].map(age),
-        [640, u16::MAX, 65_534]
+        [0.0, 100.0, 200.0, f32::INFINITY].map(|my| q16(worn(my))),
+        [0, 32_768, u16::MAX, u16::MAX]
     );
     assert_eq!(unit(Vec3::new(1.0, -1.0, 0.5)), [32_767, -32_767, 16_384]);
     // A quarter of the Amazon has half its flow.

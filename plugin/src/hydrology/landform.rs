@@ -51,6 +51,12 @@ const LOWEST_VALLEY: f32 = 0.4;
 /// Roughness of slopes in km per unit of steepness: the height that they gain within an edge.
 const SLOPE_ROUGHNESS_KM: f32 = 45.0;
 
+/// Level of summits in km from which on ice and landslides take the more the higher they stand.
+const LOWERED_FROM_KM: f32 = 5.0;
+
+/// Level in km that no summit reaches.
+const HIGHEST_SUMMIT_KM: f32 = 9.3;
+
 /// The crust at a vertex.
 #[derive(Clone, Copy, Default)]
 pub(super) struct CrustSample {
@@ -99,7 +105,7 @@ impl CrustSample {
 
     /// How much of a young belt's relief is left, 0..=1.
     pub(super) fn youth(&self) -> f32 {
-        1.0 - smoothstep(self.age / WORN_AGE_MY)
+        1.0 - worn(self.age)
     }
 
     /// R in km.
@@ -110,8 +116,8 @@ impl CrustSample {
         let range = COLLISION_RELIEF_KM - SUBDUCTION_RELIEF_KM;
         let young = SUBDUCTION_RELIEF_KM + range * self.collision;
         // A belt is bounded by its own mean: valleys cannot be cut below the sea.
-        let belt =
-            (WORN_RELIEF_KM + (young - WORN_RELIEF_KM) * self.youth()).min(RELIEF_OF_MEAN * z);
+        let belt = WORN_RELIEF_KM + (young - WORN_RELIEF_KM) * self.youth();
+        let belt = belt.min(RELIEF_OF_MEAN * z.abs());
         let relief = plain + (belt - plain).max(0.0) * self.folded;
         // Under water waves and sediment level the relief: none of it is left 300 m below the sea.
         relief * (1.0 - LEVELLED * plateau) * smoothstep((z + 0.3) / 0.4)
@@ -121,16 +127,19 @@ impl CrustSample {
     /// wind. On slopes it must be stronger, or rivers would run down side by side and never meet.
     pub(super) fn ground(&self, relief: f32, steepness: f32, noise: f32) -> f32 {
         let z = self.elevation;
-        let valleys = if z > 0.0 {
-            (z - RELIEF_BELOW_MEAN * relief).max(LOWEST_VALLEY * z)
-        } else {
-            z
-        };
         // 60 m of noise even on plains, or rivers would run along the triangles; on slopes at most
         // 900 m more.
         let rough = 0.06 + 0.2 * relief + SLOPE_ROUGHNESS_KM * steepness.min(0.02);
         // The deep floor gets its relief from the amplifier alone.
-        valleys + self.noise * noise * rough * smoothstep((z + 1.5) / 1.3)
+        let mean = z + self.noise * noise * rough * smoothstep((z + 1.5) / 1.3);
+        // Shallow floors lie as far above their mean as valleys below theirs, and the noise comes
+        // first: the land keeps its area.
+        let depth = RELIEF_BELOW_MEAN * relief;
+        if mean > 0.0 {
+            (mean - depth).max(LOWEST_VALLEY * mean)
+        } else {
+            (mean + depth).min(LOWEST_VALLEY * mean)
+        }
     }
 
     /// P. Tibet and the Altiplano rise by less than 200 m in 100 km, the flanks of their belts by 1
@@ -150,6 +159,22 @@ impl CrustSample {
         let foreland = (1.0 - self.folded) * smoothstep((z - 0.25) / 0.5);
         (old + 0.7 * foreland).min(1.0)
     }
+}
+
+/// How far age has worn land that was folded so many My ago, 0..=1; 1 for an infinite age.
+pub(crate) fn worn(age: f32) -> f32 {
+    smoothstep(age / WORN_AGE_MY)
+}
+
+/// What ice, landslides and the strength of rock leave of summits that would stand so high, km.
+/// Denudation grows with the height above the snow line, and holds ranges to about that height
+/// whatever lifts them (Brozović et al. 1997; Egholm et al. 2009).
+pub(super) fn lowered_summits(km: f32) -> f32 {
+    let range = HIGHEST_SUMMIT_KM - LOWERED_FROM_KM;
+    let over = ((km - LOWERED_FROM_KM) / range).max(0.0);
+    // Near the identity for low summits: |x| / (1 + x⁴)^¼.
+    let kept = over / (1.0 + over.powi(2).powi(2)).sqrt().sqrt();
+    km.min(LOWERED_FROM_KM) + range * kept
 }
 
 /// Three samples and their weights.
@@ -204,6 +229,39 @@ fn smoothstep(x: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_summit_stands_above_nine_kilometres_and_low_ones_stay() {
+        let heights = (0..200).map(|i| 0.1 * i as f32);
+        for pair in heights.collect::<Vec<_>>().windows(2) {
+            let [low, high] = [pair[0], pair[1]].map(lowered_summits);
+            assert!(low < high && high <= pair[1] && high < 9.3, "{pair:?}");
+        }
+        assert_eq!([0.3, 4.9].map(lowered_summits), [0.3, 4.9]);
+        // As high as the Himalaya without a summit of 12 km.
+        let [high, highest] = [7.0, 12.0].map(lowered_summits);
+        assert!((6.9..7.0).contains(&high) && (9.0..9.3).contains(&highest));
+    }
+
+    #[test]
+    fn the_shore_stays_where_the_crust_has_it() {
+        for age in [10.0, 300.0] {
+            for z in [0.02, 0.1, 0.3] {
+                let ground = [z, -z].map(|z| {
+                    let crust = belt(z, age, 1.0);
+                    crust.ground(crust.relief(0.0), 0.0, 0.0)
+                });
+                assert!(ground[0] > 0.0 && ground[1] < 0.0, "{z} {ground:?}");
+                // Half-way between land and sea of one height and depth.
+                assert!((ground[0] + ground[1]).abs() < 0.3 * z, "{z} {ground:?}");
+            }
+        }
+        let noisy = CrustSample {
+            noise: 1.0,
+            ..belt(-0.02, 300.0, 1.0)
+        };
+        assert!(noisy.ground(0.05, 0.0, 0.9) > 0.0 && noisy.ground(0.05, 0.0, -0.9) < -0.04);
+    }
 
     fn belt(elevation: f32, age: f32, collision: f32) -> CrustSample {
         CrustSample {

@@ -54,6 +54,7 @@ pub use base::{BASE_SPACING, BaseMesh, Transfer};
 pub use coast::ShoreClass;
 pub use drainage::{Drainage, LakeKind};
 pub use flood::{Depression, NO_VERTEX, Routes};
+pub(crate) use landform::worn;
 pub use network::RiverNetwork;
 pub(crate) use profile::MIN_FALL;
 pub use profile::{Lake, NO_LAKE, Profile};

@@ -3,7 +3,7 @@
 //! `landform`.
 
 use super::base::{BaseMesh, Transfer};
-use super::landform::{CrustSample, RELIEF_BELOW_MEAN};
+use super::landform::{CrustSample, RELIEF_BELOW_MEAN, lowered_summits};
 use super::terrain_maps::TerrainMaps;
 use crate::climate::{EARTH_RADIUS, EquirectMap};
 use crate::crust::Surface;
@@ -150,10 +150,14 @@ impl VertexRelief {
         let hills = hills.unwrap_or_else(|| own.hills() * (1.0 - plateau));
         let relief = own.relief(plateau);
         let ground = own.ground(relief, steepness, noise);
+        // The noise may lift the valleys above the mean: summits still rise over them.
+        let summits = own.elevation.max(ground) + (1.0 - RELIEF_BELOW_MEAN) * relief;
+        let lowered = lowered_summits(summits);
+        // Valleys are cut along, and the relief stays; but ground that a user gave is as it is.
+        let ground = ground - own.noise * (summits - lowered);
         Self {
             ground,
-            // The noise may lift the valleys above the mean: summits still rise over them.
-            summits: own.elevation.max(ground) + (1.0 - RELIEF_BELOW_MEAN) * relief,
+            summits: lowered.max(ground),
             plateau,
             hills,
         }

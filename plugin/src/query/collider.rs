@@ -12,6 +12,8 @@ use pangaea_shaders::amplify::carve::{OceanCache, carve};
 use pangaea_shaders::amplify::fixed::{GRAINS, Q16};
 use pangaea_shaders::amplify::ground::{Caps, RefinedGround, refine_faces};
 use pangaea_shaders::amplify::mark::View;
+use pangaea_shaders::amplify::rules::Rules;
+use pangaea_shaders::amplify::show::show;
 use pangaea_shaders::amplify::topology::{Face, SplitMark};
 
 /// Most edges of a level along the side of a collider: two and a half million triangles, or eight
@@ -112,7 +114,7 @@ impl PlanetGround {
         let at = quantised(square.up);
         let height = self.leaf_at(at, level).height_m(at);
         let origin = square.up * (square.radius + height);
-        let mut builder = PatchBuilder::new(refined, square.radius, origin);
+        let mut builder = PatchBuilder::new(refined, self.rules(), square.radius, origin);
         for face in finest.faces.iter().filter(meets) {
             builder.push(face);
         }
@@ -123,6 +125,7 @@ impl PlanetGround {
 /// A patch that grows by faces of a refinement.
 struct PatchBuilder<'a> {
     refined: &'a RefinedGround,
+    rules: &'a Rules,
     radius_m: f64,
     kept: OceanCache,
     /// Number in the patch of every vertex, or `u32::MAX`.
@@ -131,9 +134,10 @@ struct PatchBuilder<'a> {
 }
 
 impl<'a> PatchBuilder<'a> {
-    fn new(refined: &'a RefinedGround, radius_m: f64, origin: DVec3) -> Self {
+    fn new(refined: &'a RefinedGround, rules: &'a Rules, radius_m: f64, origin: DVec3) -> Self {
         Self {
             refined,
+            rules,
             radius_m,
             kept: OceanCache::default(),
             numbers: vec![u32::MAX; refined.vertices.len()],
@@ -159,7 +163,11 @@ impl<'a> PatchBuilder<'a> {
         let number = self.patch.positions.len() as u32;
         self.numbers[v as usize] = number;
         let vertex = &self.refined.vertices[v as usize];
-        let ground = carve(&mut self.kept, &self.refined.scale, vertex).ground;
+        let scale = &self.refined.scale;
+        let carved = carve(&mut self.kept, scale, vertex);
+        // The patch is cut from the finest level of its refinement.
+        let level = self.refined.levels.len() as u32 - 1;
+        let ground = show(scale, self.rules, vertex, carved, level).ground;
         // Rounding lets directions leave the sphere by up to 5 cm.
         let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
         let place = unit * (self.radius_m + f64::from(ground) / f64::from(GRAINS));

@@ -28,8 +28,10 @@ pub struct ControlVertex {
     pub kind: u8,
     /// [`ValleyShape`] as a number.
     pub valley: u8,
-    /// Orogeny age A, 1/64 My; [`u16::MAX`] where no orogeny ever was.
-    pub age: u16,
+    /// How far age has worn the land (A), Q16: 0 right after an orogeny, 1 from 200 My on and where
+    /// none ever was. A share, not an age: it has means, and so land has a middle between a young
+    /// belt and ground without one.
+    pub worn: u16,
     /// Share of continental collision (Himalayan, 1) against subduction (Andean, 0) in the orogeny,
     /// Q16.
     pub collision: u16,

@@ -14,6 +14,7 @@ use super::ground::FINEST;
 use super::lazy::LazyGround;
 use super::locate::{depth, sides};
 use super::rules::Rules;
+use super::show::show;
 use super::vertex::Vertex;
 use core::ops::Deref;
 
@@ -25,7 +26,7 @@ const MOST_KEPT: usize = 200_000;
 pub struct Leaf {
     /// Its corners, counter-clockwise from outside.
     pub vertices: [Vertex; 3],
-    /// Their final ground and water, grains.
+    /// Their ground and water as its level shows them, grains.
     pub carved: [Carved; 3],
     /// Its level.
     pub level: u32,
@@ -124,7 +125,11 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
         });
         let base_face = self.base_face(face, level);
         let scale = self.base().scale;
-        let carved = vertices.map(|v| carve(&mut self.cache, &scale, &v));
+        let rules = self.lazy.rules();
+        let carved = vertices.map(|v| {
+            let own = carve(&mut self.cache, &scale, &v);
+            show(&scale, rules, &v, own, level as u32)
+        });
         Leaf {
             vertices,
             carved,

@@ -6,8 +6,8 @@
 //! neighbours differ by one level at most, and no pass has to spread splits. A split face's
 //! neighbours are its halo: see [`SplitMark::Halo`].
 
-use super::arith::{length, mul_q16};
-use super::fixed::{GRAINS, difference, mul_shift, q16};
+use super::arith::{length, mul_q16, ratio};
+use super::fixed::{GRAINS, Q16, difference, mul_shift, q16};
 use super::scale::PlanetScale;
 use super::topology::{Edge, Face, NONE, SplitMark};
 use super::vertex::Vertex;
@@ -153,6 +153,24 @@ impl View {
             self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1)
         };
         mul_shift(scale.edge, sharpness, 8 + level)
+    }
+
+    /// Level that the view shows at a vertex, Q16: that of the leaves at its distance, evenly from
+    /// one to the next.
+    pub fn shown_level(&self, scale: &PlanetScale, vertex: &Vertex) -> i32 {
+        let finest = self.level as i32 * Q16;
+        let distance = self.distance(scale, [vertex; 3]).max(1) as u32;
+        let sharpness = self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1);
+        // Half a level finer than the split: leaves of two levels meet there.
+        let farthest = mul_shift(scale.edge, sharpness + sharpness / 2, 8) as u32;
+        if distance >= farthest {
+            return 0;
+        }
+        // Levels go by the logarithm of the distance, linear between powers of two.
+        let halvings = (farthest / distance).ilog2();
+        let nearest = (farthest >> halvings) as i32;
+        let share = ratio(2 * (nearest - distance as i32), nearest);
+        (halvings as i32 * Q16 + share).min(finest)
     }
 
     /// Whether a face of a level is split.

@@ -23,6 +23,7 @@
 //! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river, nearest gully |
 //! | [`face_split`] | edge, face | the same level | halves, inner edges, children |
 //! | [`carve`] | vertex | itself | final ground and water |
+//! | [`show`] | vertex | itself, view | ground and water that a level shows of it |
 //! | [`emit`] | leaf, triangle | split edges; water | triangles of ground and of water |
 //!
 //! [`step`] runs the passes of one level, [`ground::refine`] all levels of a view. [`local`]
@@ -68,7 +69,7 @@
 //! | s_h, s_d | `gully_bed`, `gully_distance` | grains |
 //! | φ | [`Vertex::flow`](vertex::Vertex::flow), root of `discharge` | Q16; discharge 2⁻³² of 200,000 m³/s |
 //! | e_r | `valley` | `ValleyShape`, 0..4 |
-//! | C, A, W, P, B | `crust`, `age`, `wetness`, `plateau`, `hills` | grains, 1/64 My, Q16 |
+//! | C, A, W, P, B | `crust`, `worn`, `wetness`, `plateau`, `hills` | grains, Q16 |
 //! | ξ, χ | [`seed::share`] of the vertex's seed | Q16 |
 //! | r, t, l, s, g | [`VertexKind`](control::VertexKind) | |
 //! | 𝓡, 𝓣 | [`EdgeKind`](rules::EdgeKind) | |
@@ -110,6 +111,8 @@ pub mod vertex_resolve;
 pub mod step;
 
 pub mod carve;
+pub mod show;
+
 pub mod emit;
 
 pub mod ground;

@@ -12,9 +12,6 @@ use super::seed::pcg;
 /// A distance that means "nowhere near", grains.
 pub const FAR: i32 = metres(2_000_000);
 
-/// Age of land that no orogeny ever touched, 1/64 My.
-pub const NO_AGE: u16 = u16::MAX;
-
 /// A piece of river. Vertices around it carry it by value, so that their distance to it is a true
 /// one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -107,8 +104,8 @@ pub struct Vertex {
     pub valley: u8,
     /// Whether a river or gully already branches here.
     pub branched: bool,
-    /// Orogeny age A, 1/64 My; [`NO_AGE`] where no orogeny ever was.
-    pub age: u16,
+    /// How far age has worn the land (A), Q16; see [`ControlVertex::worn`].
+    pub worn: u16,
     /// Share of continental collision in the orogeny, Q16.
     pub collision: u16,
     /// Wetness W, Q16.
@@ -158,7 +155,7 @@ impl Vertex {
             level: 0,
             valley: control.valley,
             branched: false,
-            age: control.age,
+            worn: control.worn,
             collision: control.collision,
             wetness: control.wetness,
             plateau: control.plateau,

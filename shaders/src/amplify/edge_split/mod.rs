@@ -133,7 +133,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         level: level as u8 + 1,
         valley: if seed & 1 == 0 { a.valley } else { b.valley },
         branched: false,
-        age: mean(a.age, b.age),
+        worn: mean(a.worn, b.worn),
         collision: mean(a.collision, b.collision),
         wetness: mean(a.wetness, b.wetness),
         plateau: mean(a.plateau, b.plateau),

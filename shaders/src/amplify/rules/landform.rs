@@ -6,11 +6,8 @@
 
 use super::preset::Rules;
 use crate::amplify::arith::{mix, mul_q16, ratio, smoothstep, square};
-use crate::amplify::fixed::{Q16, metres, million_years, q16};
+use crate::amplify::fixed::{Q16, metres, q16};
 use crate::amplify::vertex::Vertex;
-
-/// Age from which on an orogeny is old, 1/64 My.
-const OLD_AGE: i32 = million_years(200);
 
 /// Wetness below which land is fully dry, and above which not at all (release).
 const DRY_WETNESS: [i32; 2] = [q16(0.15), q16(0.45)];
@@ -44,19 +41,13 @@ impl Landform {
     /// Character of the land at a vertex.
     pub fn of(rules: &Rules, vertex: &Vertex) -> Self {
         let dry = dryness(vertex.wetness);
-        let old = worn(vertex) + mul_q16(dry, AGE_OF_DRYNESS);
+        let old = i32::from(vertex.worn) + mul_q16(dry, AGE_OF_DRYNESS);
         Self {
             old: old.min(Q16),
             dry,
             steep: steepness(rules, vertex),
         }
     }
-}
-
-/// How far age has worn the land, 0 for a young orogeny, 1 from 200 My on; Q16.
-#[inline]
-pub const fn worn(vertex: &Vertex) -> i32 {
-    smoothstep(0, OLD_AGE, vertex.age as i32)
 }
 
 /// Tangent of the land's slopes, Q16.
@@ -69,7 +60,7 @@ pub fn steepness(rules: &Rules, vertex: &Vertex) -> i32 {
         rules.steep_collision,
         i32::from(vertex.collision),
     );
-    let steep = mix(young, rules.steep_old, worn(vertex));
+    let steep = mix(young, rules.steep_old, i32::from(vertex.worn));
     // Low land has little to cut; a plateau keeps half its steepness, in the valleys that cut it.
     let crust = vertex.crust.max(0);
     let relief = square(ratio(crust, crust + HALF_RELIEF_CRUST));

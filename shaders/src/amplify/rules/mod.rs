@@ -13,6 +13,7 @@ pub mod nodes;
 pub mod noise;
 pub mod preset;
 
+pub mod coarse;
 pub mod coast;
 pub mod crest;
 pub mod fine;

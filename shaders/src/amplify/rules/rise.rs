@@ -16,7 +16,7 @@
 //!
 //! The numbers are chosen so that slopes and spectra are those of real relief.
 
-use super::landform::{steepness, worn};
+use super::landform::steepness;
 use super::preset::Rules;
 use super::{FACE_LEVEL, fine};
 use crate::amplify::arith::{mix, mul_q16, ordered, ratio};
@@ -101,7 +101,7 @@ fn gain(context: &EdgeContext, high: i32, bulge: i32) -> i32 {
     // Summits reach the crust elevation C and no more.
     let room = (new.crust - high).max(0);
     let free = mul_q16(
-        mul_q16(bulge, fading(context.level, worn(new))),
+        mul_q16(bulge, fading(context.level, i32::from(new.worn))),
         DRAWN_BULGE[0] + mul_q16(xi, DRAWN_BULGE[1]),
     );
     // Saturates, half-way there where the two are equal, so that summits stay apart.

@@ -65,7 +65,7 @@ fn vertex(p: UnitVector, seed: u32, planet: u32) -> ControlVertex {
         crust,
         kind: kind as u8,
         valley: (draw(seed, 4) & 3) as u8,
-        age: (share(planet, 77) + (p[0] * 3000.0) as i32).clamp(0, 60_000) as u16,
+        worn: unorm16(f64::from(share(planet, 77)) / 12_800.0 + p[0] / 4.0),
         collision: unorm16(p[1]),
         wetness: unorm16(0.5 + p[2]),
         plateau: unorm16(p[0] * p[1]),

@@ -52,7 +52,7 @@ fn extreme(vertex: ControlVertex, seed: u32) -> ControlVertex {
         crust: signed(5),
         kind: kind as u8,
         valley: draw(seed, 6) as u8,
-        age: unsigned(7),
+        worn: unsigned(7),
         collision: unsigned(8),
         wetness: unsigned(9),
         plateau: unsigned(10),

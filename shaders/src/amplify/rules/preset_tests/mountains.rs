@@ -24,7 +24,7 @@ impl RealLand {
     fn of(edge: &RealEdge) -> Self {
         let maps = edge.ends[0];
         let dry = 1.0 - smoothstep(0.15, 0.45, f64::from(maps.wetness) / 65_536.0);
-        let worn = smoothstep(0.0, 200.0, f64::from(maps.age) / 64.0);
+        let worn = f64::from(maps.worn) / 65_536.0;
         let high = (edge.crust() / m(5_000.0)).clamp(0.0, 1.0);
         let fading = smoothstep(0.0, 6.0 + 3.0 * (1.0 - high), f64::from(edge.level));
         Self {
@@ -137,7 +137,7 @@ fn open_ground_is_the_closed_form() {
 fn young_mountains_differ_between_print_and_release() {
     for seed in 0..1_000 {
         let [a, b] = pair(seed, [Terrain, Terrain]).map(|v| Vertex {
-            age: 0,
+            worn: 0,
             wetness: u16::MAX,
             plateau: u16::MAX,
             hills: 0,
