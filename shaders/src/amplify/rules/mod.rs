@@ -88,6 +88,7 @@ pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGrou
     }
     match (a, b) {
         (Sea, _) | (_, Sea) | (Coast, Coast) => coast::halve(rules, context),
+        (Coast, _) | (_, Coast) if rules.landforms => coast::halve(rules, context),
         (Lake, Lake) => lake::between(rules, context),
         (River | Lake, River | Lake) => crest::between_rivers(rules, context),
         (River | Lake, _) | (_, River | Lake) => {
