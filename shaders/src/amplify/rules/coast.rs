@@ -64,6 +64,13 @@ const FLOOR_SPREAD: i32 = q16(0.5);
 /// The sea floor sways by this share of the edge's length from one side to the other.
 const FLOOR_SWAY: i32 = q16(0.008);
 
+/// Whether an edge has an end in the sea or at the shore.
+pub fn is_shore(a: VertexKind, b: VertexKind) -> bool {
+    [a, b]
+        .iter()
+        .any(|kind| matches!(kind, VertexKind::Sea | VertexKind::Coast))
+}
+
 /// The vertex of an edge with an end in the sea, or at the shore.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
     use VertexKind::{Coast, Sea};
