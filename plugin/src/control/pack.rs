@@ -5,8 +5,8 @@
 //! | terrain | ground, as drainage left it | = height | = height |
 //! | river | level of the water | level less depth | level |
 //! | lake | = bed | floor | level, the same all over the lake |
-//! | coast | 0 | = height | = height |
-//! | mouth: a river on the coast | 0 | less the depth | 0 |
+//! | coast | ground, on either side of 0 | = height | = height, at least 0 |
+//! | mouth: a river on the coast | 0 | less the depth, or the ground if the sea covers it | 0 |
 //! | sea | sea floor | = height | 0 |
 //!
 //! Along river edges water never rises, and beds fall strictly.
@@ -14,7 +14,7 @@
 use super::rivers::{RiverEdges, RiverRule};
 use super::topology::Topology;
 use crate::climate::Climate;
-use crate::hydrology::{Drainage, MIN_FALL, NO_VERTEX, ShoreClass, Terrain, worn};
+use crate::hydrology::{Drainage, MIN_FALL, NO_VERTEX, ShoreClass, Terrain, ground_of_coast, worn};
 use crate::parallel;
 use crate::sphere::SphereMesh;
 use bevy::math::Vec3;
@@ -102,7 +102,8 @@ struct Levels {
 }
 
 impl Levels {
-    fn new(drainage: &Drainage, rivers: &RiverEdges, i: usize) -> Self {
+    fn new(input: &ControlInput, rivers: &RiverEdges, i: usize) -> Self {
+        let drainage = input.drainage;
         let bed = drainage.profile.bed[i];
         let level = drainage.profile.level[i];
         let discharge = drainage.earth_like_discharge(i);
@@ -111,11 +112,11 @@ impl Levels {
             ShoreClass::Coast if rivers.is_river[i] => Self {
                 kind: VertexKind::River,
                 height: 0,
-                bed,
+                bed: bed.min(Self::drowned_bed(input, rivers, i)),
                 water: 0,
                 discharge,
             },
-            ShoreClass::Coast => Self::dry(VertexKind::Coast, 0),
+            ShoreClass::Coast => Self::coast(coast_ground(input, i)),
             ShoreClass::Land if drainage.is_lake(i) => Self {
                 kind: VertexKind::Lake,
                 height: bed,
@@ -144,6 +145,25 @@ impl Levels {
         }
     }
 
+    /// Ground at the shore, which the sea covers where it lies below 0.
+    fn coast(height: i32) -> Self {
+        Self {
+            water: height.max(0),
+            ..Self::dry(VertexKind::Coast, height)
+        }
+    }
+
+    /// The ground of a mouth as the bed of its river, which falls on into the sea: where it lies
+    /// below 0 the valley is drowned as far inland as the bed does.
+    fn drowned_bed(input: &ControlInput, rivers: &RiverEdges, i: usize) -> i32 {
+        let next = rivers.next[i];
+        if next == NO_VERTEX {
+            return 0;
+        }
+        let floor = Self::sea_floor(input.drainage, rivers, next as usize).bed;
+        coast_ground(input, i).max(floor + MIN_FALL)
+    }
+
     /// The floor of the sea, under the beds of the rivers that end there.
     fn sea_floor(drainage: &Drainage, rivers: &RiverEdges, i: usize) -> Self {
         // Beds fall on into the sea; where no river ends this is far above any floor.
@@ -159,15 +179,18 @@ impl Levels {
     }
 }
 
+fn coast_ground(input: &ControlInput, i: usize) -> i32 {
+    ground_of_coast(input.mesh, &input.drainage.shore, &input.terrain.ground, i)
+}
+
 fn vertex(input: &ControlInput, rivers: &RiverEdges, i: usize) -> ControlVertex {
     let ControlInput {
         topology,
         terrain,
         climate,
-        drainage,
         ..
     } = *input;
-    let levels = Levels::new(drainage, rivers, i);
+    let levels = Levels::new(input, rivers, i);
     // Summits stand over the ground; under the sea there are none.
     let crust = if levels.kind == VertexKind::Sea {
         levels.height

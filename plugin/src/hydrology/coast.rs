@@ -1,9 +1,12 @@
 //! Sea, coast and land, such that no edge joins land and sea (paper 002 §4, Fig. 5d).
 //!
-//! A coast vertex stands at sea level between them: there rivers end, and estuaries have room. Of
-//! the two ends of an edge between land and sea the one nearer to sea level becomes coast, so that
-//! the land keeps its area in the mean. Hinterland is land with land all around it; land that does
-//! not touch any stays land, or islands would vanish.
+//! A coast vertex lies between them: there rivers end, and estuaries have room. Of the two ends of
+//! an edge between land and sea the one nearer to sea level becomes coast, so that the land keeps
+//! its area in the mean. Hinterland is land with land all around it; land that does not touch any
+//! stays land, or islands would vanish.
+//!
+//! For drainage a coast lies at sea level. The ground keeps its height ([`ground_of_coast`]): the
+//! shore is where the ground crosses sea level, up to half an edge from the coast on either side.
 //!
 //! Policy. *Sea* is a connected body below 0 of at least [`SEA_SHARE`] of the planet, or the
 //! largest body if all are smaller; a smaller one is land below sea level, and drainage decides
@@ -59,6 +62,21 @@ pub(super) fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<ShoreClas
         }
     }
     shore
+}
+
+/// Height of the ground at coast vertex `i`, grains: that of the terrain. An islet without
+/// hinterland beside a deep sea reaches half of the way to its coast, whatever the depth.
+pub(crate) fn ground_of_coast(
+    mesh: &SphereMesh,
+    shore: &[ShoreClass],
+    terrain: &[i32],
+    i: usize,
+) -> i32 {
+    let land = mesh.ring(i as u32).iter().map(|&j| j as usize);
+    let heights = land
+        .filter(|&j| shore[j] == ShoreClass::Land)
+        .map(|j| terrain[j]);
+    terrain[i].max(-heights.max().unwrap_or(0).max(0))
 }
 
 /// Whether a condition holds at some neighbour of vertex `i`.

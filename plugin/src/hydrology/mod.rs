@@ -52,6 +52,7 @@ mod stats;
 
 pub use base::{BASE_SPACING, BaseMesh, Transfer};
 pub use coast::ShoreClass;
+pub(crate) use coast::ground_of_coast;
 pub use drainage::{Drainage, LakeKind};
 pub use flood::{Depression, NO_VERTEX, Routes};
 pub(crate) use landform::worn;

@@ -194,6 +194,9 @@ pub struct EdgeContext<'a> {
     /// Height of the flat face where the new vertex lies, grains: the mean of the ends, but for the
     /// sideways displacement.
     pub face: i32,
+    /// Lowest and highest ground of the corners of the faces beside the edge, grains; of its ends
+    /// alone on levels that know no faces.
+    pub range: [i32; 2],
     /// Length of the edge, grains.
     pub length: i32,
     /// Mean length of the edges of its level, grains.

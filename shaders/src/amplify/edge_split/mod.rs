@@ -41,6 +41,7 @@ pub fn split(
         b,
         new: &new,
         face: placed.face,
+        range: range(ends, opposite),
         length,
         span: scale.edge_grains(level),
         level,
@@ -57,6 +58,15 @@ pub fn split(
     };
     settle_water(edge.kind, &mut new, a, b);
     new
+}
+
+/// Lowest and highest ground of an edge's ends and of the corners beyond it.
+fn range([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> [i32; 2] {
+    let mut range = [a.height.min(b.height), a.height.max(b.height)];
+    for corner in opposite.into_iter().flatten() {
+        range = [range[0].min(corner.height), range[1].max(corner.height)];
+    }
+    range
 }
 
 /// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then.

@@ -84,11 +84,14 @@ pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGrou
     let (a, b) = (context.a.kind, context.b.kind);
     match edge {
         EdgeKind::River => return river::halve(rules, context),
+        // Into the sea a gully of ours runs no farther than the shore.
+        EdgeKind::Gully if rules.landforms && coast::is_shore(a, b) => {}
         EdgeKind::Gully => return gully::along(rules, context),
         EdgeKind::Terrain => {}
     }
     match (a, b) {
         (Sea, _) | (_, Sea) | (Coast, Coast) => coast::halve(rules, context),
+        _ if rules.landforms && coast::is_shore(a, b) => coast::halve(rules, context),
         (Lake, Lake) => lake::between(rules, context),
         (River | Lake, River | Lake) => crest::between_rivers(rules, context),
         (River | Lake, _) | (_, River | Lake) => {

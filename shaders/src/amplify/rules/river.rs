@@ -55,7 +55,13 @@ fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
         Q16 / 2
     };
     let bed = descend(up.bed, down.bed, share_of_fall);
-    river(bed, descend(up.water, down.water, share_of_fall))
+    let water = descend(up.water, down.water, share_of_fall);
+    if rules.landforms && down.water == 0 {
+        // The sea stands in a drowned valley as far inland as the bed lies below it.
+        let level = bed + (up.water - up.bed).max(0);
+        return river(bed, water.min(level.max(0)));
+    }
+    river(bed, water)
 }
 
 /// A height that falls from `up` to `down`, strictly between the two where they are two grains

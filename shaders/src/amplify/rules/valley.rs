@@ -147,7 +147,7 @@ pub fn carve(cache: &mut ocean::OceanCache, vertex: &Vertex, edge: i32) -> Carve
             ground: vertex.bed,
             water: vertex.water.max(vertex.bed),
         },
-        VertexKind::Sea => {
+        _ if is_under_sea(vertex) => {
             // Relief that would emerge is held under the sea by its own bounds.
             let ground = vertex.height + ocean::relief(cache, vertex, edge);
             Carved {
@@ -158,6 +158,11 @@ pub fn carve(cache: &mut ocean::OceanCache, vertex: &Vertex, edge: i32) -> Carve
         _ if vertex.river_distance >= FAR => dry(vertex.height),
         _ => beside(vertex, edge),
     }
+}
+
+/// Whether the sea covers a vertex: coasts of ours stand at any height.
+fn is_under_sea(vertex: &Vertex) -> bool {
+    vertex.kind == VertexKind::Sea || vertex.kind == VertexKind::Coast && vertex.height < 0
 }
 
 /// Dry ground.

@@ -9,7 +9,7 @@
 pub mod phasor;
 
 use super::noise::{CornerCache, fbm};
-use crate::amplify::arith::{mul_q16, ratio, saturate, smoothstep, square};
+use crate::amplify::arith::{length, mul_q16, ratio, saturate, smoothstep, square};
 use crate::amplify::fixed::{ONE, Q16, metres, million_years, q16};
 use crate::amplify::vertex::Vertex;
 use phasor::{PacketCache, StripeNoise};
@@ -59,6 +59,10 @@ const FAULT_DEPTH: i32 = metres(900);
 
 /// Agreement of the packets at which faults set in, and at which they are full.
 const FAULT_PRESENCE: [i32; 2] = [q16(0.15), q16(0.7)];
+
+/// Length of the mean ridge direction at which faults and hills set in, and at which they are full:
+/// where the directions that it is the mean of are 80° apart, and where they are 40°.
+const AGREEMENT: [i32; 2] = [q16(0.77), q16(0.94)];
 
 /// Mean height of abyssal hills over the mean floor, grains.
 const HILL_HEIGHT: i32 = metres(180);
@@ -115,6 +119,16 @@ pub fn relief(cache: &mut OceanCache, vertex: &Vertex, edge: i32) -> i32 {
     mul_q16(offset, smoothstep(0, FULL_RELIEF_DEPTH, depth)).min(depth / 2)
 }
 
+/// The ridge's direction, of unit length, and how far the directions around agree, 0..1 in Q16. Mean
+/// directions of places that disagree are short, and have no direction where they are opposed.
+fn ridge(vertex: &Vertex) -> ([i16; 3], i32) {
+    let [x, y, z] = vertex.ridge.map(i32::from);
+    let size = length(x, y, z).max(1);
+    let unit = [x, y, z].map(|c| (c * 32_767 / size).clamp(-32_767, 32_767) as i16);
+    let [none, full] = AGREEMENT;
+    (unit, smoothstep(none, full, 2 * size))
+}
+
 /// Transform faults and abyssal hills, grains; `uneven` is the hills' height relative to the mean,
 /// Q16.
 fn ridge_relief(cache: &mut OceanCache, vertex: &Vertex, uneven: i32) -> i32 {
@@ -124,14 +138,18 @@ fn ridge_relief(cache: &mut OceanCache, vertex: &Vertex, uneven: i32) -> i32 {
     // Hyperbolic in the age: sediment buries quickly first, then ever more slowly.
     let young = ratio(HALF_AGE, HALF_AGE + i32::from(vertex.ocean_age));
     let unburied = UNBURIED.map(|least| least + mul_q16(young, Q16 - least));
-    let faults = mul_q16(faults(&mut cache.faults, vertex), unburied[0]);
-    let hills = mul_q16(hills(&mut cache.hills, vertex, uneven), unburied[1]);
-    mul_q16(faults + hills, i32::from(vertex.oceanic))
+    let (ridge, agreement) = ridge(vertex);
+    let faults = mul_q16(faults(&mut cache.faults, vertex, ridge), unburied[0]);
+    let hills = mul_q16(hills(&mut cache.hills, vertex, ridge, uneven), unburied[1]);
+    mul_q16(
+        mul_q16(faults + hills, agreement),
+        i32::from(vertex.oceanic),
+    )
 }
 
 /// Transform faults before sediment, grains: sharp troughs.
-fn faults(cache: &mut PacketCache, vertex: &Vertex) -> i32 {
-    let stripes = FAULTS.at(cache, vertex.direction, vertex.ridge);
+fn faults(cache: &mut PacketCache, vertex: &Vertex, ridge: [i16; 3]) -> i32 {
+    let stripes = FAULTS.at(cache, vertex.direction, ridge);
     // ((1 - cos) / 2)⁴ is a trough where the cosine is -1.
     let trough = square(square((Q16 - stripes.cosine) / 2));
     let [onset, full] = FAULT_PRESENCE;
@@ -141,17 +159,17 @@ fn faults(cache: &mut PacketCache, vertex: &Vertex) -> i32 {
 }
 
 /// Abyssal hills before sediment, grains: waves along the ridge.
-fn hills(cache: &mut PacketCache, vertex: &Vertex, uneven: i32) -> i32 {
-    let stripes = HILLS.at(cache, vertex.direction, spreading(vertex));
+fn hills(cache: &mut PacketCache, vertex: &Vertex, ridge: [i16; 3], uneven: i32) -> i32 {
+    let stripes = HILLS.at(cache, vertex.direction, spreading(vertex, ridge));
     let wave = mul_q16(mul_q16(HILL_HEIGHT, uneven), stripes.cosine);
     mul_q16(wave, stripes.presence)
 }
 
 /// Direction of spreading: perpendicular to the ridge, along the ground; components times 32767.
-fn spreading(vertex: &Vertex) -> [i16; 3] {
+fn spreading(vertex: &Vertex, ridge: [i16; 3]) -> [i16; 3] {
     // 15 bits of each, so that their products fit 32.
     let n = vertex.direction.map(|c| c >> 16);
-    let r = vertex.ridge.map(i32::from);
+    let r = ridge.map(i32::from);
     [(1, 2), (2, 0), (0, 1)].map(|(a, b)| {
         let cross = (n[a] * r[b] - n[b] * r[a]) / (ONE >> 16);
         cross.clamp(-32_767, 32_767) as i16
