@@ -13,9 +13,12 @@ pub mod nodes;
 pub mod noise;
 pub mod preset;
 
+pub mod ocean;
+
 pub mod coast;
 pub mod crest;
 pub mod fine;
+pub mod fold;
 pub mod gully;
 pub mod lake;
 pub mod landform;
@@ -25,7 +28,6 @@ pub mod shift;
 pub mod slope;
 pub mod terrain;
 
-pub mod ocean;
 pub mod valley;
 
 use super::control::VertexKind;
