@@ -8,12 +8,16 @@ use crate::climate::Winds;
 use crate::noise::Noise;
 use crate::parallel;
 use crate::random::Purpose;
-use crate::sphere::{SphereError, SphereMesh, poisson_disk};
+use crate::sphere::{SphereError, SphereMesh, poisson_disk, relaxed};
 use bevy::reflect::Reflect;
 
 /// Smallest distance of vertices in radians that gives edges of 52 km in the mean on an Earth-sized
 /// planet (paper 002 §4).
 pub const BASE_SPACING: f64 = 0.005_83;
+
+/// Steps of relaxation. Halving hands the shape of a triangle on to all that are made within it, so
+/// that an obtuse one would show as streaks down to the finest ground.
+const RELAXATION_STEPS: u32 = 3;
 
 /// Frequency in periods per radian of the relief between samples: 150 km on Earth, the distance of
 /// samples of the crust.
@@ -52,7 +56,8 @@ impl BaseMesh {
     /// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
     /// ```
     pub fn new(seed: u64, spacing: f64) -> Result<Self, SphereError> {
-        let mesh = SphereMesh::from_points(poisson_disk(seed, spacing))?;
+        let random = SphereMesh::from_points(poisson_disk(seed, spacing))?;
+        let mesh = SphereMesh::from_points(relaxed(&random, RELAXATION_STEPS))?;
         let winds = Winds::new(&mesh);
         let noise = Noise::new(seed, Purpose::BaseRelief, 0);
         let noise = parallel::map(mesh.len(), |i| {

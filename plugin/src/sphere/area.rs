@@ -45,7 +45,7 @@ fn cell_area(points: &[DVec3], ring: &[u32], site: DVec3) -> f64 {
 }
 
 /// Centre of the circle through three points, counter-clockwise seen from outside.
-fn circumcentre(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
+pub(super) fn circumcentre(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
     let normal = (b - a).cross(c - a);
     // Nearly coincident points give a very short normal, whose square must not underflow.
     let scaled = normal / normal.abs().max_element();

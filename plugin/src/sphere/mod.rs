@@ -12,6 +12,7 @@
 //! area            spherical Voronoi cells
 //! nearest         nearest sample of a direction: a cube-map grid, then a walk over neighbours
 //! mesh            the SphereMesh that holds them all
+//! relaxation      points moved to the centres of their cells, for the base mesh
 //! locate          containing triangle and barycentric weights of a direction
 //! components      connected components of samples
 //! gradient        gradient and Laplacian of a column
@@ -37,6 +38,7 @@ mod mesh;
 mod nearest;
 pub mod nearest_source;
 mod poisson;
+mod relaxation;
 mod rings;
 pub(crate) mod rows;
 mod sampling;
@@ -46,6 +48,7 @@ pub(crate) use chord::{angle_of_chord, angle_of_long_chord};
 pub use locate::Location;
 pub use mesh::SphereMesh;
 pub use poisson::poisson_disk;
+pub use relaxation::relaxed;
 
 /// Why a [`SphereMesh`] could not be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, bevy::reflect::Reflect, thiserror::Error)]

@@ -15,9 +15,9 @@ use super::vertex::Vertex;
 /// Least and greatest [`View::sharpness`] that keep neighbours within a level: 6 and 250, Q8.
 pub const SHARPNESS: (u32, u32) = (6 << 8, 250 << 8);
 
-/// Sharpness of a disc's finest level, 1.5 in Q8: nothing finer follows, so it needs no margin but
-/// a face's own size.
-const RIM_SHARPNESS: u32 = 3 << 7;
+/// Sharpness of a disc's finest level, 3 in Q8: nothing finer follows, so it needs no margin but a
+/// face's own size.
+const RIM_SHARPNESS: u32 = 3 << 8;
 
 /// Grains in a sixteenth of a metre.
 const GRAINS_IN_SIXTEENTH: i32 = GRAINS / 16;

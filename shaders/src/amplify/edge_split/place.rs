@@ -1,5 +1,11 @@
 //! The place of a new vertex: the middle of its edge, moved sideways (paper 002 §5.2, "Horizontal
 //! displacement").
+//!
+//! Halving is affine: a thin face would hand its shape on to all faces that are made within it, and
+//! crests and drains, which follow edges, would lie in streaks. So ours moves a new vertex on the
+//! ground from the middle of its edge towards the corners beside it, as Loop's subdivision does
+//! with its vertices, (3a + 3b + x + y) / 8 (Loop 1987, "Smooth subdivision surfaces based on
+//! triangles"): the shape of a face becomes the mean of those around it. The draw comes on top.
 
 use super::STRAIGHT_LEVEL;
 use crate::amplify::arith::{linear_step, ratio};
@@ -20,6 +26,10 @@ const MOST_END_LOSS: i32 = q16(0.15666);
 /// Height of a triangle over its edge, as a share of the edge's length, Q12: up to the first number
 /// nothing is displaced, from the second on all.
 const FLATNESS: [i32; 2] = [Q12 / 6, Q12 / 2];
+
+/// Height over its edge of the lower triangle beside it, Q12: up to the first number a vertex is not
+/// moved towards Loop's place, from the second on all the way.
+const CENTRED: [i32; 2] = [Q12 / 6, Q12 / 3];
 
 /// A place, and the height of the flat face there.
 pub(super) struct Placed {
@@ -45,8 +55,10 @@ pub(super) fn place(
         let shift = shift(rules, kind, ends.map(|v| v.kind), level, new);
         // Towards the corner x, away from the corner y.
         let corners = if shift.second { [y, x] } else { [x, y] };
-        if shift.weight > 0 {
-            return displaced(&shift, ends, corners);
+        // Rivers keep the course that their rule draws.
+        let is_centred = rules.landforms && kind != EdgeKind::River;
+        if shift.weight > 0 || is_centred {
+            return displaced(&shift, is_centred, ends, corners);
         }
     }
     middle(new.seed, ends)
@@ -66,32 +78,86 @@ fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
 }
 
 /// A place moved towards the first of the two corners opposite to the edge.
-fn displaced(shift: &Shift, [a, b]: [&Vertex; 2], [x, y]: [&Vertex; 2]) -> Placed {
+fn displaced(
+    shift: &Shift,
+    is_centred: bool,
+    [a, b]: [&Vertex; 2],
+    [x, y]: [&Vertex; 2],
+) -> Placed {
     let [ab, ax, ay] = [b, x, y].map(|v| difference(v.direction, a.direction));
-    let [wb, wx] = weights(shift, [ax, ay].map(|corner| Stance::of(ab, corner)));
+    let stances = [ax, ay].map(|corner| Stance::of(ab, corner));
+    let mut pull = drawn(shift, stances);
+    if is_centred {
+        pull = centred(pull, stances);
+    }
+    let (ax, x, stances) = if pull.is_turned {
+        (ay, y, [stances[1], stances[0]])
+    } else {
+        (ax, x, stances)
+    };
+    let [wb, wx] = weights(pull, stances);
     Placed {
         direction: blend(a.direction, ab, ax, wb, wx),
         face: a.height + weigh(wb, b.height - a.height) + weigh(wx, x.height - a.height),
     }
 }
 
-/// Shares of the edge's end and of the corner `x` that the new vertex is drawn to; that of the
-/// start is the rest.
-///
-/// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least
-/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges'
-/// vertices do within such bounds, all four children of a face keep at least 0.045 of its area
-/// (least determinant over the corners of the bounds): none turns over.
-fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
+/// How far a new vertex is drawn from the middle of its edge; shares in Q16.
+#[derive(Clone, Copy, Debug)]
+struct Pull {
+    /// Whether the corner is the second of the two beside the edge.
+    is_turned: bool,
+    /// Towards the edge's second end.
+    towards_b: i32,
+    /// Towards the corner, at least 0.
+    to_corner: i32,
+}
+
+/// The drawn displacement, towards the corner `x`.
+fn drawn(shift: &Shift, [x, y]: [Stance; 2]) -> Pull {
     // Flat triangles would get flatter.
     let low = x.height.min(y.height);
     let weight = weigh(shift.weight, linear_step(FLATNESS[0], FLATNESS[1], low));
     let third = shift.inward / 3;
     // The barycentre lies a third of the way to the corner.
-    let wx = weigh(weight, third);
+    let to_corner = weigh(weight, third);
     let along = weigh(Q16 - shift.inward, shift.along) + third;
-    // A corner that leans over an end of the edge draws upwards only, not along.
-    let towards_b = weigh(weight, along - Q16 / 2) - q12(wx, x.overhang());
+    Pull {
+        is_turned: false,
+        // A corner that leans over an end of the edge draws upwards only, not along.
+        towards_b: weigh(weight, along - Q16 / 2) - q12(to_corner, x.overhang()),
+        to_corner,
+    }
+}
+
+/// A displacement with that to Loop's place added: an eighth of the sum of the corners' offsets
+/// from the middle.
+fn centred(drawn: Pull, [x, y]: [Stance; 2]) -> Pull {
+    let low = x.height.min(y.height);
+    let eighth = linear_step(CENTRED[0], CENTRED[1], low) / 8;
+    // Lengths of the edge, Q16: along it, and over it towards x.
+    let along =
+        drawn.towards_b + q12(drawn.to_corner, x.along) + q12(eighth, x.along + y.along - Q12);
+    let up = q12(drawn.to_corner, x.height) + q12(eighth, x.height - y.height);
+    let is_turned = up < 0;
+    let corner = if is_turned { y } else { x };
+    let to_corner = (up.abs() << 12) / corner.height;
+    Pull {
+        is_turned,
+        towards_b: along - q12(to_corner, corner.along),
+        to_corner,
+    }
+}
+
+/// Shares of the edge's end and of the corner `x` that the new vertex is drawn to; that of the
+/// start is the rest. `y` is the corner on the other side.
+///
+/// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least
+/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges'
+/// vertices do within such bounds, all four children of a face keep at least 0.045 of its area
+/// (least determinant over the corners of the bounds): none turns over.
+fn weights(pull: Pull, [x, y]: [Stance; 2]) -> [i32; 2] {
+    let [towards_b, wx] = [pull.towards_b, pull.to_corner];
     // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
     let owed = wx * (x.height >> 3) / (y.height >> 3).max(1);
     let in_beyond = towards_b + q12(wx, x.along) + q12(owed, y.along);
@@ -173,6 +239,31 @@ mod tests {
         assert!(least > 0.045, "{least}");
     }
 
+    #[test]
+    fn without_a_draw_a_vertex_lies_at_the_place_that_loop_gives_it() {
+        // In lengths of the edge: a corner stands 1.2 high over 0.3, the other 0.7 over 0.6.
+        let stance = |along: f64, height: f64| Stance {
+            along: (along * 4096.0) as i32,
+            height: (height * 4096.0) as i32,
+        };
+        let [x, y] = [stance(0.3, 1.2), stance(0.6, 0.7)];
+        let still = Pull {
+            is_turned: false,
+            towards_b: 0,
+            to_corner: 0,
+        };
+        for (corners, is_turned) in [([x, y], false), ([y, x], true)] {
+            let pull = centred(still, corners);
+            assert_eq!(pull.is_turned, is_turned);
+            let [wb, wx] = weights(pull, [x, y]).map(|w| f64::from(w) / 65_536.0);
+            // (3a + 3b + x + y) / 8 with a = (0, 0), b = (1, 0), y below the edge.
+            let wanted = [(3.0 + 0.3 + 0.6) / 8.0, (1.2 - 0.7) / 8.0];
+            for (got, wanted) in [wb + 0.3 * wx, 1.2 * wx].into_iter().zip(wanted) {
+                assert!((got - wanted).abs() < 1e-3, "{got} {wanted}");
+            }
+        }
+    }
+
     fn random(k: u32, i: u32, range: Range<i32>) -> i32 {
         range.start + (pcg(pcg(k) ^ i) % range.len() as u32) as i32
     }
@@ -193,7 +284,12 @@ mod tests {
                 along: random(k, i, -8192..12_288),
                 height: random(k, i + 1, 300..12_288),
             });
-            let [wb, wx] = weights(&random_shift(k), [x, y]).map(|w| f64::from(w) / 65_536.0);
+            let mut pull = drawn(&random_shift(k), [x, y]);
+            if k % 4 > 0 {
+                pull = centred(pull, [x, y]);
+            }
+            let [x, y] = if pull.is_turned { [y, x] } else { [x, y] };
+            let [wb, wx] = weights(pull, [x, y]).map(|w| f64::from(w) / 65_536.0);
             let real = |v: i32| f64::from(v) / 4096.0;
             // In the face beyond: x = s·a + t·b - ρ·y.
             let ratio = real(x.height) / real(y.height);

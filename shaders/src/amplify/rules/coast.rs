@@ -10,7 +10,6 @@
 //! beyond their reach it is land or sea, and stays so. Print and release know coasts at 0 only.
 
 use super::VertexGround;
-use super::landform::worn;
 use super::noise::{CornerCache, gradient};
 use super::preset::Rules;
 use crate::amplify::arith::{mix, mul_q16, ordered, ratio, smoothstep, square};
@@ -200,7 +199,7 @@ fn octaves(level: u32, vertex: &Vertex) -> i32 {
 fn most_move(context: &EdgeContext, relief: &Relief) -> i32 {
     let level = context.level.min(16) as i32;
     let plain = (PLAIN_MOVE[0] - level * PLAIN_MOVE[1]).max(LEAST_MOVE);
-    let young = mul_q16(Q16 - worn(context.new), YOUNG_LOSS);
+    let young = mul_q16(Q16 - i32::from(context.new.worn), YOUNG_LOSS);
     let rocky = mul_q16(ROCKY_MOVE, Q16 - young);
     let slope = ratio(relief.land / 2 + relief.sea / 2, context.length);
     mix(plain, rocky, smoothstep(ROCKY[0], ROCKY[1], slope))

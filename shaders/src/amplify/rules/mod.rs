@@ -13,10 +13,13 @@ pub mod nodes;
 pub mod noise;
 pub mod preset;
 
+pub mod ocean;
+
 pub mod coarse;
 pub mod coast;
 pub mod crest;
 pub mod fine;
+pub mod fold;
 pub mod gully;
 pub mod lake;
 pub mod landform;
@@ -26,7 +29,6 @@ pub mod shift;
 pub mod slope;
 pub mod terrain;
 
-pub mod ocean;
 pub mod valley;
 
 use super::control::VertexKind;

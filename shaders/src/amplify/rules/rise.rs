@@ -16,12 +16,12 @@
 //!
 //! The numbers are chosen so that slopes and spectra are those of real relief.
 
+use super::fold::RiseDraws;
 use super::landform::steepness;
 use super::preset::Rules;
 use super::{FACE_LEVEL, fine};
 use crate::amplify::arith::{mix, mul_q16, ordered, ratio};
 use crate::amplify::fixed::{Q16, metres, q16};
-use crate::amplify::seed::share;
 use crate::amplify::vertex::EdgeContext;
 
 /// Bulge of divides: between two drains, and on open ground.
@@ -57,17 +57,23 @@ const FIRST_WORN_LEVEL: u32 = 3;
 pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let (low, high) = ordered(context.a.height, context.b.height);
     let slope = slope(rules, context);
+    let draws = RiseDraws::of(context);
+    let bulge = mul_q16(bulge, draws.bulge);
     let evenness = evenness(slope, high - low);
     // Between level ends the ground is a crest, beside a whole slope a hillside, in between both.
-    let hillside = hillside(rules, context);
+    let hillside = hillside(rules, context, draws.xi);
     // Squared, so that a hillside stays one until its ends are nearly level.
     let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
-    let gain = gain(context, high, mul_q16(mul_q16(slope, evenness), bulge));
+    let gain = gain(
+        context,
+        draws,
+        high,
+        mul_q16(mul_q16(slope, evenness), bulge),
+    );
     let crest = mix(hillside, high, towards_crest) + gain;
 
-    let chi = share(context.new.seed, 1);
     // No rock stands steeper, drawn anew for each edge so that faces do not become planes.
-    let steepest = low + mul_q16(slope, STEEPEST[0] + mul_q16(chi, STEEPEST[1]));
+    let steepest = low + mul_q16(slope, STEEPEST[0] + mul_q16(draws.chi, STEEPEST[1]));
     crest.min(steepest).max(least(context, low, high))
 }
 
@@ -95,28 +101,26 @@ fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
 
 /// How much a crest gains over the higher end: a draw of the bulge, bounded by the room that the
 /// crust leaves.
-fn gain(context: &EdgeContext, high: i32, bulge: i32) -> i32 {
+fn gain(context: &EdgeContext, draws: RiseDraws, high: i32, bulge: i32) -> i32 {
     let new = context.new;
-    let (xi, chi) = (share(new.seed, 0), share(new.seed, 1));
     // Summits reach the crust elevation C and no more.
     let room = (new.crust - high).max(0);
     let free = mul_q16(
         mul_q16(bulge, fading(context.level, i32::from(new.worn))),
-        DRAWN_BULGE[0] + mul_q16(xi, DRAWN_BULGE[1]),
+        DRAWN_BULGE[0] + mul_q16(draws.xi, DRAWN_BULGE[1]),
     );
     // Saturates, half-way there where the two are equal, so that summits stay apart.
-    let saturated = mul_q16(ratio(free, free + room + 1), part(context.level, chi));
+    let saturated = mul_q16(ratio(free, free + room + 1), part(context.level, draws.chi));
     mul_q16(room, saturated)
 }
 
 /// Height of the middle of an edge on an even hillside.
-fn hillside(rules: &Rules, context: &EdgeContext) -> i32 {
+fn hillside(rules: &Rules, context: &EdgeContext, xi: i32) -> i32 {
     if is_small(context) {
         // On the face itself, so that an even slope stays even under sideways moves.
         return context.face + fine::rough(rules, context);
     }
     let (low, high) = ordered(context.a.height, context.b.height);
-    let xi = share(context.new.seed, 0);
     mix(
         low,
         high,

@@ -17,9 +17,9 @@ use core::ops::Range;
 /// is twice as much (paper 002 §5.2).
 pub(in crate::amplify) const LEAST: i32 = q16(0.33);
 
-/// Levels on which vertices of ours move less: what was moved often stretches its triangles. Rocks
-/// are broken again.
-const CALM_LEVELS: Range<u32> = 4..8;
+/// Levels on which vertices of ours move less: what stretches their triangles stretches all that are
+/// made within them.
+const CALM_LEVELS: Range<u32> = 0..3;
 
 /// Share of the displacement that is left on those levels.
 const CALM: i32 = q16(0.7019);

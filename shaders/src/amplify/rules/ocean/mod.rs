@@ -160,16 +160,19 @@ fn faults(cache: &mut PacketCache, vertex: &Vertex, ridge: [i16; 3]) -> i32 {
 
 /// Abyssal hills before sediment, grains: waves along the ridge.
 fn hills(cache: &mut PacketCache, vertex: &Vertex, ridge: [i16; 3], uneven: i32) -> i32 {
-    let stripes = HILLS.at(cache, vertex.direction, spreading(vertex, ridge));
+    // The floor spreads across its ridge.
+    let spreading = across(vertex.direction, ridge);
+    let stripes = HILLS.at(cache, vertex.direction, spreading);
     let wave = mul_q16(mul_q16(HILL_HEIGHT, uneven), stripes.cosine);
     mul_q16(wave, stripes.presence)
 }
 
-/// Direction of spreading: perpendicular to the ridge, along the ground; components times 32767.
-fn spreading(vertex: &Vertex, ridge: [i16; 3]) -> [i16; 3] {
+/// The direction along the ground at a place that is perpendicular to an axis; components times
+/// 32767.
+pub(super) fn across(direction: [i32; 3], axis: [i16; 3]) -> [i16; 3] {
     // 15 bits of each, so that their products fit 32.
-    let n = vertex.direction.map(|c| c >> 16);
-    let r = ridge.map(i32::from);
+    let n = direction.map(|c| c >> 16);
+    let r = axis.map(i32::from);
     [(1, 2), (2, 0), (0, 1)].map(|(a, b)| {
         let cross = (n[a] * r[b] - n[b] * r[a]) / (ONE >> 16);
         cross.clamp(-32_767, 32_767) as i16
