@@ -8,8 +8,10 @@
 //!
 //! Results are kept until there are too many, so a query near earlier ones is quick.
 
+mod water;
+
 use super::base::Base;
-use super::carve::{Carved, OceanCache, carve};
+use super::carve::{CarveCache, Carved, carve};
 use super::ground::FINEST;
 use super::lazy::LazyGround;
 use super::locate::{depth, sides};
@@ -77,7 +79,7 @@ impl Leaf {
 #[derive(Clone, Debug)]
 pub struct LocalGround<B> {
     lazy: LazyGround<B>,
-    cache: Box<OceanCache>,
+    cache: Box<CarveCache>,
     /// Faces of the last answer, one of every level down to its leaf.
     path: Vec<u32>,
 }
@@ -124,7 +126,8 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
         });
         let base_face = self.base_face(face, level);
         let scale = self.base().scale;
-        let carved = vertices.map(|v| carve(&mut self.cache, &scale, &v));
+        let rules = *self.lazy.rules();
+        let carved = vertices.map(|v| carve(&mut self.cache, &scale, &rules, &v));
         Leaf {
             vertices,
             carved,

@@ -54,7 +54,7 @@ pub(super) fn place(
 
 /// The middle of an edge. Halves round to either side by the seed, so that no direction is
 /// favoured.
-fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
+pub(super) fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
     let ab = difference(b.direction, a.direction);
     let odd = (seed >> 7 & 1) as i32;
     let middle = [0, 1, 2].map(|i| a.direction[i] + ((ab[i] + odd) >> 1));
@@ -68,7 +68,13 @@ fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
 /// A place moved towards the first of the two corners opposite to the edge.
 fn displaced(shift: &Shift, [a, b]: [&Vertex; 2], [x, y]: [&Vertex; 2]) -> Placed {
     let [ab, ax, ay] = [b, x, y].map(|v| difference(v.direction, a.direction));
-    let [wb, wx] = weights(shift, [ax, ay].map(|corner| Stance::of(ab, corner)));
+    let shares = weights(shift, [ax, ay].map(|corner| Stance::of(ab, corner)));
+    at_shares([a, b], x, shares)
+}
+
+/// The place whose shares of the edge's end and of a corner are given.
+pub(super) fn at_shares([a, b]: [&Vertex; 2], x: &Vertex, [wb, wx]: [i32; 2]) -> Placed {
+    let [ab, ax] = [b, x].map(|v| difference(v.direction, a.direction));
     Placed {
         direction: blend(a.direction, ab, ax, wb, wx),
         face: a.height + weigh(wb, b.height - a.height) + weigh(wx, x.height - a.height),
@@ -83,15 +89,25 @@ fn displaced(shift: &Shift, [a, b]: [&Vertex; 2], [x, y]: [&Vertex; 2]) -> Place
 /// vertices do within such bounds, all four children of a face keep at least 0.045 of its area
 /// (least determinant over the corners of the bounds): none turns over.
 fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
-    // Flat triangles would get flatter.
-    let low = x.height.min(y.height);
-    let weight = weigh(shift.weight, linear_step(FLATNESS[0], FLATNESS[1], low));
+    let weight = weigh(shift.weight, unless_flat([x, y]));
     let third = shift.inward / 3;
     // The barycentre lies a third of the way to the corner.
     let wx = weigh(weight, third);
     let along = weigh(Q16 - shift.inward, shift.along) + third;
     // A corner that leans over an end of the edge draws upwards only, not along.
     let towards_b = weigh(weight, along - Q16 / 2) - q12(wx, x.overhang());
+    within_bounds(towards_b, wx, [x, y])
+}
+
+/// Share of a displacement that the triangles beside an edge bear, Q16: flat ones would get
+/// flatter.
+pub(super) fn unless_flat([x, y]: [Stance; 2]) -> i32 {
+    linear_step(FLATNESS[0], FLATNESS[1], x.height.min(y.height))
+}
+
+/// The shares of a displacement by `towards_b` along the edge and by `wx` towards the corner `x`,
+/// scaled until all bounds hold.
+pub(super) fn within_bounds(towards_b: i32, wx: i32, [x, y]: [Stance; 2]) -> [i32; 2] {
     // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
     let owed = wx * (x.height >> 3) / (y.height >> 3).max(1);
     let in_beyond = towards_b + q12(wx, x.along) + q12(owed, y.along);
