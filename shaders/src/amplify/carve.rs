@@ -2,24 +2,50 @@
 //!
 //! Reads and writes one vertex; see [`rules::valley`](super::rules::valley) for the profile.
 
-pub use super::rules::ocean::OceanCache;
+use super::rules::Rules;
 use super::rules::valley;
-pub use super::rules::valley::Carved;
+pub use super::rules::valley::{CarveCache, Carved, NO_WATER};
 use super::scale::PlanetScale;
 use super::vertex::Vertex;
 
 /// Final ground and water of a vertex. `cache` holds noise of an earlier vertex, best one near it;
 /// it changes no bit.
 #[inline]
-pub fn carve(cache: &mut OceanCache, scale: &PlanetScale, vertex: &Vertex) -> Carved {
-    valley::carve(cache, vertex, scale.edge_grains(0))
+pub fn carve(
+    cache: &mut CarveCache,
+    scale: &PlanetScale,
+    rules: &Rules,
+    vertex: &Vertex,
+) -> Carved {
+    valley::carve(cache, scale, rules, vertex)
 }
 
 /// Final ground and water of a column of vertices.
-pub fn carve_all(scale: &PlanetScale, vertices: &[Vertex]) -> Vec<Carved> {
-    let mut cache = OceanCache::default();
+pub fn carve_all(scale: &PlanetScale, rules: &Rules, vertices: &[Vertex]) -> Vec<Carved> {
+    let mut cache = CarveCache::default();
     vertices
         .iter()
-        .map(|vertex| carve(&mut cache, scale, vertex))
+        .map(|vertex| carve(&mut cache, scale, rules, vertex))
         .collect()
 }
+
+/// Heights of the water's surface over the corners of a triangle, grains; `None` where none of them
+/// is wet.
+///
+/// Over dry corners the surface goes on at a level of the wet ones, and under the ground: water
+/// never climbs its banks, and no other river or lake beyond them tilts it.
+pub fn sheet(corners: [Carved; 3]) -> Option<[i32; 3]> {
+    let wet = || corners.iter().filter(|c| c.is_wet()).map(|c| c.water);
+    let (low, high) = (wet().min()?, wet().max()?);
+    Some(corners.map(|corner| {
+        if corner.is_wet() {
+            corner.water
+        } else {
+            corner.water.clamp(low, high).min(corner.ground)
+        }
+    }))
+}
+
+#[cfg(test)]
+#[path = "carve_tests.rs"]
+mod tests;

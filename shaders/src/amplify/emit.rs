@@ -3,8 +3,12 @@
 //! A leaf beside finer ones has midpoints on one, two or three edges and becomes as many triangles
 //! more, so that every interior edge is used exactly twice and none has a vertex inside.
 
-use super::carve::Carved;
+use super::carve::{Carved, sheet};
+use super::control::VertexKind;
 use super::ground::RefinedGround;
+use super::rules::Rules;
+use super::rules::valley::Reach;
+use super::scale::PlanetScale;
 use super::topology::{Face, Level, NONE, SplitMark};
 use super::vertex::Vertex;
 
@@ -121,14 +125,47 @@ impl RefinedGround {
     }
 }
 
+/// A triangle of the water's surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WaterTriangle {
+    /// The triangle of the ground below it.
+    pub ground: Triangle,
+    /// Heights of the surface over its corners, grains.
+    pub water: [i32; 3],
+}
+
 /// Pass `water`: the triangles of the water's surface, with the ground's topology. A triangle
-/// belongs to it where any corner lies under water; its corners stand at [`Carved::water`], and at
-/// the ground where they are dry.
-pub fn water(triangles: &[Triangle], carved: &[Carved]) -> Vec<Triangle> {
-    let is_wet = |v: u32| carved[v as usize].water > carved[v as usize].ground;
-    triangles
-        .iter()
-        .filter(|t| t.vertices.into_iter().any(is_wet))
-        .copied()
-        .collect()
+/// belongs to it where any corner lies under water.
+///
+/// A river that is narrower than a triangle's edges is left out: a single wet corner would make
+/// it as wide as the edges are long. The surface is the depth test's to clip: it goes on under the
+/// banks.
+pub fn water(
+    ground: &RefinedGround,
+    rules: &Rules,
+    triangles: &[Triangle],
+    carved: &[Carved],
+) -> Vec<WaterTriangle> {
+    let surface = |triangle: &Triangle| {
+        let corners = triangle.vertices.map(|v| {
+            let vertex = &ground.vertices[v as usize];
+            let corner = carved[v as usize];
+            if is_resolved(&ground.scale, rules, vertex, triangle.level) {
+                corner
+            } else {
+                Carved::dry(corner.ground)
+            }
+        });
+        sheet(corners).map(|water| WaterTriangle {
+            ground: *triangle,
+            water,
+        })
+    };
+    triangles.iter().filter_map(surface).collect()
+}
+
+/// Whether the water of a vertex is wider than the edges of a level.
+pub fn is_resolved(scale: &PlanetScale, rules: &Rules, vertex: &Vertex, level: u32) -> bool {
+    let stands = matches!(vertex.kind, VertexKind::Lake | VertexKind::Sea);
+    stands || 2 * Reach::of(scale, rules, vertex).half_bed >= scale.edge_grains(level)
 }

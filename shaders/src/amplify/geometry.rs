@@ -67,6 +67,38 @@ pub const fn nearest_on(ends: [[i32; 3]; 2], p: [i32; 3]) -> (i32, [i32; 3]) {
     (t, off)
 }
 
+/// The share of `along` on which the foot of `v` lies, Q16, -1..1.
+#[inline]
+pub fn share_along(along: [i32; 3], v: [i32; 3]) -> i32 {
+    let shift = common_shift(along, v);
+    let (u, v) = (shifted(along, shift), shifted(v, shift));
+    signed_ratio(product(u, v), product(u, u))
+}
+
+/// A ratio of -1..1 in Q16; `whole` is not negative, and nothing is a part of 0.
+const fn signed_ratio(part: i32, whole: i32) -> i32 {
+    if part == 0 {
+        0
+    } else if part < 0 {
+        -ratio(-part, whole)
+    } else {
+        ratio(part, whole)
+    }
+}
+
+/// The share of `along` on which the foot of `v` lies, Q16, -1..1. The share is the smaller the
+/// farther `v` reaches: as a step towards the nearest point of a curve it then never overshoots.
+#[inline]
+pub fn damped_projection(along: [i32; 3], v: [i32; 3]) -> i32 {
+    let shift = common_shift(along, v);
+    let (u, v) = (shifted(along, shift), shifted(v, shift));
+    // Each of them is below 3 · 2²⁸.
+    let square = product(u, u);
+    let part = product(u, v);
+    let across = length(v[0], v[1], v[2]) * length(u[0], u[1], u[2]);
+    signed_ratio(part, square + across / 2)
+}
+
 /// How a corner of a triangle stands over the opposite edge, in lengths of the edge, Q12, each at
 /// most 7.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

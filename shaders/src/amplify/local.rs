@@ -8,8 +8,10 @@
 //!
 //! Results are kept until there are too many, so a query near earlier ones is quick.
 
+mod water;
+
 use super::base::Base;
-use super::carve::{Carved, OceanCache, carve};
+use super::carve::{CarveCache, Carved, carve};
 use super::ground::FINEST;
 use super::lazy::LazyGround;
 use super::locate::{depth, sides};
@@ -78,7 +80,7 @@ impl Leaf {
 #[derive(Clone, Debug)]
 pub struct LocalGround<B> {
     lazy: LazyGround<B>,
-    cache: Box<OceanCache>,
+    cache: Box<CarveCache>,
     /// Faces of the last answer, one of every level down to its leaf.
     path: Vec<u32>,
 }
@@ -125,10 +127,10 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
         });
         let base_face = self.base_face(face, level);
         let scale = self.base().scale;
-        let rules = self.lazy.rules();
+        let rules = *self.lazy.rules();
         let carved = vertices.map(|v| {
-            let own = carve(&mut self.cache, &scale, &v);
-            show(&scale, rules, &v, own, level as u32)
+            let own = carve(&mut self.cache, &scale, &rules, &v);
+            show(&scale, &rules, &v, own, level as u32)
         });
         Leaf {
             vertices,

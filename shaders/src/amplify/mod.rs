@@ -41,7 +41,7 @@
 //! let base = Base::new(&control_mesh(6_371_000, 3, 1))?;
 //! let at = base.vertices[7].direction;
 //! let ground = refine(&base, &Rules::default(), &View::disc(at, 50, 17), &Caps::default());
-//! let carved = carve_all(&ground.scale, &ground.vertices);
+//! let carved = carve_all(&ground.scale, &Rules::default(), &ground.vertices);
 //! assert_eq!(carved.len(), ground.vertices.len());
 //! # Ok::<(), pangaea_shaders::amplify::base::BadMesh>(())
 //! ```
@@ -83,6 +83,7 @@
 //! tests. Heights are right to a grain, 1 mm.
 
 pub mod arith;
+pub mod curve;
 pub mod fixed;
 pub mod geometry;
 pub mod seed;
@@ -91,6 +92,8 @@ pub mod control;
 pub mod scale;
 pub mod topology;
 pub mod vertex;
+
+pub mod segment;
 
 pub mod rules;
 

@@ -54,7 +54,7 @@ fn presets_show_their_vertices() {
     let base = base();
     for rules in [Rules::PAPER, Rules::RELEASE] {
         let ground = refine(&base, &rules, &View::whole(1), &Caps::default());
-        let carved = carve_all(&ground.scale, &ground.vertices);
+        let carved = carve_all(&ground.scale, &Rules::default(), &ground.vertices);
         let view = View::whole(1);
         let shown = show_all(&ground.scale, &rules, &view, &ground.vertices, &carved);
         assert_eq!(shown, carved);
@@ -67,7 +67,7 @@ fn views_and_questions_agree() {
     let (base, rules) = (base(), Rules::default());
     let view = View::disc(base.vertices[7].direction, 300_000, 3);
     let ground = refine(&base, &rules, &view, &Caps::default());
-    let carved = carve_all(&ground.scale, &ground.vertices);
+    let carved = carve_all(&ground.scale, &Rules::default(), &ground.vertices);
     let shown = show_all(&ground.scale, &rules, &view, &ground.vertices, &carved);
     let mut local = LocalGround::new(&base, &rules);
     let mut raised = 0;

@@ -108,8 +108,8 @@ impl LevelPasses<'_> {
     fn split_edge(&self, level: &Level, vertices: &[Vertex], i: u32) -> Vertex {
         let edge = &level.edges[i as usize];
         let ends = gather(vertices, edge.vertices);
-        // Straight edges do not move sideways and need no corners.
-        let corners = if self.index < STRAIGHT_LEVEL {
+        // Straight edges do not move sideways and need no corners; rivers keep their course.
+        let corners = if self.index < STRAIGHT_LEVEL || edge.kind == EdgeKind::River {
             [0, 1].map(|side| opposite(level, vertices, i, side))
         } else {
             [None; 2]

@@ -19,8 +19,9 @@ pub const FAR: i32 = metres(2_000_000);
 pub struct RiverSegment {
     /// Directions of its ends, upstream first, in units of 1 / `ONE` of the radius.
     pub ends: [[i32; 3]; 2],
-    /// Bed at the ends, grains.
-    pub bed: [i32; 2],
+    /// Headings of the river there, unit tangents times 32767; zero stands for the way from end to
+    /// end.
+    pub headings: [[i16; 3]; 2],
     /// Water surface at the ends, grains.
     pub water: [i32; 2],
     /// Flow φ at the ends, Q16.
@@ -29,7 +30,9 @@ pub struct RiverSegment {
     /// that ground of coarser levels never lies in it; [`FAR`] for a river of the control mesh.
     pub reach: i32,
     /// Level of the edge it was.
-    pub level: u32,
+    pub level: u16,
+    /// 1 where it is a lake from end to end, which has shores but no bed; else 0.
+    pub is_lake: u16,
 }
 
 /// A valley's side at a place: its height, and how much of the ground that the graphs made is left.
@@ -86,6 +89,8 @@ pub struct Vertex {
     pub river_distance: i32,
     /// Where along `river` its nearest point lies, Q16 from the upstream end.
     pub river_along: i32,
+    /// Where the river flows through a vertex of one, a unit tangent times 32767; else zero.
+    pub heading: [i16; 3],
     /// The side of the river's valley here.
     pub section: ValleySection,
     /// Ground of the nearest gully, grains.
@@ -146,6 +151,7 @@ impl Vertex {
             river: RiverSegment::default(),
             river_distance: FAR,
             river_along: 0,
+            heading: [0; 3],
             section: ValleySection::outside(control.height),
             gully_bed: control.height,
             gully_distance: FAR,

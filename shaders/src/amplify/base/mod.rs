@@ -52,6 +52,7 @@ impl Base {
         let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();
         rivers::settle_water(&mut vertices);
         rivers::accumulate(mesh, &mut vertices);
+        rivers::find_headings(mesh, &mut vertices);
         let mut edges = rivers::edges(mesh, &vertices);
         rivers::add_gullies(&mut vertices, &mut edges);
         let faces: Vec<Face> = (0..)

@@ -1,12 +1,12 @@
 //! Rivers and gullies of level 0: discharges, river edges, dry drainage lines, nearest rivers.
 
 use crate::amplify::control::{ControlMesh, VertexKind};
-use crate::amplify::geometry::nearest_on;
+use crate::amplify::curve::heading_of;
+use crate::amplify::fixed::difference;
 use crate::amplify::rules::EdgeKind;
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::topology::{Edge, Face, NONE, gather};
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
-use crate::amplify::vertex_resolve::segment;
 
 /// Puts wet ground at its bed, water over it, and takes the discharge from dry ground.
 pub(super) fn settle_water(vertices: &mut [Vertex]) {
@@ -55,6 +55,30 @@ pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
                 ready.push(down);
             }
         }
+    }
+}
+
+/// Headings of rivers: from the larger river that arrives at a vertex to the one that leaves it.
+pub(super) fn find_headings(mesh: &ControlMesh, vertices: &mut [Vertex]) {
+    let mut largest: Vec<Option<usize>> = vec![None; vertices.len()];
+    let mut below: Vec<Option<usize>> = vec![None; vertices.len()];
+    // Of equal rivers the seed decides, not the number of a vertex.
+    let rank = |v: &Vertex| (v.discharge, v.seed);
+    for [up, down] in river_edges(mesh) {
+        below[up] = Some(down);
+        let is_larger = |&other: &usize| rank(&vertices[up]) > rank(&vertices[other]);
+        if largest[down].as_ref().is_none_or(is_larger) {
+            largest[down] = Some(up);
+        }
+    }
+    for v in 0..vertices.len() {
+        let way = |from: usize, to: usize| {
+            heading_of(difference(vertices[to].direction, vertices[from].direction))
+        };
+        let arrives = largest[v].map_or([0; 3], |up| way(up, v));
+        let leaves = below[v].map_or([0; 3], |down| way(v, down));
+        let sum = [0, 1, 2].map(|i| i32::from(arrives[i]) + i32::from(leaves[i]));
+        vertices[v].heading = heading_of(sum);
     }
 }
 
@@ -151,7 +175,7 @@ pub(super) fn find_nearest(
 ) {
     for vertex in vertices.iter_mut().filter(|v| v.is_wet()) {
         // On the river itself: a segment without length.
-        vertex.river = segment(scale, 0, 0, [vertex, vertex], vertex.discharge);
+        vertex.river = RiverSegment::between(scale, 0, 0, [vertex, vertex], vertex.discharge);
         vertex.river_distance = 0;
         vertex.river_along = 0;
     }
@@ -185,7 +209,7 @@ impl RiverBeside {
 
     /// Takes a segment if it is nearer to a direction.
     fn offer(&mut self, scale: &PlanetScale, direction: [i32; 3], segment: RiverSegment) {
-        let (along, off) = nearest_on(segment.ends, direction);
+        let (along, off) = segment.curve().nearest(direction);
         let distance = scale.grains(off).min(FAR);
         if distance < self.distance {
             *self = Self {
@@ -211,8 +235,11 @@ fn beside_faces(
             continue;
         }
         let ends = gather(vertices, edge.vertices);
-        // Ends of the edge lie on it; only the far corners of its faces need a distance.
-        let segment = segment(scale, 0, 0, ends, edge.arriving);
+        // River vertices know their river; the far corners of its faces need a distance.
+        let segment = RiverSegment::between(scale, 0, 0, ends, edge.arriving);
+        // The floor of the sea carries the river's bed on.
+        let [_, end] = edge.vertices;
+        found[end as usize].offer(scale, ends[1].direction, segment);
         for &face in edge.faces.iter().filter(|&&f| f != NONE) {
             let corner = faces[face as usize].opposite(i) as usize;
             found[corner].offer(scale, vertices[corner].direction, segment);

@@ -4,15 +4,19 @@
 //! vertex's kind may still change to a gully ([`vertex_resolve`](super::vertex_resolve)), and its
 //! distances are estimates until then.
 
+mod course;
 mod place;
 
+use super::arith::isqrt;
 use super::control::VertexKind;
-use super::fixed::difference;
-use super::rules::{self, EdgeKind, Rules};
+use super::curve::{Curve, heading_of};
+use super::fixed::{Q16, difference};
+use super::rules::{self, EdgeKind, Rules, valley};
 use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::Edge;
 use super::vertex::{EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
+use course::on_course;
 use place::place;
 
 /// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
@@ -31,8 +35,17 @@ pub fn split(
     let [a, b] = ends;
     let mut new = average(a, b, level);
     let length = scale.grains(difference(b.direction, a.direction));
-    let placed = place(rules, edge.kind, level, &new, ends, opposite);
+    let course = course(scale, rules, edge, level, ends);
+    let placed = match &course {
+        Some(curve) => on_course(curve, new.seed, ends, opposite),
+        None => place(rules, edge.kind, level, &new, ends, opposite),
+    };
     new.direction = placed.direction;
+    if edge.kind == EdgeKind::River {
+        let way = |curve: Curve| curve.quarter_tangent(Q16 / 2);
+        let chord = difference(b.direction, a.direction);
+        new.heading = heading_of(course.map_or(chord, way));
+    }
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
     new.discharge = gathered(a, edge);
@@ -67,6 +80,24 @@ fn range([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> [i32; 2] {
         range = [range[0].min(corner.height), range[1].max(corner.height)];
     }
     range
+}
+
+/// The course that a river keeps on an edge, where its edges are too short to bend it anew.
+fn course(
+    scale: &PlanetScale,
+    rules: &Rules,
+    edge: &Edge,
+    level: u32,
+    [up, down]: [&Vertex; 2],
+) -> Option<Curve> {
+    let runs = edge.kind == EdgeKind::River && rules.landforms && up.is_wet();
+    let flow = isqrt(edge.arriving) as i32;
+    let is_smooth = level >= STRAIGHT_LEVEL || valley::is_smooth(scale, rules, level, flow);
+    if !runs || !is_smooth {
+        return None;
+    }
+    let river = RiverSegment::between(scale, edge.birth, level, [up, down], edge.arriving);
+    Some(river.curve())
 }
 
 /// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then.
@@ -134,6 +165,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         river: RiverSegment::default(),
         river_distance: FAR,
         river_along: 0,
+        heading: [0; 3],
         section: ValleySection::between(a.section, b.section),
         gully_bed: 0,
         gully_distance: FAR,

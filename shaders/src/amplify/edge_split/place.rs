@@ -66,7 +66,7 @@ pub(super) fn place(
 
 /// The middle of an edge. Halves round to either side by the seed, so that no direction is
 /// favoured.
-fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
+pub(super) fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
     let ab = difference(b.direction, a.direction);
     let odd = (seed >> 7 & 1) as i32;
     let middle = [0, 1, 2].map(|i| a.direction[i] + ((ab[i] + odd) >> 1));
@@ -90,12 +90,17 @@ fn displaced(
     if is_centred {
         pull = centred(pull, stances);
     }
-    let (ax, x, stances) = if pull.is_turned {
-        (ay, y, [stances[1], stances[0]])
+    let (x, stances) = if pull.is_turned {
+        (y, [stances[1], stances[0]])
     } else {
-        (ax, x, stances)
+        (x, stances)
     };
-    let [wb, wx] = weights(pull, stances);
+    at_shares([a, b], x, weights(pull, stances))
+}
+
+/// The place whose shares of the edge's end and of a corner are given.
+pub(super) fn at_shares([a, b]: [&Vertex; 2], x: &Vertex, [wb, wx]: [i32; 2]) -> Placed {
+    let [ab, ax] = [b, x].map(|v| difference(v.direction, a.direction));
     Placed {
         direction: blend(a.direction, ab, ax, wb, wx),
         face: a.height + weigh(wb, b.height - a.height) + weigh(wx, x.height - a.height),
@@ -115,9 +120,7 @@ struct Pull {
 
 /// The drawn displacement, towards the corner `x`.
 fn drawn(shift: &Shift, [x, y]: [Stance; 2]) -> Pull {
-    // Flat triangles would get flatter.
-    let low = x.height.min(y.height);
-    let weight = weigh(shift.weight, linear_step(FLATNESS[0], FLATNESS[1], low));
+    let weight = weigh(shift.weight, unless_flat([x, y]));
     let third = shift.inward / 3;
     // The barycentre lies a third of the way to the corner.
     let to_corner = weigh(weight, third);
@@ -158,6 +161,18 @@ fn centred(drawn: Pull, [x, y]: [Stance; 2]) -> Pull {
 /// (least determinant over the corners of the bounds): none turns over.
 fn weights(pull: Pull, [x, y]: [Stance; 2]) -> [i32; 2] {
     let [towards_b, wx] = [pull.towards_b, pull.to_corner];
+    within_bounds(towards_b, wx, [x, y])
+}
+
+/// Share of a displacement that the triangles beside an edge bear, Q16: flat ones would get
+/// flatter.
+pub(super) fn unless_flat([x, y]: [Stance; 2]) -> i32 {
+    linear_step(FLATNESS[0], FLATNESS[1], x.height.min(y.height))
+}
+
+/// The shares of a displacement by `towards_b` along the edge and by `wx` towards the corner `x`,
+/// scaled until all bounds hold.
+pub(super) fn within_bounds(towards_b: i32, wx: i32, [x, y]: [Stance; 2]) -> [i32; 2] {
     // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
     let owed = wx * (x.height >> 3) / (y.height >> 3).max(1);
     let in_beyond = towards_b + q12(wx, x.along) + q12(owed, y.along);

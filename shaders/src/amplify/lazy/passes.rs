@@ -6,7 +6,7 @@ use crate::amplify::edge_split::{self, STRAIGHT_LEVEL};
 use crate::amplify::face_decide::{self, FaceContext};
 use crate::amplify::rules::EdgeKind;
 use crate::amplify::topology::{Inner, NONE};
-use crate::amplify::vertex::Vertex;
+use crate::amplify::vertex::{RiverSegment, Vertex};
 use crate::amplify::vertex_resolve::{DrainBeside, Requests, Settled, VertexContext, resolve};
 use core::ops::Deref;
 
@@ -54,12 +54,13 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         for v in ends {
             self.ensure(v);
         }
-        let opposite = if (level as u32) < STRAIGHT_LEVEL {
+        let is_river = self.edge(level, edge).edge.kind == EdgeKind::River;
+        let opposite = if is_river || (level as u32) < STRAIGHT_LEVEL {
             self.ensure_opposite(level, edge)
         } else {
             [NONE; 2]
         };
-        if self.edge(level, edge).edge.kind == EdgeKind::River {
+        if is_river {
             self.settle_arriving(level, edge);
         }
         let edge_now = self.edge(level, edge).edge;
@@ -228,5 +229,22 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             // not.
             mid: self.vertex_at(edge.mid).filter(|_| !is_straight),
         })
+    }
+
+    /// The piece of river along an edge of a level; `None` where none runs.
+    pub fn river_of(&mut self, level: usize, edge: u32) -> Option<RiverSegment> {
+        if self.settle_kind(level, edge) != EdgeKind::River {
+            return None;
+        }
+        self.settle_arriving(level, edge);
+        let edge = self.edge(level, edge).edge;
+        for v in edge.vertices {
+            self.ensure(v);
+        }
+        let ends = edge.vertices.map(|v| self.vertex(v));
+        let (scale, birth) = (&self.base.scale, edge.birth);
+        let segment = RiverSegment::between(scale, birth, level as u32, ends, edge.arriving);
+        // No river runs above a spring.
+        ends[0].is_wet().then_some(segment)
     }
 }

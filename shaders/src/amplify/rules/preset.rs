@@ -53,6 +53,9 @@ pub struct Rules {
     pub lake_chance: i32,
     /// Rise of a tributary along its first half, tangent: that of 3°.
     pub spring_slope: i32,
+    /// Width of a river in metres at a discharge of 1 m³/s on an Earth-sized planet; it grows with
+    /// the root of the discharge: 4.8 (Leopold and Maddock 1953).
+    pub channel_width: i32,
     /// Whether valleys are shaped by their archetype's curve; off, all have the released bank.
     pub archetypes: bool,
 }
@@ -76,6 +79,7 @@ impl Default for Rules {
             lake_levels: 6,
             lake_chance: q16(0.06866),
             spring_slope: tan_deg(3.0),
+            channel_width: q16(4.8),
             archetypes: true,
         }
     }
@@ -101,6 +105,7 @@ impl Rules {
         lake_levels: 5,
         lake_chance: q16(0.1),
         spring_slope: tan_deg(3.0),
+        channel_width: q16(4.8),
         archetypes: true,
     };
 

@@ -2,7 +2,7 @@
 
 use super::views::by_path;
 use super::*;
-use crate::amplify::carve::{OceanCache, carve, carve_all};
+use crate::amplify::carve::{CarveCache, carve, carve_all};
 use crate::amplify::control::{ControlEdge, ControlFace, ControlMesh};
 
 /// The numbers below `count` in a random order.
@@ -77,11 +77,16 @@ fn vertices_are_carved_in_any_order() {
     let base = planet();
     for k in 0..6 {
         let ground = refined(&base, &View::disc(anywhere_or_on_river(&base, k), 500, 13));
-        let want = carve_all(&ground.scale, &ground.vertices);
-        let mut cache = OceanCache::default();
+        let want = carve_all(&ground.scale, &Rules::default(), &ground.vertices);
+        let mut cache = CarveCache::default();
         for v in shuffled(ground.vertices.len(), k) {
             let v = v as usize;
-            let got = carve(&mut cache, &ground.scale, &ground.vertices[v]);
+            let got = carve(
+                &mut cache,
+                &ground.scale,
+                &Rules::default(),
+                &ground.vertices[v],
+            );
             assert_eq!(got, want[v]);
         }
     }

@@ -1,7 +1,8 @@
 //! How far integer directions stray, in units of 3 mm on Earth.
 
 use super::*;
-use crate::amplify::topology::{Level, SplitMark};
+use crate::amplify::rules::EdgeKind;
+use crate::amplify::topology::{Edge, Level, SplitMark};
 
 fn norm(p: Vector) -> f64 {
     (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt()
@@ -12,7 +13,9 @@ fn halved<'a>(
     ground: &'a RefinedGround,
     level: &'a Level,
 ) -> impl Iterator<Item = [Vector; 3]> + 'a {
-    let split = level.edges.iter().filter(|e| e.mark == SplitMark::Split);
+    // Rivers keep their course, which need not run straight.
+    let halved = |e: &&Edge| e.mark == SplitMark::Split && e.kind != EdgeKind::River;
+    let split = level.edges.iter().filter(halved);
     split.map(|edge| {
         let [a, b] = edge.vertices;
         [a, b, edge.mid].map(|v| ground.vertices[v as usize].direction.map(f64::from))

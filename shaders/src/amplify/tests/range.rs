@@ -2,8 +2,9 @@
 //! assertions, every wrapped sum and product fails here.
 
 use crate::amplify::base::Base;
-use crate::amplify::carve::carve_all;
+use crate::amplify::carve::{NO_WATER, carve_all};
 use crate::amplify::control::{ControlMesh, ControlVertex, VertexKind};
+use crate::amplify::emit;
 use crate::amplify::fixed::metres;
 use crate::amplify::ground::{Caps, refine};
 use crate::amplify::local::LocalGround;
@@ -99,11 +100,12 @@ fn check(base: &Base, rules: &Rules, seed: u32) {
             base.vertices[v].direction
         });
         let leaf = local.leaf([0, 1, 2].map(|i| v[i] + w[i] / 64), 17, None);
-        assert!(leaf.carved.iter().all(|c| c.water >= c.ground));
+        assert!(leaf.carved.iter().all(|c| c.water >= NO_WATER));
     }
     let at = base.vertices[seed as usize].direction;
     let view = View::disc(at, base.scale.radius_m / 500, 8);
     let ground = refine(base, rules, &view, &Caps::default());
-    let carved = carve_all(&base.scale, &ground.vertices);
-    assert!(carved.iter().all(|c| c.water >= c.ground));
+    let carved = carve_all(&base.scale, rules, &ground.vertices);
+    let water = emit::water(&ground, rules, &ground.triangles(), &carved);
+    assert!(water.iter().flat_map(|t| t.water).all(|w| w > NO_WATER));
 }

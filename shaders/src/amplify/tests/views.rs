@@ -87,7 +87,7 @@ fn dot(u: Vector, v: Vector) -> f64 {
 }
 
 /// Unit tangents to the east and to the north.
-fn tangents(direction: [i32; 3]) -> [Vector; 2] {
+pub(super) fn tangents(direction: [i32; 3]) -> [Vector; 2] {
     let up = direction.map(|x| f64::from(x) / f64::from(ONE));
     let scale = 1.0 / (up[0] * up[0] + up[1] * up[1]).sqrt();
     let east = [-up[1] * scale, up[0] * scale, 0.0];

@@ -1,20 +1,23 @@
 //! Water runs downhill, lakes are level, discharge is conserved.
 
+use super::views::tangents;
 use super::*;
 use crate::amplify::carve::carve_all;
+use crate::amplify::emit;
+use crate::amplify::local::LocalGround;
 use crate::amplify::rules::EdgeKind;
 use crate::amplify::topology::{Edge, Level, NONE, SplitMark, gather};
 use std::collections::BTreeMap;
 
 /// Views of rivers from 100 m, under all presets.
-fn river_views() -> impl Iterator<Item = RefinedGround> {
+fn river_views() -> impl Iterator<Item = (Rules, RefinedGround)> {
     let base = planet();
     [Rules::default(), Rules::PAPER, Rules::RELEASE]
         .into_iter()
         .flat_map(|rules| (0..8).map(move |k| (rules, k)))
         .map(move |(rules, k)| {
             let view = camera(on_river(&base, k), 100, 13);
-            refine(&base, &rules, &view, &Caps::default())
+            (rules, refine(&base, &rules, &view, &Caps::default()))
         })
 }
 
@@ -29,7 +32,7 @@ fn is_river(vertex: &Vertex) -> bool {
 #[test]
 fn water_runs_downhill() {
     let mut rivers = 0;
-    for ground in river_views() {
+    for (_, ground) in river_views() {
         assert!(ground.vertices.iter().all(|v| v.water >= v.bed));
         for edge in edges(&ground).filter(|e| e.kind == EdgeKind::River) {
             let [up, down] = gather(&ground.vertices, edge.vertices);
@@ -57,8 +60,8 @@ fn water_runs_downhill() {
 #[test]
 fn carved_water_runs_downhill() {
     let [mut rivers, mut mouths] = [0; 2];
-    for ground in river_views() {
-        let carved = carve_all(&ground.scale, &ground.vertices);
+    for (rules, ground) in river_views() {
+        let carved = carve_all(&ground.scale, &rules, &ground.vertices);
         let drawn = edges(&ground).filter(|e| e.mark != SplitMark::Split);
         for edge in drawn.filter(|e| e.kind == EdgeKind::River) {
             let [up, down] = gather(&ground.vertices, edge.vertices);
@@ -82,8 +85,8 @@ fn carved_water_runs_downhill() {
 #[test]
 fn surfaces_of_lakes_are_level() {
     let mut sides = 0;
-    for ground in river_views() {
-        let carved = carve_all(&ground.scale, &ground.vertices);
+    for (rules, ground) in river_views() {
+        let carved = carve_all(&ground.scale, &rules, &ground.vertices);
         for triangle in ground.triangles() {
             let is_lake = |v: &u32| ground.vertices[*v as usize].kind == VertexKind::Lake;
             let lake = triangle.vertices.into_iter().filter(is_lake);
@@ -102,7 +105,7 @@ fn surfaces_of_lakes_are_level() {
 #[test]
 fn lakes_are_level() {
     let [mut lakes, mut made] = [0, 0];
-    for ground in river_views() {
+    for (_, ground) in river_views() {
         let mut levels = BTreeMap::new();
         for vertex in ground
             .vertices
@@ -172,4 +175,63 @@ fn check_junctions(ground: &RefinedGround, level: &Level) -> usize {
 fn is_inside(level: &Level, v: u32) -> bool {
     let mut around = level.edges.iter().filter(|e| e.vertices.contains(&v));
     around.all(|e| !e.faces.contains(&NONE))
+}
+
+/// The surface of the water is level over a lake and its shores, and no sheet of it climbs a bank:
+/// over dry corners it stands within the levels of the wet ones, or under the ground.
+#[test]
+fn water_does_not_climb_its_banks() {
+    let mut shores = 0;
+    for (rules, ground) in river_views() {
+        let carved = carve_all(&ground.scale, &rules, &ground.vertices);
+        for sheet in emit::water(&ground, &rules, &ground.triangles(), &carved) {
+            let corners = gather(&carved, sheet.ground.vertices);
+            let wet = || corners.iter().filter(|c| c.is_wet());
+            assert!(wet().count() > 0);
+            let highest = wet().map(|c| c.water).max().unwrap_or(i32::MIN);
+            for (corner, level) in corners.iter().zip(sheet.water) {
+                assert!(level <= highest && (corner.is_wet() || level <= corner.ground));
+            }
+            let vertices = gather(&ground.vertices, sheet.ground.vertices);
+            let is_lake = |k: &usize| vertices[*k].kind == VertexKind::Lake;
+            let is_bank = |k: &usize| corners[*k].ground > highest;
+            let is_shore = (0..3).all(|k| is_lake(&k) || is_bank(&k));
+            shores += u32::from(is_shore);
+            // 2 cm.
+            let is_level = sheet
+                .water
+                .iter()
+                .all(|&level| highest - level < GRAINS / 50);
+            assert!(is_level || !is_shore, "{corners:?} {:?}", sheet.water);
+        }
+    }
+    assert!(shores > 1_000, "{shores}");
+}
+
+/// A valley has as much water at every level, whatever the size of its leaves.
+#[test]
+fn the_share_of_water_is_that_of_any_level() {
+    let base = Base::new(&control_mesh(6_371_000, 6, 3)).unwrap();
+    let mut local = LocalGround::new(&base, &Rules::default());
+    let sites: Vec<_> = (0..5).map(|k| on_river(&base, k)).collect();
+    let shares = [6, 8, 10, 13, 17].map(|level| {
+        let share = |&centre: &[i32; 3]| wet_share(&mut local, centre, level);
+        sites.iter().map(share).sum::<f64>() / 5.0
+    });
+    let [least, most] = [f64::min, f64::max].map(|pick| shares.into_iter().reduce(pick).unwrap());
+    assert!(most > 0.02 && least > 0.8 * most, "{shares:?}");
+}
+
+/// Share of wet points in a square of 12 km around a direction.
+fn wet_share(local: &mut LocalGround<&Base>, centre: [i32; 3], level: u32) -> f64 {
+    let side = 30;
+    let step = f64::from(ONE) / 6_371_000.0 * 400.0;
+    let [east, north] = tangents(centre);
+    let mut is_wet = |k: &i32| {
+        let [x, y] = [k % side, k / side].map(|i| f64::from(i - side / 2) * step);
+        let at = [0, 1, 2].map(|i| f64::from(centre[i]) + x * east[i] + y * north[i]);
+        local.leaf_with_water(unit(at), level, None).1.is_some()
+    };
+    let wet = (0..side * side).filter(|k| is_wet(k)).count();
+    wet as f64 / f64::from(side * side)
 }

@@ -16,7 +16,7 @@ use super::scale::PlanetScale;
 use super::topology::{Edge, Inner};
 use super::vertex::{FAR, ValleySection, Vertex};
 use river::NearestRiver;
-pub use river::{segment, tributary};
+pub use river::{most_move, tributary};
 
 /// An edge beside a vertex that runs along a river or a gully.
 #[derive(Clone, Copy, Debug)]
@@ -120,12 +120,12 @@ pub fn resolve(
     } else {
         new.kind
     };
-    let river = river::nearest(scale, level, new, around);
+    let river = river::nearest(scale, rules, level, new, around);
     // Beside a river the side is measured; elsewhere it stays the mean of the parents.
     let section = if river.is_beside {
         let mut at = *new;
         river.write(&mut at);
-        valley::section(rules, &at, scale.edge_grains(0))
+        valley::section(scale, rules, &at)
     } else {
         new.section
     };

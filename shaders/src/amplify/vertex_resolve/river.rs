@@ -1,16 +1,15 @@
-//! The nearest river of a vertex: a true distance to a segment.
+//! The nearest river of a vertex: a true distance to the course of a segment, less half of its bed.
 //!
 //! A vertex beside a river sees the river's newest halves; one farther off inherits its parents'
 //! segments (and its neighbours', while edges still move), which lag behind by as many levels as it
 //! is rings away: they are charged for how far the river may have moved since.
 
 use super::{DrainBeside, VertexContext};
-use crate::amplify::arith::isqrt;
 use crate::amplify::control::VertexKind;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::mul_high;
-use crate::amplify::geometry::nearest_on;
-use crate::amplify::rules::EdgeKind;
+use crate::amplify::rules::valley::RiverPlace;
+use crate::amplify::rules::{EdgeKind, Rules, valley};
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
@@ -25,45 +24,10 @@ pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
     quarter + mul_high(quarter, (share(junction.seed, 20) as u32) << 16)
 }
 
-/// The segment between two vertices of a river that was born on level `birth`. `arriving` is the
-/// discharge at its lower end, where others may join it.
-pub fn segment(
-    scale: &PlanetScale,
-    birth: u8,
-    level: u32,
-    [up, down]: [&Vertex; 2],
-    arriving: u32,
-) -> RiverSegment {
-    let reach = if birth == 0 {
-        FAR
-    } else {
-        scale.edge_grains(u32::from(birth)) / 2
-    };
-    RiverSegment {
-        ends: [up.direction, down.direction],
-        bed: [bed_beside(up), bed_beside(down)],
-        water: [up.water, down.water],
-        // At its lower end not the junction's flow: that holds the rivers that join there.
-        flow: [up.flow(), isqrt(arriving) as i32],
-        reach,
-        level,
-    }
-}
-
-/// Bed of a river vertex as the land beside it sees it, grains. A lake's floor is that of its
-/// vertices: beside them lies a beach, no bed.
-fn bed_beside(vertex: &Vertex) -> i32 {
-    if vertex.kind == VertexKind::Lake {
-        vertex.water
-    } else {
-        vertex.bed
-    }
-}
-
 /// Nearest segment found so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NearestRiver {
-    /// Distance and charges, grains.
+    /// Distance to its bank, negative in its bed, and charges; grains.
     cost: i32,
     distance: i32,
     along: i32,
@@ -91,67 +55,108 @@ impl NearestRiver {
         vertex.river_distance = self.distance;
         vertex.river_along = self.along;
     }
-
-    /// Takes a segment if it is nearer to `p`; one beyond its reach counts as far.
-    fn offer(&mut self, scale: &PlanetScale, p: [i32; 3], segment: &RiverSegment, charge: i32) {
-        let (along, off) = nearest_on(segment.ends, p);
-        // Quarters of FAR: distance, charge and penalty together stay in 32 bits.
-        let distance = scale.grains(off).min(FAR / 4);
-        // Beyond its reach a tributary counts only where no other river is known.
-        let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
-        let cost = distance + charge + beyond;
-        if cost < self.cost {
-            self.cost = cost;
-            self.distance = distance;
-            self.along = along;
-            self.segment = *segment;
-        }
-    }
 }
 
 /// The nearest river of a new vertex of the level after `level`.
 pub(super) fn nearest(
     scale: &PlanetScale,
+    rules: &Rules,
     level: u32,
     new: &Vertex,
     around: &VertexContext,
 ) -> NearestRiver {
+    let mut search = Search {
+        scale,
+        rules,
+        level,
+        new,
+        found: NearestRiver::none(),
+    };
     if new.is_wet() {
-        // A river or lake vertex lies on a segment of its own.
-        let birth = around.edge.birth;
-        return NearestRiver {
-            cost: 0,
-            distance: 0,
-            along: 0,
-            segment: segment(scale, birth, level + 1, [new, new], new.discharge),
-            is_beside: true,
-        };
+        search.offer_itself(around);
+        return search.found;
     }
-    let mut nearest = NearestRiver::none();
-    offer_beside(scale, level, new, around, &mut nearest);
-    let is_found = nearest.cost < i32::MAX;
-    if !is_found {
-        offer_inherited(scale, level, new, around, &mut nearest);
-    }
-    nearest.is_beside = is_found || around.ends.iter().any(|end| end.is_wet());
-    nearest
+    search.offer_beside(around);
+    let is_found = search.found.cost < i32::MAX;
+    // A vertex beside a brook may lie in the bed of the river that the brook joins.
+    search.offer_inherited(around, 0);
+    search.found.is_beside = is_found || around.ends.iter().any(|end| end.is_wet());
+    search.found
 }
 
-/// Offers the rivers along the edges of the two faces: their halves while edges still move, else
-/// the whole edges.
-fn offer_beside(
-    scale: &PlanetScale,
+/// The search for the nearest river of a new vertex.
+struct Search<'a> {
+    scale: &'a PlanetScale,
+    rules: &'a Rules,
     level: u32,
-    new: &Vertex,
-    around: &VertexContext,
-    nearest: &mut NearestRiver,
-) {
-    for drain in around.beside.iter().flatten() {
-        if drain.edge.kind != EdgeKind::River {
-            continue;
+    new: &'a Vertex,
+    found: NearestRiver,
+}
+
+impl Search<'_> {
+    /// Takes a segment if its bank is nearer; one beyond its reach counts as far.
+    fn offer(&mut self, segment: &RiverSegment, charge: i32) {
+        let place = RiverPlace::nearest(self.scale, self.rules, segment, self.new.direction);
+        // Quarters of FAR: distance, charge and penalty together stay in 32 bits.
+        let distance = place.distance.min(FAR / 4);
+        // Beyond its reach a tributary counts only where no other river is known.
+        let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
+        let cost = distance - place.reach.half_bed + charge + beyond;
+        if cost < self.found.cost {
+            self.found.cost = cost;
+            self.found.distance = distance;
+            self.found.along = place.along;
+            self.found.segment = *segment;
         }
-        for segment in segments_of(scale, level, drain).iter().flatten() {
-            nearest.offer(scale, new.direction, segment, 0);
+    }
+
+    /// Offers a wet vertex the river that it lies on, and a larger one in whose bed it lies.
+    fn offer_itself(&mut self, around: &VertexContext) {
+        let (birth, new) = (around.edge.birth, self.new);
+        let own =
+            RiverSegment::between(self.scale, birth, self.level + 1, [new, new], new.discharge);
+        self.offer(&own, 0);
+        if new.kind == VertexKind::River {
+            self.offer_inherited(around, 2 * new.flow());
+        }
+        self.found.is_beside = true;
+    }
+
+    /// Offers the rivers along the edges of the two faces: their halves while edges still move,
+    /// else the whole edges.
+    fn offer_beside(&mut self, around: &VertexContext) {
+        for drain in around.beside.iter().flatten() {
+            if drain.edge.kind != EdgeKind::River {
+                continue;
+            }
+            for segment in segments_of(self.scale, self.level, drain).iter().flatten() {
+                self.offer(segment, 0);
+            }
+        }
+    }
+
+    /// Offers the segments of the parents and, while edges move, of the opposite corners, if they
+    /// have more than a flow.
+    fn offer_inherited(&mut self, around: &VertexContext, flow: i32) {
+        let opposite = if self.level < STRAIGHT_LEVEL {
+            around.opposite
+        } else {
+            [None, None]
+        };
+        let [a, b] = around.ends.map(Some);
+        let mut seen: [Option<&RiverSegment>; 4] = [None; 4];
+        for (i, from) in [a, b, opposite[0], opposite[1]].into_iter().enumerate() {
+            let knows_river = |v: &&Vertex| v.river_distance < FAR && v.river.flow[1] >= flow;
+            let Some(from) = from.filter(knows_river) else {
+                continue;
+            };
+            // The same segment often comes from several neighbours.
+            let is_new = |s: &&RiverSegment| s.ends != from.river.ends;
+            if seen.iter().flatten().all(is_new) {
+                seen[i] = Some(&from.river);
+                let charge = most_move(self.scale, self.rules, &from.river);
+                self.offer(&from.river, charge);
+            }
         }
     }
 }
@@ -160,7 +165,10 @@ fn offer_beside(
 #[inline]
 fn segments_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
     let (edge, [up, down]) = (drain.edge, drain.ends);
-    let part = |level, ends, arriving| Some(segment(scale, edge.birth, level, ends, arriving));
+    let part = |level, ends, arriving| {
+        let segment = RiverSegment::between(scale, edge.birth, level, ends, arriving);
+        Some(segment)
+    };
     match drain.mid {
         // No river runs above a spring.
         Some(mid) if !up.is_wet() => [None, part(level + 1, [mid, down], edge.arriving)],
@@ -173,38 +181,12 @@ fn segments_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<
     }
 }
 
-/// Offers the segments of the parents and, while edges move, of the opposite corners.
-fn offer_inherited(
-    scale: &PlanetScale,
-    level: u32,
-    new: &Vertex,
-    around: &VertexContext,
-    nearest: &mut NearestRiver,
-) {
-    let opposite = if level < STRAIGHT_LEVEL {
-        around.opposite
-    } else {
-        [None, None]
-    };
-    let [a, b] = around.ends.map(Some);
-    let mut seen: [Option<&RiverSegment>; 4] = [None; 4];
-    for (i, from) in [a, b, opposite[0], opposite[1]].into_iter().enumerate() {
-        let Some(from) = from.filter(|v| v.river_distance < FAR) else {
-            continue;
-        };
-        // The same segment often comes from several neighbours.
-        let is_new = |s: &&RiverSegment| s.ends != from.river.ends;
-        if seen.iter().flatten().all(is_new) {
-            seen[i] = Some(&from.river);
-            let charge = most_move(scale, from.river.level);
-            nearest.offer(scale, new.direction, &from.river, charge);
-        }
-    }
-}
-
-/// How far a river of a level may move on finer levels, grains.
-fn most_move(scale: &PlanetScale, level: u32) -> i32 {
-    if level >= STRAIGHT_LEVEL {
+/// How far the river of a segment may move on finer levels, grains.
+pub fn most_move(scale: &PlanetScale, rules: &Rules, segment: &RiverSegment) -> i32 {
+    let level = u32::from(segment.level);
+    // A single vertex stays where it is.
+    let keeps_course = rules.landforms && valley::is_smooth(scale, rules, level, segment.flow[1]);
+    if segment.is_point() || keeps_course || level >= STRAIGHT_LEVEL {
         0
     } else {
         scale.edge_grains(level) / 3
