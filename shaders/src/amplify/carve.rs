@@ -3,7 +3,7 @@
 //! Reads and writes one vertex; see [`rules::valley`](super::rules::valley) for the profile.
 
 pub use super::rules::ocean::OceanCache;
-use super::rules::valley;
+use super::rules::{lake, valley};
 pub use super::rules::valley::Carved;
 use super::scale::PlanetScale;
 use super::vertex::Vertex;
@@ -12,7 +12,7 @@ use super::vertex::Vertex;
 /// it changes no bit.
 #[inline]
 pub fn carve(cache: &mut OceanCache, scale: &PlanetScale, vertex: &Vertex) -> Carved {
-    valley::carve(cache, vertex, scale.edge_grains(0))
+    lake::held(vertex, valley::carve(cache, vertex, scale.edge_grains(0)))
 }
 
 /// Final ground and water of a column of vertices.

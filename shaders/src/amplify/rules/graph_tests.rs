@@ -65,6 +65,7 @@ pub(super) fn halved(
         b,
         new: &new,
         face: a.height / 2 + b.height / 2,
+        is_dammed: true,
         length: edge_length(level),
         span: edge_length(level),
         level,

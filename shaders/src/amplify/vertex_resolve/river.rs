@@ -43,11 +43,19 @@ pub fn segment(
         ends: [up.direction, down.direction],
         bed: [bed_beside(up), bed_beside(down)],
         water: [up.water, down.water],
-        // At its lower end not the junction's flow: that holds the rivers that join there.
-        flow: [up.flow(), isqrt(arriving) as i32],
+        flow: flow([up, down], arriving),
         reach,
         level,
     }
+}
+
+/// Flow φ at the ends of a segment, Q16; none within a lake, whose shores no stream shapes.
+fn flow([up, down]: [&Vertex; 2], arriving: u32) -> [i32; 2] {
+    if up.kind == VertexKind::Lake && down.kind == VertexKind::Lake {
+        return [0, 0];
+    }
+    // At its lower end not the junction's flow: that holds the rivers that join there.
+    [up.flow(), isqrt(arriving) as i32]
 }
 
 /// Bed of a river vertex as the land beside it sees it, grains. A lake's floor is that of its
