@@ -3,8 +3,8 @@
 //! Reads and writes one vertex; see [`rules::valley`](super::rules::valley) for the profile.
 
 use super::rules::Rules;
-use super::rules::valley;
 pub use super::rules::valley::{CarveCache, Carved, NO_WATER};
+use super::rules::{lake, valley};
 use super::scale::PlanetScale;
 use super::vertex::Vertex;
 
@@ -17,7 +17,7 @@ pub fn carve(
     rules: &Rules,
     vertex: &Vertex,
 ) -> Carved {
-    valley::carve(cache, scale, rules, vertex)
+    lake::held(vertex, valley::carve(cache, scale, rules, vertex))
 }
 
 /// Final ground and water of a column of vertices.

@@ -97,8 +97,10 @@ pub struct Vertex {
     pub gully_bed: i32,
     /// Distance to the nearest gully, grains; [`FAR`] without one.
     pub gully_distance: i32,
-    /// Which lake it lies in; 0 in none.
+    /// The lake that it lies in or beside; 0 for none.
     pub lake: u32,
+    /// Level of that lake, grains: dry ground beside a lake never lies below it.
+    pub lake_level: i32,
     /// Crust elevation C above sea level, grains: the level that summits reach.
     pub crust: i32,
     /// Kind: ground, sea, coast, river, lake or gully.
@@ -156,6 +158,7 @@ impl Vertex {
             gully_bed: control.height,
             gully_distance: FAR,
             lake: lake_number(control),
+            lake_level: control.water,
             crust: control.crust,
             kind: VertexKind::from_number(control.kind),
             level: 0,
@@ -195,7 +198,8 @@ pub struct EdgeContext<'a> {
     /// The other end.
     pub b: &'a Vertex,
     /// The new vertex: displaced direction, seed, level (that of the edge + 1), distances to river
-    /// and gully, and the parents' average of C, A, W, P, B, collision, ocean and directions.
+    /// and gully, the lake around it, and the parents' average of C, A, W, P, B, collision, ocean
+    /// and directions.
     pub new: &'a Vertex,
     /// Height of the flat face where the new vertex lies, grains: the mean of the ends, but for the
     /// sideways displacement.
@@ -203,6 +207,9 @@ pub struct EdgeContext<'a> {
     /// Lowest and highest ground of the corners of the faces beside the edge, grains; of its ends
     /// alone on levels that know no faces.
     pub range: [i32; 2],
+    /// Whether no corner of the edge's faces lies below the water of its ends: there a new lake
+    /// finds ground to hold it.
+    pub is_dammed: bool,
     /// Length of the edge, grains.
     pub length: i32,
     /// Mean length of the edges of its level, grains.

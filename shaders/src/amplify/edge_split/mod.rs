@@ -5,6 +5,7 @@
 //! distances are estimates until then.
 
 mod course;
+mod lakes;
 mod place;
 
 use super::arith::isqrt;
@@ -49,12 +50,14 @@ pub fn split(
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
     new.discharge = gathered(a, edge);
+    (new.lake, new.lake_level) = lakes::around(level, ends, opposite);
     let context = EdgeContext {
         a,
         b,
         new: &new,
         face: placed.face,
         range: range(ends, opposite),
+        is_dammed: lakes::is_dammed(ends, opposite),
         length,
         span: scale.edge_grains(level),
         level,
@@ -69,7 +72,7 @@ pub fn split(
         water: ground.water,
         ..new
     };
-    settle_water(edge.kind, &mut new, a, b);
+    lakes::settle(rules, edge.kind, &mut new, a, b);
     new
 }
 
@@ -110,48 +113,6 @@ fn gathered(up: &Vertex, edge: &Edge) -> u32 {
     }
 }
 
-/// Keeps lakes level and water from rising downstream, whatever the graph says.
-fn settle_water(kind: EdgeKind, new: &mut Vertex, a: &Vertex, b: &Vertex) {
-    // 0 is no lake.
-    let lake = a.lake | b.lake;
-    // Between two vertices of one lake its surface goes on, whatever was drawn.
-    if lake != 0 && is_one_lake(a, b) {
-        new.kind = VertexKind::Lake;
-        new.height = a.bed + (b.bed - a.bed) / 2;
-        new.bed = new.height;
-        new.water = a.water;
-        new.lake = lake;
-        new.discharge = new.discharge.max(a.discharge.min(b.discharge));
-    } else if new.kind == VertexKind::Lake {
-        // Its flow shapes its shores; it brings its river nothing.
-        new.lake = if lake == 0 { new.seed | 1 } else { lake };
-        new.discharge = a.discharge.max(b.discharge) / 16;
-    } else if kind == EdgeKind::River {
-        // Water never lies below that of the lower end.
-        new.water = new.water.max(new.bed).max(b.water);
-    } else if new.kind == VertexKind::Terrain {
-        hold_back_lakes(new, [a, b]);
-    }
-    if !new.is_wet() {
-        new.discharge = 0;
-    }
-}
-
-/// Whether two vertices lie in the same lake, or in a lake and in a river that has its level.
-fn is_one_lake(a: &Vertex, b: &Vertex) -> bool {
-    let is_wet = a.is_wet() && b.is_wet();
-    is_wet && a.water == b.water && (a.lake == b.lake || a.lake == 0 || b.lake == 0)
-}
-
-/// Raises dry land above the lakes beside it: a lake does not spill over its shore.
-fn hold_back_lakes(new: &mut Vertex, ends: [&Vertex; 2]) {
-    for lake in ends.iter().filter(|v| v.kind == VertexKind::Lake) {
-        new.height = new.height.max(lake.water + 1);
-    }
-    new.bed = new.height;
-    new.water = new.height;
-}
-
 /// A vertex whose maps are the mean of its parents', without a place, a height or water.
 fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
     let seed = between(a.seed, b.seed);
@@ -170,6 +131,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         gully_bed: 0,
         gully_distance: FAR,
         lake: 0,
+        lake_level: 0,
         crust: a.crust + (b.crust - a.crust) / 2,
         kind: VertexKind::Terrain,
         level: level as u8 + 1,

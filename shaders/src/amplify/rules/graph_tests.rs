@@ -66,6 +66,7 @@ pub(super) fn halved(
         new: &new,
         face: a.height / 2 + b.height / 2,
         range: [a.height.min(b.height), a.height.max(b.height)],
+        is_dammed: true,
         length: edge_length(level),
         span: edge_length(level),
         level,

@@ -1,11 +1,24 @@
-//! Lakes: widened rivers with a level surface (paper 002 §5.3, Figs. 14, 15; rule R3 with a lake).
+//! Lakes: their shores and floors, and rivers that widen to new ones (paper 002 §5.3, Figs. 14, 15;
+//! rule R3 with a lake).
+//!
+//! In ours a shore is a contour: the height between the floor and the land is a continuous field,
+//! and where it lies below the lake's level there is water. Noise moves the height on every level,
+//! by what the land is rough and no more than a share of the way from the floor up to the land: so
+//! shores wander far where the ground is gentle, and run straight where it is steep. Waves smooth
+//! what is small.
+//!
+//! Dry ground beside a lake never lies below it. Where land does, the ground is made as if its ends
+//! stood at the lake's level: a sill, as wide as the edge.
 
-use super::landform::dryness;
+use super::landform::{dryness, steepness};
+use super::noise::{CornerCache, gradient};
 use super::preset::Rules;
-use super::{VertexGround, crest};
-use crate::amplify::arith::{mul_q16, smoothstep};
+use super::{EdgeKind, VertexGround, crest, fine, graph, rise};
+use crate::amplify::arith::{mix, mul_q16, pow_1_5, ratio, smoothstep, sqrt_q16};
 use crate::amplify::control::VertexKind;
+use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::{GRAINS, Q16, metres, q16};
+use crate::amplify::rules::valley::Carved;
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{EdgeContext, Vertex};
 
@@ -25,14 +38,33 @@ const HIGH_CRUST: [i32; 2] = [metres(1_500), metres(2_500)];
 /// How much less likely lakes are in the driest land (release).
 const DRY_LOSS: i32 = q16(0.9);
 
-/// Chance that a lake reaches half the way to the land beside it, in ours.
-const SHORE_CHANCE: i32 = q16(0.45776);
-
 /// Least depth of a new lake, grains (release).
 const LEAST_DEPTH: i32 = metres(20);
 
 /// How much deeper than the least a new lake may be drawn, grains (release).
 const DRAWN_DEPTH: i32 = metres(100);
+
+/// Most depth of a new lake of ours, as a share of the edge that it was made on.
+const DEPTH_OF_EDGE: i32 = q16(0.04);
+
+/// How far noise moves the shore of gentle ground, as a share of the edge: on level 0, less with
+/// every level, and at least.
+const WANDER: [i32; 3] = [q16(1.2), q16(0.08), q16(0.1)];
+
+/// Added to the steepness of the land: the tangent of 1.1°, as level soil is uneven too.
+const SOIL_SLOPE: i32 = q16(0.02);
+
+/// Binary logarithm of an edge of level 0, about 2²⁴ direction units.
+const EDGE_BITS: u32 = 24;
+
+/// Seed of the noise; each level adds its number.
+const SHORE_SEED: u32 = 0x1a4e_0000;
+
+/// How much of a floor's depth its relief takes at most.
+const FLOOR_RELIEF: i32 = q16(0.3);
+
+/// Roughness of a floor, as a divisor of that of the land: sediment evens it.
+const FLOOR_ROUGHNESS: i32 = 3;
 
 /// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet
 /// land, or high in the mountains, on the coarse levels only.
@@ -51,60 +83,231 @@ pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u1
     mul_q16(mul_q16(mul_q16(rules.lake_chance, coarse), high), wet)
 }
 
-/// Chance that a lake reaches half the way to the land beside it, Q16. In ours on all levels: bays
-/// and points of all sizes make its shore, as they make a coast.
-fn shore_chance(rules: &Rules) -> i32 {
-    if rules.landforms { SHORE_CHANCE } else { 0 }
-}
-
 /// R3 with a lake: the new vertex lies under the river's water; `None` where no lake forms.
-pub fn halve(rules: &Rules, context: &EdgeContext) -> Option<VertexGround> {
-    let (water, land) = context.wet_end_first();
+pub fn widened(rules: &Rules, context: &EdgeContext) -> Option<VertexGround> {
+    let (river, land) = context.wet_end_first();
     let on_land = matches!(land.kind, VertexKind::Terrain | VertexKind::Gully);
     // Land lower than the water is the valley below: no lake there.
-    if !on_land || water.water <= water.bed || land.height <= water.water {
+    if !on_land || river.kind != VertexKind::River || land.height <= river.water {
+        return None;
+    }
+    // The valley below may also lie beside the edge.
+    let has_room = context.is_dammed && context.new.lake == 0;
+    if river.water <= river.bed || (rules.landforms && !has_room) {
         return None;
     }
     let new = context.new;
-    let is_river = water.kind == VertexKind::River;
-    let chance = if is_river {
-        chance(rules, context.level, water, new.crust, new.wetness)
-    } else {
-        shore_chance(rules)
-    };
-    if share(new.seed, 10) >= chance {
-        return None;
-    }
-    let bed = if is_river || context.level < rules.lake_levels {
-        new_bed(water.bed, new.seed)
-    } else {
-        // The floor shelves towards the shore.
-        water.bed + (water.water - water.bed) / 2
-    };
-    Some(lake(bed, water.water))
+    let chance = chance(rules, context.level, river, new.crust, new.wetness);
+    (share(new.seed, 10) < chance).then(|| under(new_bed(rules, context, river.bed), river.water))
 }
 
 /// Floor of a new lake under the bed of its river, a metre above the sea at least; grains.
-fn new_bed(bed: i32, seed: u32) -> i32 {
-    let depth = LEAST_DEPTH + mul_q16(DRAWN_DEPTH, share(seed, 11));
+fn new_bed(rules: &Rules, context: &EdgeContext, bed: i32) -> i32 {
+    let mut depth = LEAST_DEPTH + mul_q16(DRAWN_DEPTH, share(context.new.seed, 11));
+    if rules.landforms {
+        depth = depth.min(mul_q16(context.length, DEPTH_OF_EDGE));
+    }
     bed - depth.min(bed - GRAINS).max(0)
 }
 
-/// Between two lake vertices: the floor of their lake, or a crest between two lakes.
+/// Print and release: the floor between two vertices of one lake, or a crest between two lakes.
 pub fn between(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let (a, b) = (context.a, context.b);
     if a.lake != b.lake || a.water != b.water {
         return crest::between_rivers(rules, context);
     }
-    lake(a.bed + (b.bed - a.bed) / 2, a.water)
+    under(a.bed + (b.bed - a.bed) / 2, a.water)
 }
 
-/// A lake's floor under its water, grains.
-const fn lake(bed: i32, water: i32) -> VertexGround {
+/// Ours: the vertex of an edge in or beside a lake.
+pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
+    let level = context.new.lake_level;
+    let is_lake = |v: &Vertex| v.kind == VertexKind::Lake && v.water == level;
+    let is_level = |v: &Vertex| v.is_wet() && v.water == level;
+    let (a, b) = (context.a, context.b);
+    if (is_lake(a) && is_level(b)) || (is_lake(b) && is_level(a)) {
+        return floor(rules, edge, context);
+    }
+    if edge == EdgeKind::River {
+        return if is_lake(b) && a.is_wet() {
+            inflow(context)
+        } else {
+            graph(rules, edge, context)
+        };
+    }
+    let (lake, land) = if is_lake(a) { (a, b) } else { (b, a) };
+    if is_lake(lake) && !land.is_wet() && land.height >= level {
+        return of_kind(edge, shore(rules, context, lake, land));
+    }
+    beside(rules, edge, context)
+}
+
+/// The floor between two vertices of a lake: that of the face, and its own modest relief.
+fn floor(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
+    let (a, b) = (context.a, context.b);
+    let level = context.new.lake_level;
+    let mean = level - (a.bed + (b.bed - a.bed) / 2);
+    if edge == EdgeKind::River {
+        return under(level - mean, level);
+    }
+    let most = mul_q16(mean, FLOOR_RELIEF);
+    let relief = (fine::rough(rules, context) / FLOOR_ROUGHNESS).clamp(-most, most);
+    under(level - mean + relief, level)
+}
+
+/// A river that flows into a lake: the lake reaches as far up its valley as the river's bed lies
+/// below it.
+fn inflow(context: &EdgeContext) -> VertexGround {
+    let (river, lake) = (context.a, context.b);
+    let level = lake.water;
+    let bed = river.bed + (lake.bed - river.bed) / 2;
+    let water = bed + (river.water - river.bed).max(0);
+    if water <= level {
+        return under(bed, level);
+    }
+    VertexGround {
+        kind: VertexKind::River,
+        height: bed,
+        bed,
+        water: water.min(river.water),
+    }
+}
+
+/// Between a lake and land that is not lower: lake or land, as the height lies below the level or
+/// above.
+fn shore(rules: &Rules, context: &EdgeContext, lake: &Vertex, land: &Vertex) -> VertexGround {
+    let level = context.new.lake_level;
+    let (depth, rise) = (level - lake.bed, land.height - level);
+    let gentle = gentleness(rules, context, rise + depth);
+    // Land rises from its valleys in a hollow: on gentle ground the shore is as likely on either
+    // side of the middle, on steep ground it lies where an even slope would cross the water.
+    let even = rise / 2 - depth / 2;
+    let side = rise.max(depth).max(1);
+    let middle = mul_q16(
+        ratio(even.abs(), side) * even.signum(),
+        Q16 - gentle / 4 * 3,
+    );
+    let away = middle + mul_q16(moved(context), gentle);
+    if away <= 0 {
+        under(level - shelving(context.level, -away, depth), level)
+    } else {
+        let over = onto_land(rules, context, away, rise);
+        VertexGround::dry(VertexKind::Terrain, level + over.max(1))
+    }
+}
+
+/// How gentle the ground of an edge is whose ends differ by `fall` grains, against the steepness of
+/// the land: 1 up to that steepness, half at twice of it; Q16.
+fn gentleness(rules: &Rules, context: &EdgeContext, fall: i32) -> i32 {
+    let steep = steepness(rules, context.new) + SOIL_SLOPE;
+    ratio(mul_q16(context.length, steep), fall.max(1))
+}
+
+/// How far noise moves the shore of gentle ground, as a share of the edge; Q16.
+fn moved(context: &EdgeContext) -> i32 {
+    let noise = gradient(
+        &mut CornerCache::default(),
+        context.new.direction,
+        EDGE_BITS + 1 - context.level.min(16),
+        SHORE_SEED + context.level,
+    );
+    let [most, loss, least] = WANDER;
+    let wander = (most - loss * context.level.min(16) as i32).max(least);
+    mul_q16(noise, wander)
+}
+
+/// Depth at a share of the way from the shore down to a `depth`: floors are hollow, about as the
+/// 0.7th power of the distance. On straight edges they are even.
+fn shelving(level: u32, share: i32, depth: i32) -> i32 {
+    if level >= STRAIGHT_LEVEL {
+        return mul_q16(depth, share);
+    }
+    // The root of the power 1.5, which is 0.75.
+    mul_q16(depth, sqrt_q16(pow_1_5(share.min(Q16))))
+}
+
+/// Height over the lake of land at a share of the way from the shore up to the land's `rise`: the
+/// farther from the shore, the more it is that of slopes without one.
+fn onto_land(rules: &Rules, context: &EdgeContext, share: i32, rise: i32) -> i32 {
+    let even = mul_q16(rise, share);
+    if context.level >= rules.fine_level {
+        return even;
+    }
+    let level = context.new.lake_level;
+    let slope = lifted(context, level, |lifted| {
+        rise::height(rules, lifted, rise::SLOPE_BULGE)
+    });
+    mix(even, slope - level, (2 * share).min(Q16))
+}
+
+/// Beside a lake: the ground is made as if its ends stood at the lake's level at least.
+fn beside(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
+    let level = context.new.lake_level;
+    let ground = lifted(context, level, |lifted| {
+        if lifted.a.kind == VertexKind::Lake || lifted.b.kind == VertexKind::Lake {
+            // Between two waters, or over a valley that lies lower than the lake.
+            of_kind(edge, crest::between_rivers(rules, lifted))
+        } else {
+            graph(rules, edge, lifted)
+        }
+    });
+    let is_dry = !matches!(
+        ground.kind,
+        VertexKind::Sea | VertexKind::River | VertexKind::Lake
+    );
+    if is_dry && ground.height <= level {
+        // A hollow under the level becomes a rise over it.
+        let height = level + 1 + (level - ground.height) / 4;
+        return VertexGround::dry(ground.kind, height);
+    }
+    ground
+}
+
+/// Runs a rule on an edge whose ends stand at a level at least, or at their water.
+fn lifted<T>(context: &EdgeContext, level: i32, rule: impl FnOnce(&EdgeContext) -> T) -> T {
+    let [a, b] = [context.a, context.b].map(|end| match end.kind {
+        VertexKind::Sea | VertexKind::Coast => *end,
+        _ => Vertex {
+            height: end.height.max(level).max(end.water),
+            ..*end
+        },
+    });
+    rule(&EdgeContext {
+        a: &a,
+        b: &b,
+        face: context.face.max(a.height.min(b.height)),
+        ..*context
+    })
+}
+
+/// Dry ground on a gully's edge is a gully.
+fn of_kind(edge: EdgeKind, ground: VertexGround) -> VertexGround {
+    if edge == EdgeKind::Gully && ground.kind == VertexKind::Terrain {
+        return VertexGround::dry(VertexKind::Gully, ground.height);
+    }
+    ground
+}
+
+/// A lake's floor under its water, grains: a grain below it at least.
+fn under(bed: i32, water: i32) -> VertexGround {
+    let bed = bed.min(water - 1);
     VertexGround {
         kind: VertexKind::Lake,
         height: bed,
         bed,
         water,
+    }
+}
+
+/// Ground and water beside a lake: the lake's level goes on under its shore, and no valley is cut
+/// below it.
+pub fn held(vertex: &Vertex, carved: Carved) -> Carved {
+    let is_river = carved.water > carved.ground || vertex.is_wet();
+    if vertex.lake == 0 || is_river || vertex.kind == VertexKind::Sea {
+        return carved;
+    }
+    Carved {
+        ground: carved.ground.max(vertex.lake_level),
+        water: vertex.lake_level,
     }
 }

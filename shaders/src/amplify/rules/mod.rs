@@ -82,6 +82,15 @@ impl VertexGround {
 /// The ground of the vertex that halves an edge: picks the rule by the configuration (kind, edge,
 /// kind).
 pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
+    if rules.landforms && context.new.lake != 0 {
+        lake::halve(rules, edge, context)
+    } else {
+        graph(rules, edge, context)
+    }
+}
+
+/// The same where no lake is near.
+fn graph(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
     use VertexKind::{Coast, Gully, Lake, River, Sea};
     let (a, b) = (context.a.kind, context.b.kind);
     match edge {
@@ -97,7 +106,7 @@ pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGrou
         (Lake, Lake) => lake::between(rules, context),
         (River | Lake, River | Lake) => crest::between_rivers(rules, context),
         (River | Lake, _) | (_, River | Lake) => {
-            lake::halve(rules, context).unwrap_or_else(|| slope::from_river(rules, context))
+            lake::widened(rules, context).unwrap_or_else(|| slope::from_river(rules, context))
         }
         _ if context.level >= rules.fine_level => fine::halve(rules, context),
         (Gully, Gully) => crest::between_gullies(rules, context),
