@@ -17,7 +17,7 @@ use super::vertex::Vertex;
 ///
 /// ```
 /// use pangaea_shaders::amplify::base::Base;
-/// use pangaea_shaders::amplify::carve::{OceanCache, carve};
+/// use pangaea_shaders::amplify::carve::{CarveCache, carve};
 /// use pangaea_shaders::amplify::rules::Rules;
 /// use pangaea_shaders::amplify::show::show;
 /// use pangaea_shaders::amplify::synthetic::control_mesh;
@@ -25,7 +25,7 @@ use super::vertex::Vertex;
 /// let base = Base::new(&control_mesh(6_371_000, 3, 1))?;
 /// let (rules, scale) = (Rules::default(), base.scale);
 /// let land = base.vertices.iter().find(|v| v.height > 500_000).expect("a hill");
-/// let carved = carve(&mut OceanCache::default(), &scale, land);
+/// let carved = carve(&mut CarveCache::default(), &scale, &rules, land);
 /// // From afar the land around it, which is higher than its valleys; near by itself.
 /// assert!(show(&scale, &rules, land, carved, 0).ground > carved.ground);
 /// assert_eq!(show(&scale, &rules, land, carved, 8), carved);

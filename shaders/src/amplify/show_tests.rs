@@ -54,7 +54,7 @@ fn presets_show_their_vertices() {
     let base = base();
     for rules in [Rules::PAPER, Rules::RELEASE] {
         let ground = refine(&base, &rules, &View::whole(1), &Caps::default());
-        let carved = carve_all(&ground.scale, &Rules::default(), &ground.vertices);
+        let carved = carve_all(&ground.scale, &rules, &ground.vertices);
         let view = View::whole(1);
         let shown = show_all(&ground.scale, &rules, &view, &ground.vertices, &carved);
         assert_eq!(shown, carved);
