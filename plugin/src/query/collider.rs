@@ -8,10 +8,11 @@ use super::planet::{PlanetGround, quantised};
 use crate::math::east_north;
 use bevy::math::{DVec2, DVec3};
 use core::f64::consts::FRAC_1_SQRT_2;
-use pangaea_shaders::amplify::carve::{OceanCache, carve};
+use pangaea_shaders::amplify::carve::{CarveCache, carve};
 use pangaea_shaders::amplify::fixed::{GRAINS, Q16};
 use pangaea_shaders::amplify::ground::{Caps, RefinedGround, refine_faces};
 use pangaea_shaders::amplify::mark::View;
+use pangaea_shaders::amplify::rules::Rules;
 use pangaea_shaders::amplify::topology::{Face, SplitMark};
 
 /// Most edges of a level along the side of a collider: two and a half million triangles, or eight
@@ -112,7 +113,7 @@ impl PlanetGround {
         let at = quantised(square.up);
         let height = self.leaf_at(at, level).height_m(at);
         let origin = square.up * (square.radius + height);
-        let mut builder = PatchBuilder::new(refined, square.radius, origin);
+        let mut builder = PatchBuilder::new(refined, self.rules(), square.radius, origin);
         for face in finest.faces.iter().filter(meets) {
             builder.push(face);
         }
@@ -124,18 +125,20 @@ impl PlanetGround {
 struct PatchBuilder<'a> {
     refined: &'a RefinedGround,
     radius_m: f64,
-    kept: OceanCache,
+    rules: &'a Rules,
+    kept: CarveCache,
     /// Number in the patch of every vertex, or `u32::MAX`.
     numbers: Vec<u32>,
     patch: Patch,
 }
 
 impl<'a> PatchBuilder<'a> {
-    fn new(refined: &'a RefinedGround, radius_m: f64, origin: DVec3) -> Self {
+    fn new(refined: &'a RefinedGround, rules: &'a Rules, radius_m: f64, origin: DVec3) -> Self {
         Self {
             refined,
             radius_m,
-            kept: OceanCache::default(),
+            rules,
+            kept: CarveCache::default(),
             numbers: vec![u32::MAX; refined.vertices.len()],
             patch: Patch {
                 origin,
@@ -159,7 +162,7 @@ impl<'a> PatchBuilder<'a> {
         let number = self.patch.positions.len() as u32;
         self.numbers[v as usize] = number;
         let vertex = &self.refined.vertices[v as usize];
-        let ground = carve(&mut self.kept, &self.refined.scale, vertex).ground;
+        let ground = carve(&mut self.kept, &self.refined.scale, self.rules, vertex).ground;
         // Rounding lets directions leave the sphere by up to 5 cm.
         let unit = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
         let place = unit * (self.radius_m + f64::from(ground) / f64::from(GRAINS));

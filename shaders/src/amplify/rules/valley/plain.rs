@@ -35,11 +35,11 @@ const SEED: u32 = 0x0f10_0d01;
 
 /// Noise drawn for the last vertex, one per octave: waves of 410 to 6 m. It saves work and changes
 /// no result.
-pub type PlainCache = [CornerCache; 7];
+pub(super) type PlainCache = [CornerCache; 7];
 
 /// Ground outside the bed of a river as its floods leave it, grains: at the water's level at the
 /// bed's rim, above it everywhere else.
-pub fn flood_plain(
+pub(super) fn flood_plain(
     cache: &mut PlainCache,
     direction: [i32; 3],
     reach: &Reach,
@@ -80,24 +80,22 @@ fn relief(
 
 /// The higher of two heights, with a round edge between them that begins where they differ by
 /// `edge` grains and is a quarter of that high.
-pub fn smooth_max(a: i32, b: i32, edge: i32) -> i32 {
+pub(super) fn smooth_max(a: i32, b: i32, edge: i32) -> i32 {
     let near = (edge - (a - b).abs()).max(0);
     let rounded = mul_q16(near, ratio(near, edge.max(1))) / 4;
     a.max(b) + rounded
 }
 
 /// Least difference at which a valley's side stands out of a flood plain, grains.
-pub const EDGE: i32 = metres(2);
+pub(super) const EDGE: i32 = metres(2);
 
 /// The edge between a flood plain and its valley's side grows with the distance from the bed by
 /// this divisor: at the bed's rim there is none.
-pub const EDGE_GROWTH: i32 = 4;
+pub(super) const EDGE_GROWTH: i32 = 4;
 
 /// Beyond so many half-widths of the bed land may lie lower than the plain, by 1 in
 /// [`LOW_LAND_SLOPE`].
-pub const PLAIN_WIDTH: i32 = 3;
+pub(super) const PLAIN_WIDTH: i32 = 3;
 
 /// See [`PLAIN_WIDTH`].
-pub const LOW_LAND_SLOPE: i32 = 40;
-
-const _: () = assert!(LEVEE_LENGTH * 4 < i32::MAX / metres(1) && GRAINS == 1024);
+pub(super) const LOW_LAND_SLOPE: i32 = 40;
