@@ -8,7 +8,7 @@ use super::planet::{PlanetGround, quantised};
 use crate::math::east_north;
 use bevy::math::{DVec2, DVec3};
 use core::f64::consts::FRAC_1_SQRT_2;
-use pangaea_shaders::amplify::carve::{OceanCache, carve};
+use pangaea_shaders::amplify::carve::{CarveCache, carve};
 use pangaea_shaders::amplify::fixed::{GRAINS, Q16};
 use pangaea_shaders::amplify::ground::{Caps, RefinedGround, refine_faces};
 use pangaea_shaders::amplify::mark::View;
@@ -127,7 +127,7 @@ struct PatchBuilder<'a> {
     refined: &'a RefinedGround,
     rules: &'a Rules,
     radius_m: f64,
-    kept: OceanCache,
+    kept: CarveCache,
     /// Number in the patch of every vertex, or `u32::MAX`.
     numbers: Vec<u32>,
     patch: Patch,
@@ -139,7 +139,7 @@ impl<'a> PatchBuilder<'a> {
             refined,
             rules,
             radius_m,
-            kept: OceanCache::default(),
+            kept: CarveCache::default(),
             numbers: vec![u32::MAX; refined.vertices.len()],
             patch: Patch {
                 origin,
@@ -164,7 +164,7 @@ impl<'a> PatchBuilder<'a> {
         self.numbers[v as usize] = number;
         let vertex = &self.refined.vertices[v as usize];
         let scale = &self.refined.scale;
-        let carved = carve(&mut self.kept, scale, vertex);
+        let carved = carve(&mut self.kept, scale, self.rules, vertex);
         // The patch is cut from the finest level of its refinement.
         let level = self.refined.levels.len() as u32 - 1;
         let ground = show(scale, self.rules, vertex, carved, level).ground;

@@ -232,7 +232,9 @@ impl Ground for PlanetGround {
 
     fn water(&self, direction: DVec3, level: u8) -> Result<f32, GroundError> {
         let at = quantised(checked(direction, level)?);
-        Ok(water_m(&self.leaf_at(at, level), at))
+        let found = |engine: &mut Engine| engine.leaf_with_water(at, u32::from(level), None);
+        let (leaf, water) = self.with_engine(found);
+        Ok(water_m(&leaf, water, at))
     }
 
     fn climate(&self, direction: DVec3, height_m: f32) -> Result<ClimateSample, GroundError> {
@@ -247,7 +249,7 @@ impl Ground for PlanetGround {
         let at = quantised(unit);
         let stencil = NormalStencil::new(unit, self.radius_m(), level)?;
         self.with_engine(|engine| {
-            let leaf = engine.leaf(at, u32::from(level), None);
+            let (leaf, water) = engine.leaf_with_water(at, u32::from(level), None);
             let height_m = leaf.height_m(at) as f32;
             // The four neighbours lie in the leaf or beside it: the engine remembers the way.
             let mut heights = [0.0; 4];
@@ -255,7 +257,7 @@ impl Ground for PlanetGround {
             Ok(Sample::new(
                 up,
                 height_m,
-                water_m(&leaf, at),
+                water_m(&leaf, water, at),
                 stencil.normal(heights),
                 self.climate_at(unit, height_m),
             ))
@@ -282,13 +284,10 @@ fn heights_on(
 }
 
 /// Level of the water at a direction in a leaf in m; the height of the ground where it is dry.
-fn water_m(leaf: &Leaf, at: [i32; 3]) -> f32 {
-    let weights = leaf.weights(at);
-    let grains: f64 = (0..3)
-        .map(|k| weights[k] * f64::from(leaf.carved[k].water))
-        .sum();
-    // Between wet and dry corners the water's surface runs on below the dry ground.
-    (grains / f64::from(GRAINS)).max(leaf.height_m(at)) as f32
+fn water_m(leaf: &Leaf, water: Option<f64>, at: [i32; 3]) -> f32 {
+    let ground = leaf.height_m(at) as f32;
+    // Water too shallow for 32 bits to tell is none.
+    water.map_or(ground, |level| (level as f32).max(ground))
 }
 
 /// Shares of the corners of a face of the control mesh at a direction in it, with the bits of

@@ -26,8 +26,8 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
     /// use pangaea_shaders::amplify::synthetic::control_mesh;
     ///
     /// let base = Base::new(&control_mesh(6_371_000, 3, 1))?;
-    /// let river = base.vertices.iter().find(|v| v.kind == VertexKind::River);
-    /// let river = river.expect("a river").direction;
+    /// let mut vertices = base.vertices.iter();
+    /// let river = vertices.find(|v| v.kind == VertexKind::River).expect("a river").direction;
     /// let mut ground = LocalGround::new(&base, &Rules::default());
     /// let (leaf, water) = ground.leaf_with_water(river, 17, None);
     /// assert!(water.is_some_and(|level| level > leaf.height_m(river)));

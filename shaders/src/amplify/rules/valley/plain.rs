@@ -99,5 +99,3 @@ pub(super) const PLAIN_WIDTH: i32 = 3;
 
 /// See [`PLAIN_WIDTH`].
 pub(super) const LOW_LAND_SLOPE: i32 = 40;
-
-const _: () = assert!(LEVEE_LENGTH * 4 < i32::MAX / metres(1) && GRAINS == 1024);
