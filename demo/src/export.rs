@@ -12,8 +12,8 @@ use bevy_pangaea::io::export::{
 };
 use bevy_pangaea::io::{check_outputs, load_planet};
 use bevy_pangaea::query::{
-    AzimuthalEquidistant, DegreeBox, GridProjection, Ground, GroundError, MapGrid, MapSquare,
-    TileBlock,
+    AzimuthalEquidistant, DegreeBox, FieldGround, GridProjection, Ground, GroundError, MapGrid,
+    MapSquare, TileBlock,
 };
 
 /// Runs the command.
@@ -26,7 +26,9 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     check_output(args, &shape)?;
     let climate = args.ground.climate.load()?;
     let state = load_planet(&args.ground.planet)?;
-    let area = shape.area(1000.0 * state.planet.radius)?;
+    let radius_m = 1000.0 * state.planet.radius;
+    let area = shape.area(radius_m)?;
+    let field = args.field.load(radius_m)?;
     let mut job = ExportJob::new(area, &args.out)?;
     if let Some(range) = args.range {
         job = job.with_range(range.0)?;
@@ -36,7 +38,10 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     }
     let ground = ground(&bake_planet(state, climate)?)?;
     say(&scale_of(&job.grid()));
-    let exported = run(&job, &ground)?;
+    let exported = match field {
+        Some(field) => run(&job, &FieldGround::new(ground, field))?,
+        None => run(&job, &ground)?,
+    };
     report(args, &exported);
     Ok(())
 }

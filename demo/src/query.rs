@@ -13,7 +13,7 @@ use crate::ground::{bake_planet, ground};
 use crate::output::{has_reader, print_to};
 use crate::values::PlaceSpec;
 use bevy_pangaea::io::load_planet;
-use bevy_pangaea::query::{Ground, Sample, direction_at};
+use bevy_pangaea::query::{FieldGround, Ground, Sample, direction_at};
 use pace::Pace;
 use places::PlaceQueue;
 use std::io::{self, Write};
@@ -36,8 +36,15 @@ pub fn query(args: &QueryArgs) -> Result<(), CliError> {
     };
     let climate = args.ground.climate.load()?;
     let planet = load_planet(&args.ground.planet)?;
+    let field = args.field.load(1000.0 * planet.planet.radius)?;
     let ground = ground(&bake_planet(planet, climate)?)?;
-    answer(places, &ground, args.level, io::stdout(), has_reader)
+    match field {
+        Some(field) => {
+            let ground = FieldGround::new(ground, field);
+            answer(places, &ground, args.level, io::stdout(), has_reader)
+        }
+        None => answer(places, &ground, args.level, io::stdout(), has_reader),
+    }
 }
 
 /// Prints a header, and a line for each place, until the places end or nobody reads any more.

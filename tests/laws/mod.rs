@@ -1,5 +1,6 @@
 //! Laws: closed forms, conservation, and the rules of each process.
 
+mod amplified;
 mod climate;
 mod collision;
 mod consumption;

@@ -1,6 +1,7 @@
 //! Options of the commands about the ground of a planet file: `export`, `relief`, `query`.
 
 use super::climate::ClimateArgs;
+use super::height_field::HeightFieldArgs;
 use crate::values::{
     BoxSpec, PixelsSpec, PlaceSpec, RangeSpec, RegionSpec, TilesSpec, degree_box, height_range,
     level, pixels, place, region, sites, tiles,
@@ -33,6 +34,9 @@ pub struct ExportArgs {
     /// The planet.
     #[command(flatten)]
     pub ground: GroundArgs,
+    /// Heights of the user's own at a place.
+    #[command(flatten)]
+    pub field: HeightFieldArgs,
     /// Middle of the square in degrees, and its side in km; with --tiles, the side of one tile
     ///
     /// The square is azimuthal equidistant about its middle, north up; values are those of the
@@ -127,6 +131,9 @@ pub struct QueryArgs {
     /// The planet.
     #[command(flatten)]
     pub ground: GroundArgs,
+    /// Heights of the user's own at a place.
+    #[command(flatten)]
+    pub field: HeightFieldArgs,
     /// The point in degrees; without it, lines "lat,lon" are read from the standard input
     ///
     /// Printed are comma separated values with a header, in the order of the input. Lines are

@@ -12,6 +12,8 @@ mod recipe;
 
 mod climate;
 
+mod height_field;
+
 mod ground;
 
 mod planets;

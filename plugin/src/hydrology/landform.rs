@@ -173,7 +173,8 @@ pub(super) fn lowered_summits(km: f32) -> f32 {
     let range = HIGHEST_SUMMIT_KM - LOWERED_FROM_KM;
     let over = ((km - LOWERED_FROM_KM) / range).max(0.0);
     // Near the identity for low summits: |x| / (1 + x⁴)^¼.
-    let kept = over / (1.0 + over.powi(2).powi(2)).sqrt().sqrt();
+    let square = over * over;
+    let kept = over / (1.0 + square * square).sqrt().sqrt();
     km.min(LOWERED_FROM_KM) + range * kept
 }
 

@@ -31,10 +31,9 @@ pub fn level_for(radius_m: f64, spacing_m: f64) -> u8 {
         .unwrap_or(LEVELS)
 }
 
-/// The coarsest level of a raster whose level nobody has chosen. Vertices of the coarse levels are
-/// mostly beds of rivers: they show the land up to a third too low, from this level on within a
-/// twentieth.
-const COARSEST_RASTER_LEVEL: u8 = 6;
+/// The coarsest level of a raster whose level nobody has chosen. Every level shows the same land;
+/// coarser ones draw most of it from a mean of many places, finer ones from the place itself.
+const COARSEST_RASTER_LEVEL: u8 = 3;
 
 /// The level for a raster whose values are `spacing_m` apart, on a planet of `radius_m`.
 pub(super) fn raster_level(radius_m: f64, spacing_m: f64) -> u8 {

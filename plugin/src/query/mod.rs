@@ -18,6 +18,7 @@
 //! patch        a regular grid of triangles around a point
 //! collider     the ground's own triangles around a point
 //! ray          where a ray meets the ground
+//! height_field heights that a user gives at a place, over those of a planet
 //! tree         many rays against one patch
 //! ```
 //!
@@ -61,11 +62,14 @@ mod ray;
 
 mod tree;
 
+mod height_field;
+
 pub use check::{checked, direction_at};
 pub use coarse::CoarseGround;
 pub use degree_box::DegreeBox;
 pub use error::GroundError;
 pub use ground::Ground;
+pub use height_field::{FieldGround, HeightField};
 pub use level::{LEVELS, level_for, spacing};
 pub use map_grid::{GridPoint, GridProjection, MapGrid};
 pub use pangaea_shaders::amplify::rules::Rules;

@@ -1,0 +1,130 @@
+//! The amplified ground of grown planets is the land of their simulation: its area, its height on
+//! every level, and no summit that no planet has.
+
+use bevy::math::DVec3;
+use bevy_pangaea::control::{PlanetBake, bake_now};
+use bevy_pangaea::math::{angle_between, lat_lon};
+use bevy_pangaea::prelude::*;
+use bevy_pangaea::query::{AzimuthalEquidistant, CoarseGround, MapSquare};
+use bevy_pangaea::sphere::SphereMesh;
+use pangaea_tests::shape::small;
+use pangaea_tests::world::{get, planet_app, steps, surface};
+
+/// A grown planet: its crust alone, and the ground that was amplified from it.
+struct Grown {
+    crust: CoarseGround,
+    ground: PlanetGround,
+}
+
+impl Grown {
+    fn new(seed: u64, count: u64) -> Self {
+        let (mut app, planet) = planet_app(&small(seed, 20_000));
+        steps(&mut app, planet, count);
+        let surface = surface(&mut app, planet);
+        bake_now(app.world_mut(), planet).expect("a bake");
+        let mesh = get::<Lattice>(&app, planet).0.clone();
+        let heights = (0..mesh.len()).map(|i| 1000.0 * surface.elevation(i));
+        let crust = CoarseGround::new(mesh.clone(), heights.collect(), 6_370_000.0);
+        let ground = PlanetGround::of_bake(&get::<PlanetBake>(&app, planet).0, Rules::default());
+        Self {
+            crust: crust.expect("a crust"),
+            ground: ground.expect("a ground"),
+        }
+    }
+
+    /// Share of the directions over which the ground stands above the sea.
+    fn land(ground: &impl Ground, directions: &[DVec3], level: u8) -> f64 {
+        let mut heights = vec![0.0; directions.len()];
+        ground
+            .heights(directions, level, &mut heights)
+            .expect("heights");
+        heights.iter().filter(|&&z| z > 0.0).count() as f64 / directions.len() as f64
+    }
+
+    fn assert_the_land_keeps_its_area(&self) {
+        let spread = SphereMesh::fibonacci(100_000).expect("a mesh");
+        let directions = spread.points();
+        let simulated = Self::land(&self.crust, directions, 0);
+        for level in 5..=8 {
+            let amplified = Self::land(&self.ground, directions, level);
+            eprintln!("level {level}: {amplified:.4} of {simulated:.4} is land");
+            assert!((amplified - simulated).abs() < 0.002, "level {level}");
+        }
+    }
+
+    /// Places of the highest summits that control vertices allow, far from each other.
+    fn highest(&self, count: usize) -> Vec<DVec3> {
+        let mut vertices: Vec<_> = self.ground.base().vertices.iter().collect();
+        vertices.sort_by_key(|v| -v.crust);
+        let mut places: Vec<DVec3> = Vec::new();
+        for vertex in vertices {
+            let place = DVec3::from_array(vertex.direction.map(f64::from)).normalize();
+            if places
+                .iter()
+                .all(|&other| angle_between(place, other) > 0.05)
+            {
+                places.push(place);
+            }
+            if places.len() == count {
+                break;
+            }
+        }
+        places
+    }
+
+    fn assert_no_summit_is_too_high(&self) {
+        let mut highest = f32::MIN;
+        for place in self.highest(12) {
+            // 60 km at 94 m.
+            let [_, top] = self.square(place, 60_000.0, 640, 10);
+            highest = highest.max(top);
+        }
+        eprintln!("the highest summit: {highest:.0} m");
+        assert!((5_000.0..9_500.0).contains(&highest), "{highest}");
+    }
+
+    fn assert_every_level_has_the_same_height(&self) {
+        for place in self.highest(3) {
+            let [fine, _] = self.square(place, 1_000_000.0, 256, 8);
+            for (level, pixels) in [(0, 64), (1, 64), (2, 128), (3, 128), (4, 256), (6, 256)] {
+                let [coarse, _] = self.square(place, 1_000_000.0, pixels, level);
+                eprintln!("level {level}: {coarse:.0} of {fine:.0} m");
+                assert!((coarse / fine - 1.0).abs() < 0.05, "level {level}");
+            }
+        }
+    }
+
+    /// Mean height and greatest height of a square in m.
+    fn square(&self, place: DVec3, side_m: f64, pixels: usize, level: u8) -> [f32; 2] {
+        let (lat, lon) = lat_lon(place);
+        let about = AzimuthalEquidistant::new(lat, lon, 6_370_000.0).expect("a projection");
+        let square = MapSquare::new(about, side_m, pixels).expect("a square");
+        let grid = square.heights(&self.ground, level).expect("heights");
+        let mean =
+            grid.values.iter().map(|&z| f64::from(z)).sum::<f64>() / grid.values.len() as f64;
+        let [_, top] = grid.range().expect("pixels");
+        [mean as f32, top]
+    }
+}
+
+fn assert_laws(seed: u64, count: u64) {
+    let grown = Grown::new(seed, count);
+    grown.assert_every_level_has_the_same_height();
+    grown.assert_no_summit_is_too_high();
+    grown.assert_the_land_keeps_its_area();
+}
+
+#[test]
+fn the_ground_of_planet_5_is_its_land() {
+    assert_laws(5, 75);
+}
+
+#[test]
+fn the_ground_of_planet_6_is_its_land() {
+    assert_laws(6, 100);
+}
+
+#[test]
+fn the_ground_of_planet_8_is_its_land() {
+    assert_laws(8, 125);
+}
