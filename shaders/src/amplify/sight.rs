@@ -8,6 +8,7 @@
 //! No vertex depends on a distance, but the mesh does: all faces within three rings of a split one
 //! exist at its level as long as c is at least [`RINGS`] times the Lipschitz constant of what is
 //! compared with c·ℓ. That bounds both: q - 1 may be at most (c / 4.5 - 1) / 4.5, the slope c / 4.5.
+//! From an altitude h the distance itself grows by up to √(1 + h / R), by which c is divided there.
 
 use super::arith::{isqrt, length, linear_step, mul_q16, ratio, smooth};
 use super::fixed::{GRAINS, Q16, difference, mul_shift, q16};

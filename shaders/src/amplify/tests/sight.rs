@@ -49,8 +49,10 @@ impl RealCamera {
         let centre = sum.map(|x| x * (self.radius_m + height));
         let way = [0, 1, 2].map(|i| centre[i] - self.place[i]);
         let distance = dot(way, way).sqrt();
-        // The slope that three rings allow, and the factor q beside the field of view of 120°.
-        let slope = self.sharpness / 4.5;
+        // The slope that three rings allow, and the factor q beside the field of view of 120°. From
+        // on high the distance itself grows faster than the way along the ground.
+        let stretch = (dot(self.place, self.place).sqrt() / self.radius_m).sqrt();
+        let slope = (self.sharpness / stretch / 4.5).max(1.0);
         let most = ((slope - 1.0) / 4.5).min(3.0);
         let t = ((0.5 - dot(way, self.forward) / distance) / 0.5).clamp(0.0, 1.0);
         let q = 1.0 + most * t * t * (3.0 - 2.0 * t);
@@ -100,9 +102,9 @@ fn check_splits(base: &Base, view: &View) -> [usize; 2] {
     for face in &base.level.faces {
         let corners = face.vertices.map(|v| &base.vertices[v as usize]);
         let [distance, weighted] = real.distances(corners);
-        // Ground up to 1.5 km high counts as if it were at sea level but for its height, and a
+        // Ground high above a small sphere counts as if on it but for its height, and a
         // camera knows its way to a metre. The slope makes more of both.
-        let unclear = real.sharpness / 4.5 * (0.004 * distance + 1.0);
+        let unclear = real.sharpness / 4.5 * (0.007 * distance + 1.0);
         for level in 0..12 {
             let bound = real.sharpness * edge_m / f64::from(1 << level);
             let is_split = sight.splits(level, corners);
