@@ -1,10 +1,11 @@
 //! Pass: the faces of the control mesh that a view reaches, compacted to level 0 of its ground.
 
 use super::base::Base;
-use super::mark::View;
+use super::sight::Sight;
 use super::sparse::Numbers;
 use super::topology::{Edge, Face, Level, NONE, gather};
 use super::vertex::Vertex;
+use super::view::View;
 
 /// Rings of faces kept around what is split, so that no edge that is split lacks a face.
 const MARGIN: i32 = 8;
@@ -23,6 +24,7 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
         sides: [[0; 3]; 2],
         ..*view
     };
+    let ground = Sight::new(&base.scale, &ground);
     let is_near = |face: &Face| is_within(base, &ground, face, reach);
     // A small disc of faces is found by flooding from its middle, a great one by looking at all. It
     // is small up to a quarter of the radius, in sixteenths of a metre.
@@ -36,17 +38,16 @@ pub fn cull(base: &Base, view: &View) -> (Vec<Vertex>, Level) {
 }
 
 /// Whether a face is nearer to a view than `reach`, sixteenths of a metre.
-fn is_within(base: &Base, view: &View, face: &Face, reach: i32) -> bool {
-    view.distance(&base.scale, gather(&base.vertices, face.vertices)) < reach
+fn is_within(base: &Base, ground: &Sight, face: &Face, reach: i32) -> bool {
+    ground.distance(gather(&base.vertices, face.vertices)) < reach
 }
 
 /// Distance from a view's centre within which faces are kept, sixteenths of a metre.
 fn reach(base: &Base, view: &View) -> i32 {
     let edge = base.scale.edge.min(i32::MAX as u32 / 16) as i32;
-    view.horizon
-        .max(view.bound(&base.scale, 0))
+    Sight::new(&base.scale, view)
+        .reach()
         .saturating_add(edge * MARGIN)
-        .saturating_add(view.radius)
 }
 
 /// The faces that fulfil a condition, in ascending order.
@@ -162,6 +163,7 @@ mod tests {
                 radius: 0,
                 ..View::disc(direction, 1, 17)
             };
+            let view = Sight::new(&base.scale, &view);
             let is_near = |face: &Face| is_within(&base, &view, face, reach);
             let found = flood(&base, base.locate(direction, None), is_near);
             assert_eq!(found, all(&base, is_near), "{k}");

@@ -5,6 +5,7 @@
 
 use super::carve::{Carved, sheet};
 use super::control::VertexKind;
+use super::geometry::least_areas;
 use super::ground::RefinedGround;
 use super::rules::Rules;
 use super::rules::valley::Reach;
@@ -43,8 +44,7 @@ pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]
             2
         }
         2 => {
-            let seed = |v: u32| vertices[v as usize].seed;
-            out[..3].copy_from_slice(&turned.thirds(seed));
+            out[..3].copy_from_slice(&turned.thirds(vertices));
             3
         }
         _ => {
@@ -83,16 +83,19 @@ impl Turned {
         [[a, ab, c], [ab, b, c]]
     }
 
-    /// The triangles where ab and bc are split. The quadrilateral a, ab, bc, c is cut by the seeds,
-    /// which no view changes.
-    fn thirds(&self, seed: impl Fn(u32) -> u32) -> [[u32; 3]; 3] {
+    /// The triangles where ab and bc are split. The quadrilateral a, ab, bc, c is cut so that the
+    /// lesser of its triangles is as large as can be, which no view changes: along one diagonal a
+    /// middle that was moved sideways may turn a triangle over, along both it cannot.
+    fn thirds(&self, vertices: &[Vertex]) -> [[u32; 3]; 3] {
         let ([a, b, c], [ab, bc, _]) = (self.corners, self.mids);
-        let tip = [ab, b, bc];
-        // Seeds of the middles, not indices: those hang on the view.
-        if seed(ab) > seed(bc) {
-            [tip, [a, ab, c], [ab, bc, c]]
+        let corners = [a, ab, bc, c].map(|v| &vertices[v as usize]);
+        let [by_a, by_c] = least_areas(corners.map(|v| v.direction));
+        // Seeds, not indices: those hang on the view.
+        let is_drawn = corners[1].seed > corners[2].seed;
+        if by_c > by_a || (by_c == by_a && is_drawn) {
+            [[ab, b, bc], [a, ab, c], [ab, bc, c]]
         } else {
-            [tip, [a, ab, bc], [a, bc, c]]
+            [[ab, b, bc], [a, ab, bc], [a, bc, c]]
         }
     }
 

@@ -38,6 +38,27 @@ pub const fn dot(u: [i32; 3], v: [i32; 3]) -> i32 {
     product(shifted(u, shift), shifted(v, shift))
 }
 
+/// The lesser triangle's area of a small quadrilateral cut along its diagonal 0-2, and along 1-3,
+/// as seen from outside and in one scale; below 0 where a triangle turns over.
+pub fn least_areas([a, b, c, d]: [[i32; 3]; 4]) -> [i32; 2] {
+    let sides = [b, c, d].map(|p| difference(p, a));
+    // Sides of 13 bits, their differences of 14, so that no sum of products leaves 32.
+    let shift = common_shift(sides[0], sides[1]).max(common_shift(sides[2], sides[2])) + 1;
+    let [b, c, d] = sides.map(|side| shifted(side, shift));
+    let normal = shifted(a, 17);
+    let area = |u, v| product(shifted(cross(u, v), 14), normal);
+    let beyond = area(difference(c, b), difference(d, b));
+    [area(b, c).min(area(c, d)), area(b, d).min(beyond)]
+}
+
+const fn cross(u: [i32; 3], v: [i32; 3]) -> [i32; 3] {
+    [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
+}
+
 /// Where the point of a segment nearest to `p` lies: share of the way in Q16, and the vector from
 /// there to `p`.
 #[inline]
@@ -122,11 +143,8 @@ impl Stance {
         // An edge without length must not divide by 0.
         let unit = if unit < 1 { 1 } else { unit };
         // Twice the area: the height times the edge. Components stay below 2²⁹, as `length` asks.
-        let cross = length(
-            u[1] * v[2] - u[2] * v[1],
-            u[2] * v[0] - u[0] * v[2],
-            u[0] * v[1] - u[1] * v[0],
-        );
+        let [x, y, z] = cross(u, v);
+        let cross = length(x, y, z);
         // Up to here the products of the displacement fit 32 bits.
         let most = 7 * Q12;
         Self {

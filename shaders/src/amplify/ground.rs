@@ -1,16 +1,22 @@
 //! The ground of a view: every level from the control mesh down to what the view asks for.
 
+use super::arith::{mul_q16, ratio, sqrt_q16};
 use super::base::Base;
 use super::cull::cull;
-use super::mark::{View, halo};
+use super::fixed::{Q16, q16};
+use super::mark::{SHARPNESS, View, halo};
 use super::rules::Rules;
 use super::scale::PlanetScale;
+use super::sight::Sight;
 use super::step::step;
-use super::topology::{Level, SplitMark, gather};
+use super::topology::{Level, NONE, SplitMark, gather};
 use super::vertex::Vertex;
 
 /// The finest level: edges of 0.4 m on an Earth-sized planet.
 pub const FINEST: u32 = 17;
+
+/// Most that the sharpness of a camera keeps where a view passes a cap, Q16.
+const MOST_KEPT: i32 = q16(0.875);
 
 /// Caps of a refinement: the sizes of its buffers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +28,8 @@ pub struct Caps {
 }
 
 impl Default for Caps {
-    /// 8 million vertices, 8 million faces a level: about 3 GB with the edges, at most.
+    /// 8 million vertices and 8 million faces a level. A camera that reaches them holds 2.5 GB:
+    /// 150 bytes a vertex, and for each of them four edges and three faces of 30 to 40 bytes.
     fn default() -> Self {
         Self {
             vertices: 8_000_000,
@@ -38,15 +45,32 @@ pub struct RefinedGround {
     pub scale: PlanetScale,
     /// Vertices of all levels.
     pub vertices: Vec<Vertex>,
+    /// The edge that each vertex halves, in the level before its own; [`NONE`] for a vertex of the
+    /// control mesh.
+    pub origins: Vec<u32>,
     /// Edges and faces level by level. A face of any level that is not [`SplitMark::Split`] is a
     /// leaf.
     pub levels: Vec<Level>,
+    /// The view's sharpness, less what the caps took, Q8.
+    pub sharpness: u32,
     /// The first level whose splits were dropped because a cap was reached.
     pub capped: Option<u32>,
 }
 
-/// Refines the ground for a view. At a cap the whole level that would pass it is dropped, so the
-/// mesh stays whole.
+impl RefinedGround {
+    /// The ends of the edge that a vertex halves; `None` for a vertex of the control mesh.
+    pub fn parents(&self, vertex: u32) -> Option<[u32; 2]> {
+        let origin = self.origins[vertex as usize];
+        let above = self.vertices[vertex as usize].level.checked_sub(1)?;
+        let edge = &self.levels[usize::from(above)].edges[origin as usize];
+        Some(edge.vertices)
+    }
+}
+
+/// Refines the ground for a view. A camera whose ground would pass a cap gets coarser ground
+/// everywhere: its sharpness is lowered until all fits, so that the ground under it stays as fine
+/// as it can be. A disc, or a camera of the least sharpness, loses the whole level that would pass
+/// the cap. The mesh stays whole.
 ///
 /// ```
 /// use pangaea_shaders::amplify::base::Base;
@@ -79,38 +103,110 @@ fn refined(
     caps: &Caps,
     finest_edges: bool,
 ) -> RefinedGround {
-    let (vertices, level) = cull(base, view);
-    let mut ground = RefinedGround {
-        scale: base.scale,
-        vertices,
-        levels: vec![level],
-        capped: None,
+    let mut refinement = Refinement {
+        base,
+        rules,
+        view: View {
+            sharpness: view.clamped_sharpness(),
+            ..*view
+        },
+        caps,
+        finest_edges,
     };
-    let finest = view.level.min(FINEST);
-    for index in 0..finest {
+    loop {
+        match refinement.run() {
+            Ok(ground) => return ground,
+            Err(sharpness) => refinement.view.sharpness = sharpness,
+        }
+    }
+}
+
+/// One try to refine the ground for a view.
+struct Refinement<'a> {
+    base: &'a Base,
+    rules: &'a Rules,
+    view: View,
+    caps: &'a Caps,
+    finest_edges: bool,
+}
+
+impl Refinement<'_> {
+    /// The ground, or the sharpness to try next where it passes a cap.
+    fn run(&self) -> Result<RefinedGround, u32> {
+        let mut ground = self.start();
+        let sight = Sight::new(&self.base.scale, &self.view);
+        let finest = self.view.level.min(FINEST);
+        for index in 0..finest {
+            let level = &mut ground.levels[index as usize];
+            let (vertices, faces) = mark_faces(&sight, index, level, &ground.vertices);
+            if faces == 0 {
+                break;
+            }
+            let kept = self.kept(ground.vertices.len() + vertices, 4 * faces);
+            if kept < Q16 {
+                if let Some(sharpness) = self.lowered(kept) {
+                    return Err(sharpness);
+                }
+                unmark(level);
+                ground.capped = Some(index);
+                break;
+            }
+            // Without edges nothing can be split further, so only the last level may lack them.
+            let edges = self.finest_edges || index + 1 < finest;
+            self.step(index, &mut ground, edges);
+        }
+        Ok(ground)
+    }
+
+    /// Level 0.
+    fn start(&self) -> RefinedGround {
+        let (vertices, level) = cull(self.base, &self.view);
+        RefinedGround {
+            scale: self.base.scale,
+            origins: vec![NONE; vertices.len()],
+            vertices,
+            levels: vec![level],
+            sharpness: self.view.sharpness,
+            capped: None,
+        }
+    }
+
+    /// Adds the level after a marked one.
+    fn step(&self, index: u32, ground: &mut RefinedGround, edges: bool) {
         let level = &mut ground.levels[index as usize];
-        let (vertices, faces) = mark_faces(&base.scale, view, index, level, &ground.vertices);
-        if faces == 0 {
-            break;
-        }
-        if ground.vertices.len() + vertices > caps.vertices || 4 * faces > caps.faces {
-            unmark(level);
-            ground.capped = Some(index);
-            break;
-        }
-        // Without edges nothing can be split further, so only the last level may lack them.
-        let edges = finest_edges || index + 1 < finest;
-        let next = step(
-            &base.scale,
-            rules,
-            index,
-            level,
-            &mut ground.vertices,
-            edges,
-        );
+        let (scale, vertices) = (&self.base.scale, &mut ground.vertices);
+        let next = step(scale, self.rules, index, level, vertices, edges);
+        // In the order of the edges, as their middles are.
+        let halved = (0..)
+            .zip(&level.edges)
+            .filter(|(_, e)| e.mark != SplitMark::Leaf);
+        ground.origins.extend(halved.map(|(edge, _)| edge));
         ground.levels.push(next);
     }
-    ground
+
+    /// Share of so many vertices and faces that the caps hold, Q16; 1 where they hold all.
+    fn kept(&self, vertices: usize, faces: usize) -> i32 {
+        let Caps {
+            vertices: most_vertices,
+            faces: most_faces,
+        } = *self.caps;
+        share(most_vertices, vertices).min(share(most_faces, faces))
+    }
+
+    /// The sharpness at which a share of the ground is left; `None` where it cannot be lowered.
+    fn lowered(&self, kept: i32) -> Option<u32> {
+        let is_camera = self.view.radius == 0;
+        // The ground grows with the square of the sharpness.
+        let lower = mul_q16(self.view.sharpness as i32, sqrt_q16(kept).min(MOST_KEPT)) as u32;
+        let can_fall = is_camera && self.view.sharpness > SHARPNESS.0;
+        can_fall.then_some(lower.max(SHARPNESS.0))
+    }
+}
+
+/// A share of two numbers of items, Q16, at most 1.
+fn share(part: usize, whole: usize) -> i32 {
+    let [part, whole] = [part, whole].map(|n| n.min(i32::MAX as usize) as i32);
+    ratio(part, whole)
 }
 
 /// Makes all faces of a level leaves.
@@ -121,17 +217,11 @@ fn unmark(level: &mut Level) {
 }
 
 /// Marks the faces of a level; returns bounds of the vertices made and the number of faces split.
-fn mark_faces(
-    scale: &PlanetScale,
-    view: &View,
-    index: u32,
-    level: &mut Level,
-    vertices: &[Vertex],
-) -> (usize, usize) {
+fn mark_faces(sight: &Sight, index: u32, level: &mut Level, vertices: &[Vertex]) -> (usize, usize) {
     let splits: Vec<bool> = level
         .faces
         .iter()
-        .map(|face| view.splits(scale, index, gather(vertices, face.vertices)))
+        .map(|face| sight.splits(index, gather(vertices, face.vertices)))
         .collect();
     let mut marked = 0;
     for i in 0..level.faces.len() {

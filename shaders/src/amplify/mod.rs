@@ -102,6 +102,10 @@ mod sparse;
 pub mod base;
 pub mod locate;
 
+pub mod view;
+
+pub mod sight;
+
 pub mod cull;
 pub mod mark;
 pub mod scan;

@@ -5,6 +5,7 @@ mod meshes;
 mod order;
 mod precision;
 mod range;
+mod sight;
 mod topology;
 mod views;
 mod water;
@@ -62,11 +63,10 @@ fn on_river(base: &Base, k: u32) -> [i32; 3] {
 fn camera(direction: [i32; 3], altitude_m: i32, level: u32) -> View {
     View {
         direction,
-        altitude: Some(altitude_m * GRAINS),
+        altitude: Some(altitude_m * 16),
         radius: 0,
-        sides: [[0; 3]; 2],
         sharpness: 12 << 8,
-        level,
         horizon: 100_000 * 16,
+        ..View::whole(level)
     }
 }

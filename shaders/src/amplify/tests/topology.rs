@@ -6,7 +6,7 @@ use crate::amplify::topology::NONE;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How often every directed edge of the triangles is used.
-fn uses(ground: &RefinedGround) -> BTreeMap<[u32; 2], u32> {
+pub(super) fn uses(ground: &RefinedGround) -> BTreeMap<[u32; 2], u32> {
     let mut uses = BTreeMap::new();
     for t in ground.triangles() {
         for i in 0..3 {
@@ -18,7 +18,7 @@ fn uses(ground: &RefinedGround) -> BTreeMap<[u32; 2], u32> {
     uses
 }
 
-fn check_closed(uses: &BTreeMap<[u32; 2], u32>) {
+pub(super) fn check_closed(uses: &BTreeMap<[u32; 2], u32>) {
     for (&[a, b], &n) in uses {
         assert_eq!((n, uses.get(&[b, a])), (1, Some(&1)), "edge {a} {b}");
     }

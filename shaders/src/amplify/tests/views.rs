@@ -15,10 +15,15 @@ pub(super) fn by_path(ground: &RefinedGround) -> BTreeMap<u128, Vertex> {
             .map(|x| u128::from(x as u32));
         names[v as usize] = x | y << 32 | z << 64;
     }
-    for edge in ground.levels.iter().flat_map(|level| &level.edges) {
-        if edge.mark == SplitMark::Split {
-            let [a, b] = edge.vertices.map(|v| names[v as usize]);
-            names[edge.mid as usize] = middle_name(a.min(b), a.max(b));
+    for (v, vertex) in (0..).zip(&ground.vertices) {
+        let Some(parents) = ground.parents(v) else {
+            continue;
+        };
+        let [origin, above] = [ground.origins[v as usize], u32::from(vertex.level) - 1];
+        // The halo's middles are not settled: nothing is drawn with them.
+        if ground.levels[above as usize].edges[origin as usize].mark == SplitMark::Split {
+            let [a, b] = parents.map(|p| names[p as usize]);
+            names[v as usize] = middle_name(a.min(b), a.max(b));
         }
     }
     let named = names.into_iter().zip(ground.vertices.iter().copied());
@@ -66,20 +71,53 @@ fn cameras_agree_on_every_vertex() {
 }
 
 #[test]
-fn a_cap_drops_whole_levels() {
+fn a_cap_drops_whole_levels_of_a_disc() {
     let base = planet();
     let caps = Caps {
         vertices: 20_000,
         faces: 9_000,
     };
-    let view = camera(on_river(&base, 1), 50, 12);
+    let view = View::disc(on_river(&base, 1), 2_000, 12);
     let ground = refine(&base, &Rules::default(), &view, &caps);
     let level = ground.capped.unwrap();
     assert_eq!(ground.levels.len() as u32, level + 1);
     assert!(ground.vertices.len() <= caps.vertices);
     assert!(ground.levels.iter().all(|l| l.faces.len() <= caps.faces));
     let whole = refined(&base, &View { level, ..view });
-    assert_eq!(whole.vertices, ground.vertices);
+    // Levels above the finest of a disc have wider margins, so there are more of them.
+    assert!(whole.vertices.len() <= ground.vertices.len() * 2);
+}
+
+/// At half of what it needs a camera has coarser ground everywhere, and the finest under it still.
+#[test]
+fn a_cap_makes_all_ground_of_a_camera_coarser() {
+    let base = planet();
+    for k in 0..6 {
+        let view = View {
+            sharpness: 24 << 8,
+            altitude: None,
+            ..camera(on_river(&base, k), 0, 14)
+        };
+        let whole = refined(&base, &view);
+        let vertices = base.vertices.len();
+        let caps = Caps {
+            vertices: vertices + (whole.vertices.len() - vertices) / 2,
+            ..Caps::default()
+        };
+        let ground = refine(&base, &Rules::default(), &view, &caps);
+        assert_eq!((ground.capped, ground.levels.len()), (None, 15));
+        assert!(ground.vertices.len() <= caps.vertices);
+        assert!(ground.vertices.len() > caps.vertices / 3, "too coarse");
+        // As a camera of the lower sharpness has it; the halves of the caps are met again.
+        assert!(
+            (12 << 8..23 << 8).contains(&ground.sharpness),
+            "{}",
+            ground.sharpness
+        );
+        let sharpness = ground.sharpness;
+        let lower = refined(&base, &View { sharpness, ..view });
+        assert_eq!(lower.vertices, ground.vertices);
+    }
 }
 
 fn dot(u: Vector, v: Vector) -> f64 {

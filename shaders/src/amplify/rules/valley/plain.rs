@@ -7,7 +7,7 @@
 
 use super::reach::Reach;
 use crate::amplify::arith::{mul_q16, ratio, smooth, square};
-use crate::amplify::fixed::{GRAINS, Q16, metres, q16};
+use crate::amplify::fixed::{Q16, metres, q16};
 use crate::amplify::rules::noise::{CornerCache, fbm};
 
 /// Widths of a bank: of its height, and of half its bed.
