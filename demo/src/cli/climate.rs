@@ -4,7 +4,7 @@
 use crate::error::CliError;
 use crate::output::say;
 use bevy_pangaea::climate::{ClimateField, ClimateMaps, EquirectMap};
-use bevy_pangaea::io::load_map;
+use bevy_pangaea::io::{LoadedMap, MapQuantity, load_map_of};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -14,9 +14,14 @@ pub struct ClimateArgs {
     /// Map of the mean temperature of a year at the ground in °C, to use instead of the planet's
     /// own
     ///
-    /// Maps show the whole planet, equirectangular, north up, 180° W at the left edge. A .tif holds
-    /// values. A grey .png needs a sidecar NAME.json {"min", "max"}: the values of black and white.
-    /// Voids, pixels without a value, are filled from the planet's own climate.
+    /// Maps show the planet all around, equirectangular. Without a place they are whole, north up,
+    /// 180° W at the left edge, twice as wide as high. A .tif that tells its place, by its tags, a
+    /// .tif.aux.xml or a .tfw, may begin at any meridian, go south up, hold values at nodes and
+    /// leave out latitudes, which are voids; a .png may tell one by a .pgw. A .tif holds values; if
+    /// it tells their unit, such as K, degF, m or kg m-2 s-1, they are converted, and others are
+    /// refused. A grey .png needs a sidecar NAME.json {"min", "max"}: the values of black and white.
+    /// Voids, pixels without a value, are filled from the planet's own climate. Rasters wider than
+    /// 32,768 pixels count by the means of their pixels.
     #[arg(long, value_name = "MAP")]
     pub temperature: Option<PathBuf>,
     /// Map of the rain of a year in mm
@@ -36,20 +41,31 @@ impl ClimateArgs {
     pub fn load(&self) -> Result<ClimateMaps, CliError> {
         let mut maps = ClimateMaps::default();
         for field in ClimateField::ALL {
-            let (file, grey) = match field {
-                ClimateField::Temperature => (&self.temperature, None),
-                ClimateField::Rain => (&self.rain, None),
-                ClimateField::Wetness => (&self.wetness, Some([0.0, 1.0])),
+            let Some(path) = self.file(field) else {
+                continue;
             };
-            let Some(path) = file else { continue };
-            let map = load_map(path, grey)?;
+            let quantity = MapQuantity::of(field);
+            let LoadedMap { map, warnings } = load_map_of(path, quantity, quantity.greys())?;
             maps.set(field, map.clone());
             // What was read before is good: it is this file that is refused.
             maps.check()
                 .map_err(|problem| CliError::input(format!("{}: {problem}", path.display())))?;
             tell_voids(path, &map);
+            for warning in warnings {
+                say(&format!("warning: {}: {warning}", path.display()));
+            }
         }
         Ok(maps)
+    }
+
+    /// The file of the map of a field.
+    fn file(&self, field: ClimateField) -> Option<&Path> {
+        let file = match field {
+            ClimateField::Temperature => &self.temperature,
+            ClimateField::Rain => &self.rain,
+            ClimateField::Wetness => &self.wetness,
+        };
+        file.as_deref()
     }
 }
 

@@ -49,7 +49,7 @@ impl ClimateMaps {
     /// # Errors
     /// [`MapError::Range`].
     pub fn check(&self) -> Result<(), MapError> {
-        let degrees = "from -150 to 150 °C";
+        let degrees = "from -150 to 150 °C (does the map count in kelvin, or in tenths?)";
         EquirectMap::check(
             self.temperature.as_ref(),
             "the temperature",

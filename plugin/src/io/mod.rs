@@ -77,7 +77,7 @@ pub use error::{IoError, SaveError};
 pub use export::{ExportError, export};
 pub use files::{MarkedJson, Output, check_outputs, is_marked, write_all, write_atomically};
 #[cfg(feature = "dem")]
-pub use maps::{MapFileError, load_map};
+pub use maps::{LoadedMap, MapFileError, MapQuantity, load_map, load_map_of};
 pub use preset::{PlanetPreset, PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{load, save};
 pub use scenario::{load_scenario, save_scenario};

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 /// Most pixels to a side.
-pub(super) const MAX_SIDE: u32 = 100_000;
+pub(in crate::io) const MAX_SIDE: u32 = 100_000;
 
 /// Size of the largest file that is read.
 pub(super) const MAX_BYTES: u64 = 1 << 30;

@@ -51,10 +51,14 @@ impl GreyScale {
     }
 }
 
-/// Reads a picture of heights.
-pub(super) fn read(bytes: &[u8], sidecar: &Sidecar) -> Result<Dem, DemError> {
+/// Reads a picture of heights; `void` is the level of voids.
+pub(super) fn read(bytes: &[u8], sidecar: &Sidecar, void: Option<f64>) -> Result<Dem, DemError> {
     let scale = GreyScale::of(sidecar)?;
-    let Greys { size, values } = Greys::read(bytes, check_size, |grey| scale.height(grey))?;
+    let height = |grey: Grey| {
+        grey.unless(void)
+            .map_or(f32::NAN, |grey| scale.height(grey))
+    };
+    let Greys { size, values } = Greys::read(bytes, check_size, height)?;
     let pixel_m = [sidecar.metres_per_pixel; 2];
     Dem::new(size, values, pixel_m, sidecar.lat.zip(sidecar.lon))
 }

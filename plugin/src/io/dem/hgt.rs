@@ -1,7 +1,8 @@
 //! SRTM's *.hgt: rows of big-endian i16 in m, a degree wide and high; -32768 is a void. The name
 //! says where the centre of the south west value is.
 
-use super::error::DemError;
+use super::error::{DemError, invalid};
+use super::geotiff::PamFile;
 use super::tile::{Dem, degrees_to_metres};
 
 const VOID: i16 = -32_768;
@@ -22,6 +23,16 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Dem, DemError> {
     let centre = (south + 0.5, west + 0.5);
     let pixel_m = degrees_to_metres(steps, centre.0)?;
     Dem::new(size, values, pixel_m, Some(centre))
+}
+
+/// Refuses a side file that names another void.
+pub(super) fn check_void(pam: &PamFile) -> Result<(), DemError> {
+    match pam.void() {
+        Some(void) if void != f64::from(VOID) => Err(invalid(format!(
+            "the void {void} of its .aux.xml is not that of .hgt files, {VOID}"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 fn height(bytes: [u8; 2]) -> f32 {

@@ -5,6 +5,7 @@
 //! geotiff/  *.tif, *.tiff: one band of numbers, in any units
 //! picture   greys of a PNG, in whatever form it holds them
 //! grey      *.png: greys with a sidecar NAME.json
+//! file      files by their names, and their content
 //! voids     missing values, filled from their neighbours
 //! tile      a tile of ground, and the checks that all formats share
 //! ```
@@ -15,6 +16,8 @@
 //! Heights come out in m, rows from the north. Lengths of degrees are those of the Earth.
 
 mod error;
+
+mod file;
 
 mod voids;
 
@@ -29,13 +32,15 @@ mod grey;
 mod hgt;
 
 pub use error::DemError;
+pub(super) use error::MAX_SIDE;
+pub(super) use file::{extension, open, read_limited};
 pub use tile::Dem;
 
 use super::IoError;
-use super::limited::read_at_most;
 use super::sidecar::{self, Sidecar};
-use error::{MAX_BYTES, invalid};
-use std::fs::{self, File};
+use error::invalid;
+use geotiff::SideFiles;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files in a folder whose extensions are those of elevation models, ordered by name; not those
@@ -88,11 +93,19 @@ pub fn load_dem(path: &Path) -> Result<Dem, IoError> {
     let refused = |source| IoError::dem(path, source);
     let dem = match DemFormat::of(path).map_err(refused)? {
         DemFormat::Hgt => {
+            hgt::check_void(&SideFiles::load_place(path)?.pam).map_err(refused)?;
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             hgt::read(&name, &read_limited(path)?)
         }
-        DemFormat::GeoTiff => geotiff::read(open(path)?),
-        DemFormat::Grey => grey::read(&read_limited(path)?, &load_sidecar(path)?),
+        DemFormat::GeoTiff => geotiff::read(open(path)?, SideFiles::load(path)?),
+        DemFormat::Grey => {
+            let beside = SideFiles::load_place(path)?;
+            grey::read(
+                &read_limited(path)?,
+                &load_sidecar(path)?,
+                beside.pam.void(),
+            )
+        }
     };
     dem.map_err(refused)
 }
@@ -129,33 +142,6 @@ impl DemFormat {
             _ => Err(DemError::Extension),
         }
     }
-}
-
-/// The extension of a file in lower case, without the number that a copy may have behind it.
-pub(super) fn extension(path: &Path) -> Option<String> {
-    let name = path.file_name()?.to_str()?;
-    let is_mark = |c: char| c.is_ascii_digit() || matches!(c, ' ' | '.' | '(' | ')');
-    let kept = name.trim_end_matches(is_mark);
-    // A number that follows letters at once belongs to them.
-    let behind = &name[kept.len()..];
-    let name = if behind.starts_with(|c: char| c.is_ascii_digit()) {
-        name
-    } else {
-        kept
-    };
-    let extension = Path::new(name).extension()?.to_str()?;
-    Some(extension.to_ascii_lowercase())
-}
-
-/// Opens a file to be read a part at a time.
-pub(super) fn open(path: &Path) -> Result<File, IoError> {
-    File::open(path).map_err(|source| IoError::read(path, source))
-}
-
-/// The bytes of a file that is not too large.
-pub(super) fn read_limited(path: &Path) -> Result<Vec<u8>, IoError> {
-    let bytes = read_at_most(path, MAX_BYTES)?;
-    bytes.ok_or_else(|| IoError::dem(path, DemError::TooLarge))
 }
 
 #[cfg(all(test, feature = "export"))]

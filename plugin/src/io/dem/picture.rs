@@ -30,6 +30,11 @@ pub(in crate::io) struct Grey {
 }
 
 impl Grey {
+    /// The grey, unless its level is that of voids.
+    pub(in crate::io) fn unless(self, void: Option<f64>) -> Option<Self> {
+        (void != Some(f64::from(self.level))).then_some(self)
+    }
+
     /// The value of this grey, where black and white have values.
     pub(in crate::io) fn between(self, black: f64, white: f64) -> f32 {
         // Multiplied first: whole numbers of steps stay whole.
@@ -53,21 +58,44 @@ impl Greys {
         check: impl FnOnce(u32, u32) -> Result<(), E>,
         value: impl Fn(Grey) -> f32,
     ) -> Result<Self, E> {
-        let mut reader = decoder(bytes).read_info().map_err(refused)?;
-        let size = [reader.info().width, reader.info().height];
-        check(size[0], size[1])?;
-        let form = PixelForm::new(reader.info());
         let mut values = Vec::new();
-        rows(&mut reader, bytes.len(), |row| {
-            for x in 0..size[0] as usize {
-                let grey = form.grey(row, x);
-                let grey = grey.map_err(|why| at(values.len(), size, &why))?;
-                values.push(grey.map_or(f32::NAN, &value));
-            }
+        let size = each_row(bytes, check, value, |row| {
+            values.extend_from_slice(row);
             Ok(())
         })?;
         Ok(Self { size, values })
     }
+}
+
+/// Columns and rows of a picture.
+pub(in crate::io) fn size(bytes: &[u8]) -> Result<[u32; 2], DemError> {
+    let reader = decoder(bytes).read_info().map_err(refused)?;
+    Ok([reader.info().width, reader.info().height])
+}
+
+/// Hands on the `value` of every pixel, a row at a time from the top, unless `check` refuses the
+/// size; returns the size.
+pub(in crate::io) fn each_row<E: From<DemError>>(
+    bytes: &[u8],
+    check: impl FnOnce(u32, u32) -> Result<(), E>,
+    value: impl Fn(Grey) -> f32,
+    mut take: impl FnMut(&[f32]) -> Result<(), E>,
+) -> Result<[u32; 2], E> {
+    let mut reader = decoder(bytes).read_info().map_err(refused)?;
+    let size = [reader.info().width, reader.info().height];
+    check(size[0], size[1])?;
+    let form = PixelForm::new(reader.info());
+    let mut values = vec![0.0; size[0] as usize];
+    let mut y = 0;
+    rows(&mut reader, bytes.len(), |row| {
+        for (x, place) in values.iter_mut().enumerate() {
+            let grey = form.grey(row, x).map_err(|why| at([x, y], &why))?;
+            *place = grey.map_or(f32::NAN, &value);
+        }
+        y += 1;
+        take(&values)
+    })?;
+    Ok(size)
 }
 
 fn decoder(bytes: &[u8]) -> Decoder<Cursor<&[u8]>> {
@@ -81,11 +109,11 @@ fn decoder(bytes: &[u8]) -> Decoder<Cursor<&[u8]>> {
 }
 
 /// Hands on the rows of a picture, a file of `len` bytes, from the top.
-fn rows(
+fn rows<E: From<DemError>>(
     reader: &mut Reader<Cursor<&[u8]>>,
     len: usize,
-    mut take: impl FnMut(&[u8]) -> Result<(), DemError>,
-) -> Result<(), DemError> {
+    mut take: impl FnMut(&[u8]) -> Result<(), E>,
+) -> Result<(), E> {
     if !reader.info().interlaced {
         while let Some(row) = reader.next_row().map_err(refused)? {
             take(row.data())?;
@@ -95,7 +123,7 @@ fn rows(
     // The last row comes last and the others in pieces, so that all of them are in memory.
     let all = reader.output_buffer_size().unwrap_or(usize::MAX);
     if all > len.saturating_mul(MAX_DEFLATION) {
-        return Err(invalid("the file is too short for so many pixels"));
+        return Err(invalid("the file is too short for so many pixels").into());
     }
     let mut pixels = vec![0; all];
     let frame = reader.next_frame(&mut pixels).map_err(refused)?;
@@ -106,9 +134,8 @@ fn refused(error: png::DecodingError) -> DemError {
     invalid(error.to_string())
 }
 
-/// The error of a pixel, counted in rows from the top.
-fn at(pixel: usize, [width, _]: [u32; 2], why: &str) -> DemError {
-    let (column, row) = (pixel % width as usize, pixel / width as usize);
+/// The error of a pixel, at a column and a row from the top.
+fn at([column, row]: [usize; 2], why: &str) -> DemError {
     invalid(format!(
         "the picture is not grey: pixel {column}, {row} {why}"
     ))

@@ -69,7 +69,7 @@ fn grey_png() -> Vec<u8> {
 #[test]
 fn geotiffs_in_metres_are_read_whatever_they_count_in() {
     for bytes in [floats(&IN_UTM), integers(&IN_UTM)] {
-        let dem = geotiff::read(Cursor::new(&bytes)).unwrap();
+        let dem = geotiff::read(Cursor::new(&bytes), SideFiles::default()).unwrap();
         assert_eq!((dem.grid.width, dem.grid.height), (40, 30));
         assert_eq!((dem.voids, dem.centre), (1, None));
         assert_eq!(dem.grid.pixel_m, [30.0; 2]);
@@ -82,7 +82,7 @@ fn geotiffs_in_metres_are_read_whatever_they_count_in() {
 #[test]
 fn geotiffs_in_degrees_have_pixels_in_metres() {
     for bytes in [floats(&IN_DEGREES), integers(&IN_DEGREES)] {
-        let dem = geotiff::read(Cursor::new(&bytes)).unwrap();
+        let dem = geotiff::read(Cursor::new(&bytes), SideFiles::default()).unwrap();
         let (lat, lon) = dem.centre.unwrap();
         assert!((lat - 45.985).abs() < 1e-9 && (lon - 7.02).abs() < 1e-9);
         let [across, down] = dem.grid.pixel_m;
@@ -94,7 +94,7 @@ fn geotiffs_in_degrees_have_pixels_in_metres() {
 #[test]
 fn a_text_that_is_longer_than_the_file_is_refused() {
     let good = floats(&IN_UTM);
-    assert!(geotiff::read(Cursor::new(&good)).is_ok());
+    assert!(geotiff::read(Cursor::new(&good), SideFiles::default()).is_ok());
     // The tag of the void's value: number 42113, type 2, six letters.
     let tag: Vec<u8> = [42_113_u16, 2, 6, 0]
         .into_iter()
@@ -104,7 +104,7 @@ fn a_text_that_is_longer_than_the_file_is_refused() {
     let mut bad = good;
     bad[place + 4..place + 8].copy_from_slice(&u32::MAX.to_le_bytes());
     assert!(matches!(
-        geotiff::read(Cursor::new(&bad)),
+        geotiff::read(Cursor::new(&bad), SideFiles::default()),
         Err(DemError::Invalid(_))
     ));
 }
@@ -112,11 +112,11 @@ fn a_text_that_is_longer_than_the_file_is_refused() {
 #[test]
 fn pictures_are_scaled_by_their_sidecar() {
     let feet = br#"{ "metres_per_pixel": 92.6, "metres_per_unit": 0.3048 }"#;
-    let dem = grey::read(&grey_png(), &grey::parse_sidecar(feet).unwrap()).unwrap();
+    let dem = grey::read(&grey_png(), &grey::parse_sidecar(feet).unwrap(), None).unwrap();
     assert_eq!((dem.grid.pixel_m, dem.centre), ([92.6; 2], None));
     assert!((dem.grid.row(2)[3] - 115.0 * 0.3048).abs() < 1e-4);
     let range = br#"{"min_m": -100, "max_m": 65435, "metres_per_pixel": 5, "lat": 1, "lon": 2}"#;
-    let dem = grey::read(&grey_png(), &grey::parse_sidecar(range).unwrap()).unwrap();
+    let dem = grey::read(&grey_png(), &grey::parse_sidecar(range).unwrap(), None).unwrap();
     assert_eq!((dem.grid.values[0], dem.centre), (0.0, Some((1.0, 2.0))));
 }
 
@@ -143,7 +143,7 @@ fn pictures_of_8_bits_are_scaled_by_their_sidecar() {
     ] {
         let sidecar = format!(r#"{{"metres_per_pixel": 90, {scale}}}"#);
         let sidecar = grey::parse_sidecar(sidecar.as_bytes()).unwrap();
-        let dem = grey::read(&picture, &sidecar).unwrap();
+        let dem = grey::read(&picture, &sidecar, None).unwrap();
         assert_eq!(dem.grid.values, heights, "{scale}");
     }
 }
@@ -174,7 +174,7 @@ fn sidecars_without_a_scale_are_refused() {
     for pixel in ["0", "-1", "1e9"] {
         let text = format!(r#"{{"metres_per_pixel": {pixel}, "metres_per_unit": 1}}"#);
         let sidecar = grey::parse_sidecar(text.as_bytes()).unwrap();
-        let refused = grey::read(&grey_png(), &sidecar);
+        let refused = grey::read(&grey_png(), &sidecar, None);
         assert!(matches!(refused, Err(DemError::Invalid(_))), "{pixel}");
     }
 }
@@ -278,10 +278,10 @@ fn good_file(kind: u8) -> Vec<u8> {
 /// Reads a file of one of three kinds.
 fn read_kind(kind: u8, bytes: &[u8]) -> Result<Dem, DemError> {
     if kind > 0 {
-        return geotiff::read(Cursor::new(bytes));
+        return geotiff::read(Cursor::new(bytes), SideFiles::default());
     }
     let sidecar = br#"{"metres_per_pixel": 30, "metres_per_unit": 1}"#;
-    grey::read(bytes, &grey::parse_sidecar(sidecar)?)
+    grey::read(bytes, &grey::parse_sidecar(sidecar)?, None)
 }
 
 proptest! {

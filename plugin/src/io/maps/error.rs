@@ -16,10 +16,13 @@ pub enum MapFileError {
     /// The map shows a part of the planet.
     #[error(
         "the map reaches from {} to {} °E and from {} to {} °N; \
-         it must reach over 360 degrees of longitude and from -90 to 90 °N",
+         it must reach over 360 degrees of longitude, between -90 and 90 °N",
         .0[0], .0[1], .0[2], .0[3]
     )]
     Extent([f64; 4]),
+    /// Values in a unit that is not one of the quantity.
+    #[error("values in the unit {0:?} are not read here")]
+    Unit(String),
     /// A picture without the values of black and white.
     #[error(
         "a grey picture needs a sidecar {0} with the values of black and white, \

@@ -2,30 +2,54 @@
 //! left edge.
 //!
 //! A GeoTIFF of one band holds the values themselves; one that says where it is may begin at any
-//! meridian, and its rows in the south. A PNG holds greys, in whatever form: what
+//! meridian, its rows in the south, hold values at nodes, and leave out latitudes. A PNG holds greys, in whatever form: what
 //! black and white stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by the
 //! caller; values between are linear.
 //!
 //! Pixels without a value, such as the sea in an archive of land, are voids: nodata of a GeoTIFF,
-//! transparent pixels of a PNG.
+//! transparent pixels of a PNG, latitudes that a map does not reach.
+//!
+//! ```text
+//! error    why a file is no map
+//! units    units of the quantities that maps show
+//! regrid   from the pixels of a raster to those of a map
+//! doubt    maps whose values look like those of another unit
+//! reduce   maps that are finer than the base mesh
+//! ```
 
 mod error;
 
-mod turn;
+mod units;
+
+mod regrid;
+
+mod doubt;
 
 mod reduce;
 
 pub use error::MapFileError;
 pub(super) use reduce::reduced;
+pub use units::MapQuantity;
 
 use super::IoError;
-use super::dem::geotiff::RasterFile;
-use super::dem::picture::Greys;
-use super::dem::{extension, open, read_limited};
+use super::dem::geotiff::{RasterFile, SideFiles};
+use super::dem::picture;
+use super::dem::{DemError, MAX_SIDE, extension, open, read_limited};
 use super::{sidecar, text};
 use crate::climate::EquirectMap;
+use regrid::Regrid;
 use std::io::{Read, Seek};
 use std::path::Path;
+use units::Conversion;
+
+/// A map, and what its reader should know of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadedMap {
+    /// The map.
+    pub map: EquirectMap,
+    /// Doubts of its unit, a sentence each.
+    pub warnings: Vec<String>,
+}
 
 /// Reads a map; its extension says of which kind. `grey` are the values of black and white of a
 /// picture that has no sidecar.
@@ -52,12 +76,32 @@ use std::path::Path;
 /// [`IoError::Read`] if the file cannot be read, [`IoError::Map`] if it is no map of a whole
 /// planet.
 pub fn load_map(path: &Path, grey: Option<[f32; 2]>) -> Result<EquirectMap, IoError> {
+    Ok(load_map_of(path, MapQuantity::Number, grey)?.map)
+}
+
+/// The same of a quantity: values in a unit that the file tells are converted, and where it tells
+/// none those that look like another unit's are doubted.
+///
+/// # Errors
+/// As [`load_map`], and [`MapFileError::Unit`] for a unit that is not one of the quantity.
+pub fn load_map_of(
+    path: &Path,
+    quantity: MapQuantity,
+    grey: Option<[f32; 2]>,
+) -> Result<LoadedMap, IoError> {
     let refused = |source| IoError::map(path, source);
     match extension(path).as_deref() {
-        Some("tif" | "tiff") => geotiff(open(path)?).map_err(refused),
+        Some("tif" | "tiff") => {
+            let beside = SideFiles::load(path)?;
+            geotiff(open(path)?, beside, quantity).map_err(refused)
+        }
         Some("png") => {
-            let bytes = read_limited(path)?;
-            picture(&bytes, black_and_white(path, grey)?).map_err(refused)
+            let beside = SideFiles::load_place(path)?;
+            let ends = black_and_white(path, grey)?;
+            let map = greys(&read_limited(path)?, ends, &beside).map_err(refused)?;
+            // A scale that was given is of the right unit.
+            let warnings = Vec::new();
+            Ok(LoadedMap { map, warnings })
         }
         _ => Err(refused(MapFileError::Extension)),
     }
@@ -92,25 +136,82 @@ impl MapSidecar {
     }
 }
 
+/// Refuses more pixels than are read.
 fn check_size(width: u32, height: u32) -> Result<(), MapFileError> {
-    Ok(EquirectMap::check_size(width, height)?)
+    let good = 1..=MAX_SIDE;
+    if good.contains(&width) && good.contains(&height) {
+        return Ok(());
+    }
+    Err(MapFileError::Raster(DemError::Size(width, height)))
 }
 
 /// Reads a raster of values.
-fn geotiff(source: impl Read + Seek) -> Result<EquirectMap, MapFileError> {
-    let mut raster = RasterFile::open(source, check_size)?;
-    let size = raster.size();
-    let column = turn::first_column(raster.extent_deg()?, size)?;
-    let mut values = raster.values(1.0)?;
-    turn::turn(&mut values, size[0], column);
-    Ok(EquirectMap::new(size[0], size[1], values)?)
+fn geotiff(
+    source: impl Read + Seek,
+    beside: SideFiles,
+    quantity: MapQuantity,
+) -> Result<LoadedMap, MapFileError> {
+    let mut raster = RasterFile::open(source, beside, check_size)?;
+    let told = conversion(&raster, quantity)?;
+    let grid = Regrid::new(raster.size(), raster.extent_deg()?, raster.is_turned())?;
+    let mut means = grid.map()?;
+    raster.for_each_row(told.unwrap_or([1.0, 0.0]), |place, row| {
+        means.add(place, row)
+    })?;
+    let map = means.finish()?;
+    let doubt = if told.is_none() {
+        doubt::of(&map, quantity)
+    } else {
+        None
+    };
+    Ok(LoadedMap {
+        map,
+        warnings: doubt.into_iter().collect(),
+    })
+}
+
+/// How the values of a raster become those of a quantity, if it tells its unit.
+fn conversion<R: Read + Seek>(
+    raster: &RasterFile<R>,
+    quantity: MapQuantity,
+) -> Result<Option<Conversion>, MapFileError> {
+    if let MapQuantity::Elevation(metres) = quantity {
+        let told = raster.metres_per_unit()?;
+        return Ok(told.map(|of_file| [of_file / metres, 0.0]));
+    }
+    let unit = raster.unit();
+    if unit.is_empty() || quantity == MapQuantity::Number {
+        return Ok(None);
+    }
+    let short: String = unit.chars().take(40).collect();
+    let known = quantity.conversion(unit).ok_or(MapFileError::Unit(short))?;
+    Ok(Some(known))
 }
 
 /// Reads a picture with these values of black and white.
-fn picture(bytes: &[u8], ends: [f32; 2]) -> Result<EquirectMap, MapFileError> {
+fn greys(bytes: &[u8], ends: [f32; 2], beside: &SideFiles) -> Result<EquirectMap, MapFileError> {
     let [black, white] = ends.map(f64::from);
-    let Greys { size, values } = Greys::read(bytes, check_size, |grey| grey.between(black, white))?;
-    Ok(EquirectMap::new(size[0], size[1], values)?)
+    let void = beside.pam.void();
+    let value = |grey: picture::Grey| {
+        grey.unless(void)
+            .map_or(f32::NAN, |grey| grey.between(black, white))
+    };
+    let size = picture::size(bytes)?;
+    check_size(size[0], size[1])?;
+    let grid = Regrid::new(size, beside.extent_deg(size)?, beside.is_turned()?)?;
+    let mut means = grid.map()?;
+    let mut place = 0;
+    picture::each_row(
+        bytes,
+        |_, _| Ok::<(), DemError>(()),
+        value,
+        |row| {
+            means.add(place, row);
+            place += row.len();
+            Ok(())
+        },
+    )?;
+    Ok(means.finish()?)
 }
 
 #[cfg(all(test, feature = "export"))]

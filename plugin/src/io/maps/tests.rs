@@ -241,3 +241,77 @@ fn a_missing_file_cannot_be_read() {
     let missing = load_map(&folder.path().join("missing.tif"), None);
     assert!(matches!(missing, Err(IoError::Read { .. })));
 }
+
+/// A GeoTIFF of 4 x 2 values with the metadata of a unit.
+fn in_unit(values: [f32; 8], unit: &str) -> Vec<u8> {
+    let mut bytes = Cursor::new(Vec::new());
+    let mut encoder = TiffEncoder::new(&mut bytes).unwrap();
+    let mut image = encoder.new_image::<colortype::Gray32Float>(4, 2).unwrap();
+    let role = "<Item name=\"UNITTYPE\" sample=\"0\" role=\"unittype\">";
+    let text = format!("<GDALMetadata>{role}{unit}</Item></GDALMetadata>");
+    let tag = Tag::Unknown(42_112);
+    image.encoder().write_tag(tag, text.as_str()).unwrap();
+    image.write_data(&values).unwrap();
+    bytes.into_inner()
+}
+
+#[test]
+fn values_in_a_known_unit_are_converted_and_others_refused() {
+    let folder = TempDir::new().unwrap();
+    let load = |bytes: &[u8], quantity| load_map_of(&file(&folder, "a.tif", bytes), quantity, None);
+    let kelvin = load(&in_unit([288.15; 8], "K"), MapQuantity::Temperature).unwrap();
+    assert!((at(&kelvin.map, 0, 0) - 15.0).abs() < 1e-4);
+    let flux = load(&in_unit([2.0; 8], "mm/day"), MapQuantity::Rain).unwrap();
+    assert!((at(&flux.map, 0, 0) - 730.485).abs() < 1e-3);
+    let feet = load(&in_unit([1000.0; 8], "ft"), MapQuantity::Elevation(1.0)).unwrap();
+    assert!((at(&feet.map, 0, 0) - 304.8).abs() < 1e-3);
+    let metres = load(&in_unit([1000.0; 8], "m"), MapQuantity::Elevation(1000.0)).unwrap();
+    assert_eq!(at(&metres.map, 0, 0), 1.0, "the file knows better");
+    for loaded in [kelvin, flux, feet, metres] {
+        assert!(loaded.warnings.is_empty());
+    }
+    let odd = load(&in_unit([1.0; 8], "bananas"), MapQuantity::Rain)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        odd.contains("bananas") && odd.contains("a.tif") && !odd.contains('\n'),
+        "{odd}"
+    );
+}
+
+#[test]
+fn values_that_look_like_another_unit_are_doubted() {
+    let folder = TempDir::new().unwrap();
+    let path = file(&folder, "a.tif", &geotiff([288.0; 8], true, None));
+    let loaded = load_map_of(&path, MapQuantity::Temperature, None).unwrap();
+    assert!(
+        loaded.warnings[0].contains("kelvin"),
+        "{:?}",
+        loaded.warnings
+    );
+}
+
+#[test]
+fn world_files_turn_pictures_and_other_side_files_are_named() {
+    let folder = TempDir::new().unwrap();
+    let path = file(
+        &folder,
+        "a.png",
+        &png(4, png::BitDepth::Eight, &[0, 1, 2, 3, 4, 5, 6, 7]),
+    );
+    file(&folder, "a.pgw", b"90\n0\n0\n-90\n45\n45\n");
+    let map = load_map(&path, Some([0.0, 255.0])).unwrap();
+    assert_eq!([0, 1, 2, 3].map(|x| at(&map, x, 0)), [2.0, 3.0, 0.0, 1.0]);
+    let pam = |content: &str| {
+        let text = format!("<PAMDataset><PAMRasterBand>{content}</PAMRasterBand></PAMDataset>");
+        file(&folder, "a.png.aux.xml", text.as_bytes());
+        load_map(&path, Some([0.0, 255.0]))
+    };
+    let map = pam("<NoDataValue>5</NoDataValue>").unwrap();
+    assert_eq!(map.voids(), 1);
+    let problem = pam("<Scale>0.1</Scale>").unwrap_err().to_string();
+    assert!(
+        problem.contains("a.png.aux.xml") && problem.contains("Scale"),
+        "{problem}"
+    );
+}

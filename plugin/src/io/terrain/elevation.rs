@@ -1,8 +1,8 @@
 //! The map of the elevation of a planet, in whatever unit, to km.
 
 use crate::climate::{EquirectMap, MapError};
-use crate::io::maps::{MapFileError, reduced};
-use crate::io::{IoError, load_map};
+use crate::io::IoError;
+use crate::io::maps::{MapFileError, MapQuantity, load_map_of, reduced};
 use std::path::Path;
 
 /// The unit of the values of a map of elevations.
@@ -46,7 +46,9 @@ impl HeightUnit {
     /// no planet has.
     pub(super) fn load(self, path: &Path) -> Result<EquirectMap, IoError> {
         let greys = GREY_KM.map(|km| km * self.per_km());
-        let map = load_map(path, Some(greys))?;
+        let metres = 1000.0 / f64::from(self.per_km());
+        let quantity = MapQuantity::Elevation(metres);
+        let map = load_map_of(path, quantity, Some(greys))?.map;
         let refused = |problem: MapFileError| IoError::map(path, problem);
         self.check(&map).map_err(refused)?;
         self.in_km(&map).map_err(|error| refused(error.into()))

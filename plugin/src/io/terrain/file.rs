@@ -3,15 +3,12 @@
 use super::elevation::HeightUnit;
 use crate::climate::{ClimateField, ClimateMaps, EARTH_RADIUS, EquirectMap};
 use crate::hydrology::TerrainMaps;
-use crate::io::maps::{MapFileError, reduced};
+use crate::io::IoError;
+use crate::io::maps::{MapFileError, MapQuantity, load_map_of, reduced};
 use crate::io::text::TextError;
-use crate::io::{IoError, load_map};
 use crate::planet::Planet;
 use crate::spawn::PlanetState;
 use std::path::{Path, PathBuf};
-
-/// Values of black and white of a share.
-const SHARE: [f32; 2] = [0.0, 1.0];
 
 /// The place of a map among others.
 type TerrainField = fn(&mut TerrainMaps) -> &mut Option<EquirectMap>;
@@ -79,15 +76,15 @@ impl TerrainFile {
             hills: None,
         };
         let fields: [(_, _, TerrainField); 3] = [
-            (&self.age, None, |maps| &mut maps.age),
-            (&self.plateaus, Some(SHARE), |maps| &mut maps.plateau),
-            (&self.hills, Some(SHARE), |maps| &mut maps.hills),
+            (&self.age, MapQuantity::Age, |maps| &mut maps.age),
+            (&self.plateaus, MapQuantity::Share, |maps| &mut maps.plateau),
+            (&self.hills, MapQuantity::Share, |maps| &mut maps.hills),
         ];
-        for (file, grey, field) in fields {
+        for (file, quantity, field) in fields {
             let Some(file) = file else { continue };
             let path = folder.join(file);
             let refused = |error| IoError::map(&path, MapFileError::Map(error));
-            let map = load_map(&path, grey)?;
+            let map = load_map_of(&path, quantity, quantity.greys())?.map;
             *field(&mut maps) = Some(map.clone());
             // What was read before is good: it is this file that is refused.
             maps.check().map_err(refused)?;
@@ -98,14 +95,15 @@ impl TerrainFile {
 
     fn climate(&self, folder: &Path) -> Result<ClimateMaps, IoError> {
         let mut maps = ClimateMaps::default();
-        for (file, grey, field) in [
-            (&self.temperature, None, ClimateField::Temperature),
-            (&self.rain, None, ClimateField::Rain),
-            (&self.wetness, Some(SHARE), ClimateField::Wetness),
+        for (file, field) in [
+            (&self.temperature, ClimateField::Temperature),
+            (&self.rain, ClimateField::Rain),
+            (&self.wetness, ClimateField::Wetness),
         ] {
             let Some(file) = file else { continue };
             let path = folder.join(file);
-            maps.set(field, load_map(&path, grey)?);
+            let quantity = MapQuantity::of(field);
+            maps.set(field, load_map_of(&path, quantity, quantity.greys())?.map);
             maps.check()
                 .map_err(|error| IoError::map(&path, MapFileError::Map(error)))?;
         }

@@ -30,25 +30,35 @@ const DEPTHS: [u16; 52] = [
 /// Codes of vertical systems: those of EPSG, and from 5001 on those of GeoTIFF 1.0.
 const SYSTEMS: core::ops::RangeInclusive<u16> = 3855..=20_999;
 
-/// Length in m of the unit of heights; `unit` is that of the band, empty if it has none.
+/// Length in m of the unit of heights, if it is told; `unit` is that of the band, empty if it has
+/// none.
 ///
 /// # Errors
 /// Units that are not known or contradict each other, and depths.
-pub(super) fn metres_per_unit(keys: &KeyDirectory, unit: &str) -> Result<f64, DemError> {
-    let of_system = vertical_unit(keys)?;
+pub(super) fn metres_per_unit(keys: &KeyDirectory, unit: &str) -> Result<Option<f64>, DemError> {
+    match (vertical_unit(keys)?, unit) {
+        (Some(of_system), unit) => agreed(of_system, unit).map(Some),
+        (None, "") => Ok(None),
+        (None, unit) => units::named_length(unit)
+            .map(Some)
+            .ok_or_else(|| units::unnamed(unit)),
+    }
+}
+
+/// The unit of the vertical system, if the band's has the same length or none is told.
+pub(super) fn agreed(of_system: f64, unit: &str) -> Result<f64, DemError> {
     if unit.is_empty() {
-        return Ok(of_system.unwrap_or(1.0));
+        return Ok(of_system);
     }
     let metres = units::named_length(unit).ok_or_else(|| units::unnamed(unit))?;
-    match of_system {
-        // Names do not always tell one foot from the other.
-        Some(other) if (other / metres - 1.0).abs() > 1e-5 => Err(invalid(format!(
+    // Names do not always tell one foot from the other.
+    if (of_system / metres - 1.0).abs() > 1e-5 {
+        return Err(invalid(format!(
             "GDAL_METADATA: the unit {unit:?} contradicts {}",
             keys::VERTICAL_UNIT.name
-        ))),
-        Some(other) => Ok(other),
-        None => Ok(metres),
+        )));
     }
+    Ok(of_system)
 }
 
 /// Length in m of the unit of the vertical system, if there is one.

@@ -116,6 +116,11 @@ impl Layout {
         Ok(offsets.into_iter().zip(counts).collect())
     }
 
+    /// Pixels of the image.
+    pub(super) fn pixels(&self) -> usize {
+        self.size[0] as usize * self.size[1] as usize
+    }
+
     /// Blocks to a row of blocks, and rows of blocks.
     pub(super) fn blocks_a_side(&self) -> [u32; 2] {
         [0, 1].map(|axis| self.size[axis].div_ceil(self.block[axis]))

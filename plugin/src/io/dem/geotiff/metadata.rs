@@ -1,9 +1,11 @@
 //! GDAL_METADATA: XML with the scale, the offset and the unit of a band's numbers.
 
 use super::nodata::number;
+use super::pam::PamFile;
 use super::structure::{refused, unsupported};
 use super::tag;
 use crate::io::dem::error::DemError;
+
 use roxmltree::Document;
 
 /// The quantity of the first band: `scale` times number plus `offset`, in `unit`.
@@ -14,6 +16,9 @@ pub(super) struct Calibration {
     /// As it is written; empty if it is not.
     pub(super) unit: String,
 }
+
+/// Name of the item that climate archives keep a unit in.
+const UNITS: &str = "units";
 
 impl Calibration {
     /// Of numbers that stand for themselves.
@@ -43,10 +48,21 @@ impl Calibration {
                 Some("scale") => all.scale = finite("scale", value)?,
                 Some("offset") => all.offset = finite("offset", value)?,
                 Some("unittype") => all.unit = value.trim().to_string(),
+                None if item.attribute("name") == Some(UNITS) && all.unit.is_empty() => {
+                    all.unit = value.trim().to_string();
+                }
                 _ => {}
             }
         }
         Ok(all)
+    }
+
+    /// The same, but for what a side file says otherwise.
+    pub(super) fn with(mut self, pam: &PamFile) -> Self {
+        self.scale = pam.scale.unwrap_or(self.scale);
+        self.offset = pam.offset.unwrap_or(self.offset);
+        self.unit = pam.unit.clone().unwrap_or(self.unit);
+        self
     }
 
     /// The quantity that a number stands for.

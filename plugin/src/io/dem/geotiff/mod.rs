@@ -12,7 +12,6 @@
 //! rows         the numbers of an image, a row of a block at a time
 //! mask         internal masks and opacity
 //! nodata       the value that marks voids
-//! metadata     GDAL's scale, offset and unit
 //! keys         GeoKeys
 //! units        units of length and angle
 //! heights      the unit of heights
@@ -20,6 +19,10 @@
 //! method       projections that a file defines
 //! projection   how long a map's step is on the ground
 //! system       coordinate systems
+//! wkt          coordinate systems as text
+//! pam          GDAL's side file NAME.EXT.aux.xml
+//! metadata     GDAL's scale, offset and unit
+//! side_files   what files beside it tell
 //! raster       all of it
 //! ```
 //!
@@ -51,8 +54,6 @@ mod mask;
 
 mod nodata;
 
-mod metadata;
-
 mod keys;
 
 mod units;
@@ -67,18 +68,28 @@ mod projection;
 
 mod system;
 
+mod wkt;
+
+mod pam;
+
+mod metadata;
+
+mod side_files;
+
 mod raster;
 
+pub(in crate::io) use pam::PamFile;
 pub(in crate::io) use raster::RasterFile;
+pub(in crate::io) use side_files::SideFiles;
 
 use super::error::DemError;
 use super::tile::{Dem, check_size};
 use std::io::{Read, Seek};
 
 /// Reads a file of heights.
-pub(super) fn read(source: impl Read + Seek) -> Result<Dem, DemError> {
-    let mut raster = RasterFile::open(source, check_size)?;
-    let metres_per_unit = raster.metres_per_unit()?;
+pub(super) fn read(source: impl Read + Seek, beside: SideFiles) -> Result<Dem, DemError> {
+    let mut raster = RasterFile::open(source, beside, check_size)?;
+    let metres_per_unit = raster.metres_per_unit()?.unwrap_or(1.0);
     let (pixel_m, centre) = raster.ground()?;
     let heights = raster.values(metres_per_unit)?;
     Dem::new(raster.size(), heights, pixel_m, centre)

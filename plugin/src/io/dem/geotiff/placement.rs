@@ -34,8 +34,7 @@ impl Placement {
                 by_scale(across, down, &tie)?
             }
             (_, &[a, b, _, x, d, e, _, y, ..]) => by_matrix([a, b, d, e], [x, y])?,
-            // Points alone bend a raster in any way.
-            _ if !tie.is_empty() => return Err(refused(tag::MODEL_TIEPOINT)),
+            _ if !tie.is_empty() => return Err(only_points()),
             _ => return Ok(None),
         };
         let is_point = keys.code(keys::RASTER_TYPE) == Some(PIXEL_IS_POINT);
@@ -44,6 +43,12 @@ impl Placement {
         } else {
             placement
         }))
+    }
+
+    /// The place by six numbers in GDAL's order: the corner of the first pixel, and steps of a
+    /// column and of a row, along each of two axes.
+    pub(super) fn of([x, a, b, y, d, e]: [f64; 6]) -> Result<Self, DemError> {
+        by_matrix([a, b, d, e], [x, y])
     }
 
     /// The same, some pixels further on.
@@ -63,10 +68,23 @@ impl Placement {
         [0, 1].map(|axis| self.origin[axis] + 0.5 * f64::from(size[axis]) * self.step[axis])
     }
 
+    /// Do columns go west, and rows north?
+    pub(super) fn is_turned(&self) -> [bool; 2] {
+        [self.step[0] < 0.0, self.step[1] > 0.0]
+    }
+
     /// Does it only count pixels?
     pub(super) fn is_plain(&self) -> bool {
         self.origin == [0.0, 0.0] && self.step.map(f64::abs) == [1.0, 1.0]
     }
+}
+
+/// The error of points alone, which bend a raster in any way.
+pub(super) fn only_points() -> DemError {
+    invalid(
+        "the file has ground control points (ModelTiepoint) only, which may bend it: rectify it \
+         first, as with gdalwarp",
+    )
 }
 
 /// By the size of a pixel and the place of one.
@@ -84,7 +102,9 @@ fn by_scale(across: f64, down: f64, tie: &[f64]) -> Result<Placement, DemError> 
 fn by_matrix([a, b, d, e]: [f64; 4], origin: [f64; 2]) -> Result<Placement, DemError> {
     let upright = a.abs() + e.abs();
     if b.abs() + d.abs() > 1e-9 * upright {
-        return Err(invalid("ModelTransformation turns or shears the raster"));
+        return Err(invalid(
+            "ModelTransformation or a side file turns or shears the raster",
+        ));
     }
     sound(
         Placement {

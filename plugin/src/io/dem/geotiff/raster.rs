@@ -4,11 +4,12 @@
 use super::heights;
 use super::keys::{self, KeyDirectory, unknown};
 use super::layout::{self, Layout};
-use super::mask;
+use super::mask::{self, InvalidPixels};
 use super::metadata::Calibration;
 use super::nodata::Nodata;
-use super::placement::Placement;
+use super::placement::{Placement, only_points};
 use super::rows::each_row;
+use super::side_files::SideFiles;
 use super::structure::{Directory, TiffFile, unsupported};
 use super::system::{self, System, mean_radius};
 use super::tag;
@@ -30,38 +31,52 @@ pub(in crate::io) struct RasterFile<R> {
     placement: Option<Placement>,
     nodata: Nodata,
     calibration: Calibration,
+    beside: SideFiles,
+    /// Length in m of the unit of heights by the system of a side file.
+    metres_beside: Option<f64>,
 }
 
 impl<R: Read + Seek> RasterFile<R> {
-    /// Opens a file, unless `check` refuses its size. No value is read yet.
+    /// Opens a file with those beside it, unless `check` refuses its size. No value is read yet.
     pub(in crate::io) fn open<E: From<DemError>>(
         source: R,
+        beside: SideFiles,
         check: impl FnOnce(u32, u32) -> Result<(), E>,
     ) -> Result<Self, E> {
         let mut file = TiffFile::open(source)?;
         let directory = file.directory(file.first)?;
         let [width, height] = layout::size(&mut file, &directory)?;
         check(width, height)?;
-        Ok(Self::describe(file, directory)?)
+        Ok(Self::describe(file, directory, beside)?)
     }
 
     /// Reads everything but values.
-    fn describe(mut file: TiffFile<R>, directory: Directory) -> Result<Self, DemError> {
+    fn describe(
+        mut file: TiffFile<R>,
+        directory: Directory,
+        mut beside: SideFiles,
+    ) -> Result<Self, DemError> {
         check_kind(&mut file, &directory)?;
         mask::check_samples(&mut file, &directory)?;
         let layout = Layout::read(&mut file, &directory)?;
         let keys = KeyDirectory::read(&mut file, &directory)?;
-        let nodata = file.text(&directory, tag::GDAL_NODATA)?;
+        let own = file.text(&directory, tag::GDAL_NODATA)?;
+        let nodata = beside.pam.nodata.clone().or(own);
         let metadata = file.text(&directory, tag::GDAL_METADATA)?;
+        let told = beside.pam.system.take();
+        let (told, metres_beside) =
+            told.map_or((None, None), |all| (Some(all.system), all.metres_per_unit));
         Ok(Self {
-            system: System::of(&keys)?,
-            placement: Placement::read(&mut file, &directory, &keys)?,
+            system: told.map_or_else(|| System::of(&keys), Ok)?,
+            placement: placement(&mut file, &directory, &keys, &beside)?,
             nodata: Nodata::of(nodata.as_deref(), layout.sample_type)?,
-            calibration: Calibration::of(metadata.as_deref())?,
+            calibration: Calibration::of(metadata.as_deref())?.with(&beside.pam),
             file,
             directory,
             layout,
             keys,
+            beside,
+            metres_beside,
         })
     }
 
@@ -70,29 +85,59 @@ impl<R: Read + Seek> RasterFile<R> {
         self.layout.size
     }
 
-    /// Length in m of the unit of heights.
-    pub(super) fn metres_per_unit(&self) -> Result<f64, DemError> {
-        heights::metres_per_unit(&self.keys, &self.calibration.unit)
+    /// Length in m of the unit of heights, if it is told.
+    pub(in crate::io) fn metres_per_unit(&self) -> Result<Option<f64>, DemError> {
+        match self.metres_beside {
+            Some(metres) => heights::agreed(metres, &self.calibration.unit).map(Some),
+            None => heights::metres_per_unit(&self.keys, &self.calibration.unit),
+        }
+    }
+
+    /// The unit of values as it is written; empty if it is not.
+    pub(in crate::io) fn unit(&self) -> &str {
+        &self.calibration.unit
     }
 
     /// All values in `unit`, NaN for voids, rows from the north.
-    pub(in crate::io) fn values(&mut self, unit: f64) -> Result<Vec<f32>, DemError> {
-        let [width, height] = self.size().map(|side| side as usize);
-        let mut values = room(width * height)?;
-        let (nodata, calibration) = (self.nodata, &self.calibration);
-        let fill = nodata.fill;
-        each_row(&mut self.file, &self.layout, 0, fill, |place, numbers| {
-            for (value, &number) in values[place..].iter_mut().zip(numbers) {
-                if !nodata.marks(number) {
-                    *value = (calibration.apply(number) * unit) as f32;
-                }
-            }
+    pub(super) fn values(&mut self, unit: f64) -> Result<Vec<f32>, DemError> {
+        let mut values = room(self.layout.pixels())?;
+        self.for_each_row([unit, 0.0], |place, row| {
+            values[place..place + row.len()].copy_from_slice(row);
         })?;
-        mask::erase(&mut self.file, &self.directory, &self.layout, &mut values)?;
         if let Some(placement) = self.placement {
-            turn_north_up(placement, width, &mut values);
+            turn_north_up(placement, self.size()[0] as usize, &mut values);
         }
         Ok(values)
+    }
+
+    /// Hands on all values `z` as `factor z + summand`, NaN for voids: rows of blocks as they come
+    /// in the file, with the number of their first pixel.
+    pub(in crate::io) fn for_each_row(
+        &mut self,
+        [factor, summand]: [f64; 2],
+        mut take: impl FnMut(usize, &[f32]),
+    ) -> Result<(), DemError> {
+        let (nodata, calibration) = (self.nodata, &self.calibration);
+        let mask = self.beside.mask.as_mut();
+        let invalid = InvalidPixels::read(&mut self.file, &self.directory, &self.layout, mask)?;
+        let mut values = Vec::new();
+        let fill = nodata.fill;
+        each_row(&mut self.file, &self.layout, 0, fill, |place, numbers| {
+            values.clear();
+            values.extend((place..).zip(numbers).map(|(pixel, &number)| {
+                if nodata.marks(number) || invalid.has(pixel) {
+                    return f32::NAN;
+                }
+                (calibration.apply(number) * factor + summand) as f32
+            }));
+            take(place, &values);
+        })
+    }
+
+    /// Do columns go west, and rows north?
+    pub(in crate::io) fn is_turned(&self) -> [bool; 2] {
+        self.placement
+            .map_or([false; 2], |placement| placement.is_turned())
     }
 
     /// Size of a pixel in m on the ground in the middle, and the middle's latitude and longitude, if
@@ -138,39 +183,31 @@ impl<R: Read + Seek> RasterFile<R> {
         let Some(placement) = self.placement else {
             return Ok(None);
         };
-        let [scale, origin] = match &self.system {
-            System::Degrees {
-                unit_deg,
-                meridian_deg,
-                ..
-            } => [[1.0 / unit_deg; 2], [-meridian_deg / unit_deg, 0.0]],
-            System::Lengths { unit_m, projection } => {
-                let map = projection.as_ref().and_then(|map| map.equirectangular);
-                let map = map.ok_or_else(|| self.not_in_degrees())?;
-                map.map(|point| point.map(|metres| metres / unit_m))
-            }
-            // Pixels are counted, no degrees.
-            System::Unknown if placement.is_plain() => return Ok(None),
-            System::Unknown => [[1.0; 2], [0.0; 2]],
-        };
-        let ends = [0, 1].map(|axis| placement.ends(axis, self.size()));
-        let [[west, east], [south, north]] =
-            [0, 1].map(|axis| sorted(ends[axis].map(|end| (end - origin[axis]) / scale[axis])));
-        Ok(Some([west, east, south, north]))
-    }
-
-    /// The error of a map of a region in a projection.
-    fn not_in_degrees(&self) -> DemError {
         let code = self.keys.code(keys::PROJECTED_SYSTEM).unwrap_or(0);
-        unknown(
-            keys::PROJECTED_SYSTEM,
-            format!("{code} (a map of a whole planet is in degrees)"),
-        )
+        self.system.extent_deg(&placement, self.size(), code)
     }
 }
 
-fn sorted([a, b]: [f64; 2]) -> [f64; 2] {
-    [a.min(b), a.max(b)]
+/// The place of an image: that of a side file, its own, or that of a world file.
+fn placement<R: Read + Seek>(
+    file: &mut TiffFile<R>,
+    directory: &Directory,
+    keys: &KeyDirectory,
+    beside: &SideFiles,
+) -> Result<Option<Placement>, DemError> {
+    if let Some(transform) = beside.pam.transform {
+        return Placement::of(transform).map(Some);
+    }
+    let own = match Placement::read(file, directory, keys) {
+        // Of points and a world file, GDAL takes the world file.
+        Err(_) if beside.world.is_some() => None,
+        own => own?,
+    };
+    match (own, beside.place(own.is_some())) {
+        (None, Some(transform)) => Placement::of(transform).map(Some),
+        (None, None) if beside.pam.has_points => Err(only_points()),
+        (own, _) => Ok(own),
+    }
 }
 
 /// Refuses pictures: numbers that are colours or places in a palette.

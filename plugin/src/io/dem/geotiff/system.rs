@@ -6,6 +6,7 @@
 
 use super::keys::{self, KeyDirectory, USER_DEFINED, unknown};
 use super::method;
+use super::placement::Placement;
 use super::projection::{GroundScale, Projection};
 use super::units;
 use crate::io::dem::error::{DemError, invalid};
@@ -18,7 +19,7 @@ const GEOGRAPHIC: u16 = 2;
 const EPSG: core::ops::RangeInclusive<u16> = 1024..=32_766;
 
 /// Half axes of the Earth in m (WGS 84).
-const EARTH: [f64; 2] = [6_378_137.0, 6_356_752.314_245];
+pub(super) const EARTH: [f64; 2] = [6_378_137.0, 6_356_752.314_245];
 
 /// EPSG's systems whose unit is the grad, all of the Paris meridian.
 const IN_GRADS: [u16; 8] = [4807, 4810, 4811, 4816, 4819, 4821, 4901, 4902];
@@ -61,6 +62,49 @@ impl System {
             Some(other) => Err(unknown(keys::MODEL_TYPE, other)),
         }
     }
+}
+
+impl System {
+    /// Degrees that a raster reaches over: from west, to east, from south, to north; `None` if it
+    /// only counts pixels.
+    ///
+    /// # Errors
+    /// A raster in a projection that is not equirectangular, by its `code`.
+    pub(super) fn extent_deg(
+        &self,
+        placement: &Placement,
+        size: [u32; 2],
+        code: u16,
+    ) -> Result<Option<[f64; 4]>, DemError> {
+        let [scale, origin] = match self {
+            Self::Degrees {
+                unit_deg,
+                meridian_deg,
+                ..
+            } => [[1.0 / unit_deg; 2], [-meridian_deg / unit_deg, 0.0]],
+            Self::Lengths { unit_m, projection } => {
+                let map = projection.as_ref().and_then(|map| map.equirectangular);
+                let map = map.ok_or_else(|| not_in_degrees(code))?;
+                map.map(|point| point.map(|metres| metres / unit_m))
+            }
+            Self::Unknown if placement.is_plain() => return Ok(None),
+            Self::Unknown => [[1.0; 2], [0.0; 2]],
+        };
+        let ends = [0, 1].map(|axis| placement.ends(axis, size));
+        let [[west, east], [south, north]] =
+            [0, 1].map(|axis| sorted(ends[axis].map(|end| (end - origin[axis]) / scale[axis])));
+        Ok(Some([west, east, south, north]))
+    }
+}
+
+fn sorted([a, b]: [f64; 2]) -> [f64; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The error of a map of a region in a projection.
+fn not_in_degrees(code: u16) -> DemError {
+    let problem = format!("{code} (a map of a whole planet is in degrees)");
+    unknown(keys::PROJECTED_SYSTEM, problem)
 }
 
 /// The system of longitudes and latitudes.
@@ -107,7 +151,7 @@ fn projected(keys: &KeyDirectory) -> Result<System, DemError> {
 }
 
 /// The projection that EPSG has given a code.
-fn known(code: u16, has_unit: bool) -> Result<Option<Box<Projection>>, DemError> {
+pub(super) fn known(code: u16, has_unit: bool) -> Result<Option<Box<Projection>>, DemError> {
     let definition = crs_definitions::from_code(code);
     let projection = definition.and_then(|found| Projection::of(found.proj4));
     if projection.is_none() && !(has_unit && EPSG.contains(&code)) {

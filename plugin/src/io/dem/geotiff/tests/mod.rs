@@ -1,5 +1,6 @@
 //! Files that are written here byte by byte, and the numbers that GDAL reads from them.
 
+mod beside;
 mod blocks;
 mod places;
 mod texts;
@@ -50,7 +51,9 @@ fn plain(fields: Vec<(u16, Values)>, block: Vec<u8>) -> Vec<u8> {
 
 /// The values of a file, NaN for voids.
 fn values(bytes: &[u8]) -> Result<Vec<f32>, DemError> {
-    let open = RasterFile::open(Cursor::new(bytes), |_, _| Ok::<(), DemError>(()));
+    let open = RasterFile::open(Cursor::new(bytes), SideFiles::default(), |_, _| {
+        Ok::<(), DemError>(())
+    });
     open?.values(1.0)
 }
 

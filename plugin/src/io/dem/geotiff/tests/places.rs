@@ -1,7 +1,7 @@
 //! Where rasters lie, which way up, and how large their pixels are on the ground.
 
 use super::writer::Values;
-use super::{RasterFile, fields, plain, read, refusal, values, with};
+use super::{RasterFile, SideFiles, fields, plain, read, refusal, values, with};
 use crate::io::dem::error::DemError;
 use crate::io::dem::tile::Dem;
 use std::io::Cursor;
@@ -29,7 +29,8 @@ fn file(place: Vec<(u16, Values)>, keys: &[u16], doubles: &[f64]) -> Vec<u8> {
 }
 
 fn dem(place: Vec<(u16, Values)>, keys: &[u16], doubles: &[f64]) -> Result<Dem, DemError> {
-    read(Cursor::new(file(place, keys, doubles)))
+    let file = file(place, keys, doubles);
+    read(Cursor::new(file), SideFiles::default())
 }
 
 /// Keys of a projected and of a geographic system.
@@ -181,7 +182,7 @@ fn degrees_have_units_and_a_globe() {
 /// Degrees that a raster reaches over.
 fn extent(place: Vec<(u16, Values)>, keys: &[u16]) -> Result<Option<[f64; 4]>, DemError> {
     let file = Cursor::new(file(place, keys, &[]));
-    RasterFile::open(file, |_, _| Ok::<(), DemError>(()))?.extent_deg()
+    RasterFile::open(file, SideFiles::default(), |_, _| Ok::<(), DemError>(()))?.extent_deg()
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Texts: the value of voids, scale and offset, units of height.
 
 use super::writer::Values;
-use super::{fields, plain, read, refusal, short, values, with};
+use super::{SideFiles, fields, plain, read, refusal, short, values, with};
 use crate::io::dem::error::DemError;
 use std::io::Cursor;
 
@@ -97,7 +97,7 @@ fn tile(more: &[u16], metadata: &'static str) -> Result<f32, DemError> {
         (278, short(2)),
     ];
     let file = plain(with(fields([2, 2], 8, 1, 1), tags), vec![100; 4]);
-    read(Cursor::new(file)).map(|dem| dem.grid.values[0])
+    read(Cursor::new(file), SideFiles::default()).map(|dem| dem.grid.values[0])
 }
 
 /// Metadata that name a unit.
