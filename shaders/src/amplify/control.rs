@@ -63,7 +63,7 @@ pub enum VertexKind {
     Terrain = 0,
     /// Below the sea.
     Sea = 1,
-    /// On the shore: its ground is at sea level.
+    /// At the shore: its ground lies near sea level, on either side of it.
     Coast = 2,
     /// On a river.
     River = 3,

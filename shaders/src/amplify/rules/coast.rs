@@ -23,17 +23,17 @@ use crate::amplify::vertex::{EdgeContext, Vertex};
 const ROCKY: [i32; 2] = [q16(0.004), q16(0.04)];
 
 /// How far, as a share of the edge, the noise moves the shore where it is 1: on rocky coasts.
-const ROCKY_MOVE: i32 = q16(0.8);
+const ROCKY_MOVE: i32 = q16(0.9);
 
 /// Share of that move that a young coast lacks: it is straight as its faults are.
 const YOUNG_LOSS: i32 = q16(0.2);
 
 /// The same move of a plain's coast on level 0, and how much less it is with every level: waves
 /// and drift smooth the shore of sand.
-const PLAIN_MOVE: [i32; 2] = [q16(0.7), q16(0.06)];
+const PLAIN_MOVE: [i32; 2] = [q16(0.8), q16(0.06)];
 
 /// Least move of a plain's coast.
-const LEAST_MOVE: i32 = q16(0.25);
+const LEAST_MOVE: i32 = q16(0.45);
 
 /// How far from the shore, as a share of the land's height or the sea's depth beside it, a vertex
 /// is coast.

@@ -5,6 +5,7 @@ mod meshes;
 mod order;
 mod precision;
 mod range;
+mod shore;
 mod sight;
 mod topology;
 mod views;

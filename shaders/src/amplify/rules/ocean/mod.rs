@@ -231,4 +231,32 @@ mod tests {
         }
         assert_eq!(relief(&floor(1, 1, -5), 52_000 * GRAINS), 0);
     }
+
+    /// Where the ridge's directions around a place are at right angles their mean is one of two, by
+    /// chance. Whichever it is, the floor is the same: no scarp opens between the two.
+    #[test]
+    fn directions_that_disagree_make_no_scarp() {
+        for i in 0..2_000 {
+            let at = |z| Vertex {
+                ridge: [0, 16_383, z],
+                ..floor(i * 400_000, 2, 2_600)
+            };
+            let [a, b] = [16_383, -16_383].map(|z| relief(&at(z), 52_000 * GRAINS));
+            assert_eq!(a, b, "{i}");
+        }
+    }
+
+    /// A mean direction is shorter than those that it is the mean of. Its length is no wavelength:
+    /// stripes keep theirs, and grow shallower.
+    #[test]
+    fn short_directions_bend_no_stripes() {
+        for i in 0..2_000 {
+            let at = |y| Vertex {
+                ridge: [0, y, 0],
+                ..floor(i * 400_000, 2, 2_600)
+            };
+            let [whole, short] = [32_767, 31_500].map(|y| relief(&at(y), 52_000 * GRAINS));
+            assert!((whole - short).abs() < 200, "{i}: {whole} {short}");
+        }
+    }
 }
