@@ -91,10 +91,6 @@ pub struct Vertex {
     pub river_along: i32,
     /// The side of the river's valley here.
     pub section: ValleySection,
-    /// Ground of the nearest gully, grains.
-    pub gully_bed: i32,
-    /// Distance to the nearest gully, grains; [`FAR`] without one.
-    pub gully_distance: i32,
     /// Which lake it lies in; 0 in none.
     pub lake: u32,
     /// Crust elevation C above sea level, grains: the level that summits reach.
@@ -150,8 +146,6 @@ impl Vertex {
             river_distance: FAR,
             river_along: 0,
             section: ValleySection::outside(control.height),
-            gully_bed: control.height,
-            gully_distance: FAR,
             lake: lake_number(control),
             crust: control.crust,
             kind: VertexKind::from_number(control.kind),
@@ -197,6 +191,9 @@ pub struct EdgeContext<'a> {
     /// Height of the flat face where the new vertex lies, grains: the mean of the ends, but for the
     /// sideways displacement.
     pub face: i32,
+    /// How far the ground beside the edge bends up: a quarter of the height of the opposite corners
+    /// over the ends, grains.
+    pub bend: i32,
     /// Length of the edge, grains.
     pub length: i32,
     /// Mean length of the edges of its level, grains.

@@ -41,6 +41,7 @@ pub fn split(
         b,
         new: &new,
         face: placed.face,
+        bend: bend(ends, opposite),
         length,
         span: scale.edge_grains(level),
         level,
@@ -57,6 +58,15 @@ pub fn split(
     };
     settle_water(edge.kind, &mut new, a, b);
     new
+}
+
+/// How far the ground beside an edge bends up, grains: a quarter of the height of the corners over
+/// the ends; 0 where edges are straight.
+fn bend([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> i32 {
+    let [Some(x), Some(y)] = opposite else {
+        return 0;
+    };
+    (x.height - a.height) / 4 + (y.height - b.height) / 4
 }
 
 /// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then.
@@ -125,8 +135,6 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         river_distance: FAR,
         river_along: 0,
         section: ValleySection::between(a.section, b.section),
-        gully_bed: 0,
-        gully_distance: FAR,
         lake: 0,
         crust: a.crust + (b.crust - a.crust) / 2,
         kind: VertexKind::Terrain,
