@@ -10,6 +10,7 @@ mod commands;
 mod contracts;
 mod determinism;
 mod fast_paths;
+mod folds;
 mod fuzz;
 mod input;
 mod laws;

@@ -20,7 +20,7 @@
 //! | [`scan`] | edge, face | counts | places of vertices, halves, children |
 //! | [`edge_split`] | edge | ends, opposite corners | the new vertex: place, kind, ground, water (R1 to R5, lakes) |
 //! | [`face_decide`] | face | corners, new vertices, corners beyond | its inner edges (Ia to Ic) |
-//! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river, nearest gully |
+//! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river |
 //! | [`face_split`] | edge, face | the same level | halves, inner edges, children |
 //! | [`carve`] | vertex | itself | final ground and water |
 //! | [`show`] | vertex | itself, view | ground and water that a level shows of it |
@@ -66,7 +66,6 @@
 //! | h_w | `water` | grains |
 //! | h_r, d_r | `river` (a segment), `river_distance`, `river_along` | grains, Q16 |
 //! | valley | `section`: height of its side, share of the ground's own | grains, Q16 |
-//! | s_h, s_d | `gully_bed`, `gully_distance` | grains |
 //! | φ | [`Vertex::flow`](vertex::Vertex::flow), root of `discharge` | Q16; discharge 2⁻³² of 200,000 m³/s |
 //! | e_r | `valley` | `ValleyShape`, 0..4 |
 //! | C, A, W, P, B | `crust`, `worn`, `wetness`, `plateau`, `hills` | grains, Q16 |

@@ -93,10 +93,6 @@ pub struct Vertex {
     pub heading: [i16; 3],
     /// The side of the river's valley here.
     pub section: ValleySection,
-    /// Ground of the nearest gully, grains.
-    pub gully_bed: i32,
-    /// Distance to the nearest gully, grains; [`FAR`] without one.
-    pub gully_distance: i32,
     /// The lake that it lies in or beside; 0 for none.
     pub lake: u32,
     /// Level of that lake, grains: dry ground beside a lake never lies below it.
@@ -155,8 +151,6 @@ impl Vertex {
             river_along: 0,
             heading: [0; 3],
             section: ValleySection::outside(control.height),
-            gully_bed: control.height,
-            gully_distance: FAR,
             lake: lake_number(control),
             lake_level: control.water,
             crust: control.crust,
@@ -210,6 +204,9 @@ pub struct EdgeContext<'a> {
     /// Whether no corner of the edge's faces lies below the water of its ends: there a new lake
     /// finds ground to hold it.
     pub is_dammed: bool,
+    /// How far the ground beside the edge bends up: a quarter of the height of the opposite corners
+    /// over the ends, grains.
+    pub bend: i32,
     /// Length of the edge, grains.
     pub length: i32,
     /// Mean length of the edges of its level, grains.

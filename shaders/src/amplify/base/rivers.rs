@@ -138,7 +138,6 @@ pub(super) fn add_gullies(vertices: &mut [Vertex], edges: &mut [Edge]) {
         }
         let vertex = &mut vertices[v as usize];
         vertex.kind = VertexKind::Gully;
-        vertex.gully_distance = 0;
     }
 }
 

@@ -58,6 +58,7 @@ pub fn split(
         face: placed.face,
         range: range(ends, opposite),
         is_dammed: lakes::is_dammed(ends, opposite),
+        bend: bend(ends, opposite),
         length,
         span: scale.edge_grains(level),
         level,
@@ -103,6 +104,15 @@ fn course(
     Some(river.curve())
 }
 
+/// How far the ground beside an edge bends up, grains: a quarter of the height of the corners over
+/// the ends; 0 where edges are straight.
+fn bend([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> i32 {
+    let [Some(x), Some(y)] = opposite else {
+        return 0;
+    };
+    (x.height - a.height) / 4 + (y.height - b.height) / 4
+}
+
 /// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then.
 #[inline]
 fn gathered(up: &Vertex, edge: &Edge) -> u32 {
@@ -128,8 +138,6 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         river_along: 0,
         heading: [0; 3],
         section: ValleySection::between(a.section, b.section),
-        gully_bed: 0,
-        gully_distance: FAR,
         lake: 0,
         lake_level: 0,
         crust: a.crust + (b.crust - a.crust) / 2,

@@ -45,6 +45,9 @@ const GREAT_FLOW: i32 = q16(0.5);
 /// How much higher a gully's tip must stand to branch off another, grains (release).
 const LEAST_HILLSLOPE: i32 = metres(50);
 
+/// First level whose new land drains along its edge.
+const FIRST_DRAIN_LEVEL: u32 = 1;
+
 /// The vertex that halves a gully edge: 0.4..0.5 of the way up, in ours less at the coarse levels,
 /// so that the profile is hollow.
 pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
@@ -116,10 +119,11 @@ pub fn is_gully(
 
 /// Whether new dry land drains along the half of its edge that leads to `end`: to the lower end of
 /// an edge of the ground, while gullies still branch. So every vertex has a way down, and drainage
-/// is a tree at every scale.
+/// is a tree at every scale. The control mesh's own edges have no drains: valleys along all of them
+/// would show it.
 pub fn drains(rules: &Rules, level: u32, new: &Vertex, end: &Vertex, other: &Vertex) -> bool {
     rules.landforms
-        && level < rules.gully_levels
+        && (FIRST_DRAIN_LEVEL..rules.gully_levels).contains(&level)
         && new.kind == VertexKind::Terrain
         && new.height > end.height
         // Seeds decide between level ends, so that one half drains and not both.

@@ -46,6 +46,12 @@ const LEAST_RISE: i32 = q16(0.15259);
 /// Share of the bulge that worn land loses.
 const WORN_LOSS: i32 = q16(0.39673);
 
+/// Roughness of hillsides, as a share of that of fine ground: it breaks the facets of faces.
+const HILLSIDE_ROUGHNESS: i32 = q16(1.4);
+
+/// One beyond the last level whose ground goes on across its edges without a crease.
+const BENT_LEVELS: u32 = 4;
+
 /// Most rise of a slope, grains: beyond any crust, and products of it fit 32 bits on any planet.
 const MOST_SLOPE: i32 = metres(400_000);
 
@@ -70,11 +76,21 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
         high,
         mul_q16(mul_q16(slope, evenness), bulge),
     );
-    let crest = mix(hillside, high, towards_crest) + gain;
+    let crest = mix(hillside, high, towards_crest) + gain + bend(context);
 
     // No rock stands steeper, drawn anew for each edge so that faces do not become planes.
     let steepest = low + mul_q16(slope, STEEPEST[0] + mul_q16(draws.chi, STEEPEST[1]));
     crest.min(steepest).max(least(context, low, high))
+}
+
+/// How far the middle of a coarse edge bends up, grains. Faces that met at a crease along their edge
+/// would show the edges of the control mesh.
+const fn bend(context: &EdgeContext) -> i32 {
+    if context.level < BENT_LEVELS {
+        context.bend
+    } else {
+        0
+    }
 }
 
 /// How level the ends of an edge are, Q16: 1 where they are, 0 where one stands a whole slope above
@@ -118,7 +134,7 @@ fn gain(context: &EdgeContext, draws: RiseDraws, high: i32, bulge: i32) -> i32 {
 fn hillside(rules: &Rules, context: &EdgeContext, xi: i32) -> i32 {
     if is_small(context) {
         // On the face itself, so that an even slope stays even under sideways moves.
-        return context.face + fine::rough(rules, context);
+        return context.face + mul_q16(fine::rough(rules, context), HILLSIDE_ROUGHNESS);
     }
     let (low, high) = ordered(context.a.height, context.b.height);
     mix(
@@ -160,11 +176,12 @@ fn part(level: u32, chi: i32) -> i32 {
 /// shallow gullies only, and by fewer where the land is worn. Q16.
 const fn fading(level: u32, worn: i32) -> i32 {
     let kept = match level {
-        0..=3 => q16(1.37329),
+        0..=1 => q16(1.37329),
+        2..=3 => q16(1.03),
         4 => q16(1.2207),
         5 => q16(0.97656),
-        6 => q16(0.67139),
-        7 => q16(0.45776),
+        6 => q16(0.537),
+        7 => q16(0.366),
         _ => q16(0.30518),
     };
     if level < FIRST_WORN_LEVEL {

@@ -7,14 +7,11 @@
 
 mod river;
 
-use super::arith::mix;
 use super::control::VertexKind;
-use super::fixed::difference;
-use super::geometry::nearest_on;
-use super::rules::{EdgeKind, Rules, valley};
+use super::rules::{Rules, valley};
 use super::scale::PlanetScale;
 use super::topology::{Edge, Inner};
-use super::vertex::{FAR, ValleySection, Vertex};
+use super::vertex::{ValleySection, Vertex};
 use river::NearestRiver;
 pub use river::{most_move, tributary};
 
@@ -84,7 +81,6 @@ pub struct Settled {
     branched: bool,
     river: NearestRiver,
     section: ValleySection,
-    gully: NearestGully,
 }
 
 impl Settled {
@@ -95,8 +91,6 @@ impl Settled {
         vertex.branched = self.branched;
         self.river.write(vertex);
         vertex.section = self.section;
-        vertex.gully_bed = self.gully.bed;
-        vertex.gully_distance = self.gully.distance;
     }
 }
 
@@ -129,70 +123,10 @@ pub fn resolve(
     } else {
         new.section
     };
-    let gully = if kind == VertexKind::Gully {
-        NearestGully {
-            bed: new.height,
-            distance: 0,
-        }
-    } else {
-        near_gully(scale, new, around)
-    };
     Settled {
         kind,
         branched: junction,
         river,
         section,
-        gully,
     }
-}
-
-/// The nearest gully of a vertex, grains.
-#[derive(Clone, Copy, Debug)]
-struct NearestGully {
-    bed: i32,
-    distance: i32,
-}
-
-/// The gully of an edge beside the vertex, where one is nearer than the parents' gullies.
-fn near_gully(scale: &PlanetScale, new: &Vertex, around: &VertexContext) -> NearestGully {
-    // Parents know gullies farther off than the two faces.
-    let mut nearest = parents_gully(scale, new, around.ends);
-    for drain in around.beside.iter().flatten() {
-        if drain.edge.kind != EdgeKind::Gully {
-            continue;
-        }
-        let [up, down] = drain.ends;
-        let (along, off) = nearest_on([up.direction, down.direction], new.direction);
-        let distance = scale.grains(off);
-        if distance < nearest.distance {
-            nearest = NearestGully {
-                bed: mix(up.height, down.height, along),
-                distance,
-            };
-        }
-    }
-    nearest
-}
-
-/// The mean of the parents' gullies, or the gully of the one that has one.
-fn parents_gully(scale: &PlanetScale, new: &Vertex, [a, b]: [&Vertex; 2]) -> NearestGully {
-    let (bed, distance) = match (a.gully_distance, b.gully_distance) {
-        (FAR, FAR) => (new.height, FAR),
-        (FAR, d) => (b.gully_bed, by_parent(scale, new, b, d)),
-        (d, FAR) => (a.gully_bed, by_parent(scale, new, a, d)),
-        // Both parents lie on gullies: the mean, 0, would put the middle on one too.
-        (0, 0) => (
-            a.gully_bed / 2 + b.gully_bed / 2,
-            by_parent(scale, new, a, 0),
-        ),
-        (d, e) => (a.gully_bed / 2 + b.gully_bed / 2, d / 2 + e / 2),
-    };
-    NearestGully { bed, distance }
-}
-
-/// Length of the way to a parent and on to its gully, grains; at most [`FAR`].
-fn by_parent(scale: &PlanetScale, new: &Vertex, parent: &Vertex, distance: i32) -> i32 {
-    // Over the parent: too long, but no gully seems nearer than it is.
-    let step = scale.grains(difference(new.direction, parent.direction));
-    distance.min(FAR - step.min(FAR)) + step.min(FAR)
 }

@@ -1,0 +1,86 @@
+//! The ranges of a grown planet's belts run along the axes of their folds.
+
+use bevy::math::{DVec2, DVec3};
+use bevy_pangaea::control::{PlanetBake, bake_now};
+use bevy_pangaea::math::{acos, atan2, east_north, lat_lon};
+use bevy_pangaea::prelude::*;
+use bevy_pangaea::query::{AzimuthalEquidistant, HeightGrid, MapSquare, PlanetGround, Rules};
+use bevy_pangaea::relief_stats::{ReliefClass, SiteInput, sites};
+use pangaea_tests::shape::small;
+use pangaea_tests::world::{get, planet_app, steps, surface};
+
+/// Side of a window in m, and its pixels to a side: of ranges 10 to 40 km apart.
+const WINDOW: (f64, usize) = (40_000.0, 64);
+
+/// Level of the heights: edges of 1.6 km.
+const LEVEL: u8 = 5;
+
+/// Most that ridges may differ from the axis in the median, degrees; by chance they would by 45.
+const MOST_DEG: f64 = 25.0;
+
+/// The direction of a tile's ridges, from east towards north: that in which its gradient, less its
+/// mean, is least.
+fn ridges(tile: &HeightGrid) -> f64 {
+    let at = |x: usize, y: usize| f64::from(tile.row(y)[x]);
+    let inner = |side: usize| 1..side - 1;
+    let gradients: Vec<DVec2> = inner(tile.height)
+        .flat_map(|y| inner(tile.width).map(move |x| (x, y)))
+        .map(|(x, y)| DVec2::new(at(x + 1, y) - at(x - 1, y), at(x, y - 1) - at(x, y + 1)))
+        .collect();
+    let mean = gradients.iter().sum::<DVec2>() / gradients.len() as f64;
+    // As numbers of twice the angle, so that opposite directions are one.
+    let doubled = |g: &DVec2| {
+        let g = *g - mean;
+        DVec2::new(g.x * g.x - g.y * g.y, 2.0 * g.x * g.y)
+    };
+    let steepest: DVec2 = gradients.iter().map(doubled).sum();
+    0.5 * (atan2(steepest.y, steepest.x) + core::f64::consts::PI)
+}
+
+/// Angle between the ridges of a tile about a place and the axis of its folds, 0 to 90 degrees.
+fn deviation(ground: &PlanetGround, at: DVec3, fold: DVec3) -> f64 {
+    let (lat, lon) = lat_lon(at);
+    let about = AzimuthalEquidistant::new(lat, lon, ground.radius_m()).unwrap();
+    let square = MapSquare::new(about, WINDOW.0, WINDOW.1).unwrap();
+    let ridges = ridges(&square.heights(ground, LEVEL).unwrap());
+    let (east, north) = east_north(at);
+    let ridge = ridges.cos() * east + ridges.sin() * north;
+    acos(ridge.dot(fold.normalize()).abs().min(1.0)).to_degrees()
+}
+
+#[test]
+fn ranges_of_young_and_old_belts_run_along_their_folds() {
+    let (mut app, planet) = planet_app(&small(1, 60_000));
+    steps(&mut app, planet, 125);
+    let surface = surface(&mut app, planet);
+    bake_now(app.world_mut(), planet).unwrap();
+    let ground = PlanetGround::of_bake(get::<PlanetBake>(&app, planet), Rules::default()).unwrap();
+    let elevation: Vec<f32> = (0..surface.len()).map(|i| surface.elevation(i)).collect();
+    let input = SiteInput {
+        mesh: get::<Lattice>(&app, planet),
+        elevation: &elevation,
+        orogeny: &surface.crust.orogeny,
+        orogeny_age: &surface.crust.orogeny_age,
+        seed: 1,
+    };
+    let mut angles: Vec<f64> = [
+        ReliefClass::YoungHimalayan,
+        ReliefClass::YoungAndean,
+        ReliefClass::OldBelts,
+    ]
+    .into_iter()
+    .flat_map(|class| sites(&input, class))
+    .map(|site| {
+        (
+            input.mesh.point(site),
+            surface.crust.fold[site as usize].as_dvec3(),
+        )
+    })
+    .filter(|(_, fold)| fold.length() > 0.1)
+    .map(|(at, fold)| deviation(&ground, at, fold))
+    .collect();
+    assert!(angles.len() >= 30, "{} sites with folds", angles.len());
+    angles.sort_by(f64::total_cmp);
+    let median = angles[angles.len() / 2];
+    assert!(median < MOST_DEG, "{median} degrees off: {angles:?}");
+}
