@@ -3,8 +3,8 @@
 //! Reads and writes one vertex; see [`rules::valley`](super::rules::valley) for the profile.
 
 pub use super::rules::ocean::OceanCache;
-use super::rules::{lake, valley};
 pub use super::rules::valley::Carved;
+use super::rules::{lake, valley};
 use super::scale::PlanetScale;
 use super::vertex::Vertex;
 

@@ -12,11 +12,7 @@ use crate::amplify::vertex::Vertex;
 
 /// Number and level (grains) of the lake around the vertex that halves an edge; number 0 for none.
 /// Of several the highest: ground that holds it back holds back the others.
-pub(super) fn around(
-    level: u32,
-    ends: [&Vertex; 2],
-    opposite: [Option<&Vertex>; 2],
-) -> (u32, i32) {
+pub(super) fn around(level: u32, ends: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> (u32, i32) {
     let corners = ends.into_iter().chain(opposite.into_iter().flatten());
     let lakes = corners.filter(|v| v.kind == VertexKind::Lake);
     match lakes.max_by_key(|v| v.lake_level) {

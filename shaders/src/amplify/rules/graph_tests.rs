@@ -262,7 +262,7 @@ fn digest(rules: &Rules) -> u32 {
 /// A change of any rule shows here; bless it only where it is meant.
 #[test]
 fn bits_are_pinned() {
-    assert_eq!(digest(&Rules::default()), 3_789_217_283);
+    assert_eq!(digest(&Rules::default()), 1_212_077_051);
     assert_eq!(
         [Rules::PAPER, Rules::RELEASE].map(|rules| digest(&rules)),
         [2_700_177_121, 430_074_615]
