@@ -13,8 +13,8 @@
 use super::landform::{dryness, steepness};
 use super::noise::{CornerCache, gradient};
 use super::preset::Rules;
-use super::{EdgeKind, VertexGround, crest, fine, graph, rise};
-use crate::amplify::arith::{mix, mul_q16, pow_1_5, ratio, smoothstep, sqrt_q16};
+use super::{EdgeKind, VertexGround, crest, graph, rise};
+use crate::amplify::arith::{linear_step, mix, mul_q16, pow_1_5, ratio, smoothstep, sqrt_q16};
 use crate::amplify::control::VertexKind;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::{GRAINS, Q16, metres, q16};
@@ -47,9 +47,30 @@ const DRAWN_DEPTH: i32 = metres(100);
 /// Most depth of a new lake of ours, as a share of the edge that it was made on.
 const DEPTH_OF_EDGE: i32 = q16(0.04);
 
-/// How far noise moves the shore of gentle ground, as a share of the edge: on level 0, less with
-/// every level, and at least.
-const WANDER: [i32; 3] = [q16(1.2), q16(0.08), q16(0.1)];
+/// Most relief of a shore, as a share of half the way from the floor up to the land.
+const SHORE_RELIEF: i32 = q16(0.95);
+
+/// Most relief of a floor, as a share of its depth: more than all of it makes islands.
+const FLOOR_RELIEF: i32 = q16(1.1);
+
+/// How much deeper a lake is between two of its vertices, as a share of the land's relief.
+const DEEPENING: i32 = q16(0.5);
+
+/// Depth that this does not exceed, grains: that of Lake Superior.
+const DEEPEST: i32 = metres(400);
+
+/// How far the shore is drawn towards the middle of its edge: on level 0, and less with every
+/// level.
+const HOLLOW: [i32; 2] = [q16(0.9), q16(0.15)];
+
+/// Relief of an edge, as a share of what the land rises over it.
+const ROUGHNESS: i32 = q16(0.2);
+
+/// How much of it a level leaves: waves smooth what is small.
+const CALM_LEVELS: [i32; 2] = [6, 13];
+
+/// How much the noise is stretched, so that it often has its full height.
+const STRETCH: i32 = q16(1.8);
 
 /// Added to the steepness of the land: the tangent of 1.1°, as level soil is uneven too.
 const SOIL_SLOPE: i32 = q16(0.02);
@@ -59,12 +80,6 @@ const EDGE_BITS: u32 = 24;
 
 /// Seed of the noise; each level adds its number.
 const SHORE_SEED: u32 = 0x1a4e_0000;
-
-/// How much of a floor's depth its relief takes at most.
-const FLOOR_RELIEF: i32 = q16(0.3);
-
-/// Roughness of a floor, as a divisor of that of the land: sediment evens it.
-const FLOOR_ROUGHNESS: i32 = 3;
 
 /// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet
 /// land, or high in the mountains, on the coarse levels only.
@@ -142,17 +157,31 @@ pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGrou
     beside(rules, edge, context)
 }
 
-/// The floor between two vertices of a lake: that of the face, and its own modest relief.
+/// Between two vertices of a lake: its floor, or an island where that is shallow.
 fn floor(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
     let (a, b) = (context.a, context.b);
     let level = context.new.lake_level;
-    let mean = level - (a.bed + (b.bed - a.bed) / 2);
+    let depth = level - (a.bed + (b.bed - a.bed) / 2);
     if edge == EdgeKind::River {
-        return under(level - mean, level);
+        return under(level - depth, level);
     }
-    let most = mul_q16(mean, FLOOR_RELIEF);
-    let relief = (fine::rough(rules, context) / FLOOR_ROUGHNESS).clamp(-most, most);
-    under(level - mean + relief, level)
+    let depth = depth + deepening(rules, context, depth);
+    // Waves of one edge: of longer ones whole rings of vertices would emerge.
+    let rough = relief(rules, context, mul_q16(depth, FLOOR_RELIEF), EDGE_BITS);
+    let over = rough.max(rough / 4) - depth;
+    if over < 0 {
+        under(level + over, level)
+    } else {
+        VertexGround::dry(VertexKind::Terrain, level + 1 + over)
+    }
+}
+
+/// How much deeper a lake is than between its vertices, grains: as the relief of its land has it,
+/// where those are shallow.
+fn deepening(rules: &Rules, context: &EdgeContext, depth: i32) -> i32 {
+    // Halved once more on every level: a parabola, which has no creases.
+    let basin = mul_q16(full_relief(rules, context), DEEPENING) >> context.level.min(16);
+    basin.min(depth).min((DEEPEST - depth).max(0))
 }
 
 /// A river that flows into a lake: the lake reaches as far up its valley as the river's bed lies
@@ -178,58 +207,69 @@ fn inflow(context: &EdgeContext) -> VertexGround {
 fn shore(rules: &Rules, context: &EdgeContext, lake: &Vertex, land: &Vertex) -> VertexGround {
     let level = context.new.lake_level;
     let (depth, rise) = (level - lake.bed, land.height - level);
-    let gentle = gentleness(rules, context, rise + depth);
-    // Land rises from its valleys in a hollow: on gentle ground the shore is as likely on either
-    // side of the middle, on steep ground it lies where an even slope would cross the water.
-    let even = rise / 2 - depth / 2;
-    let side = rise.max(depth).max(1);
-    let middle = mul_q16(
-        ratio(even.abs(), side) * even.signum(),
-        Q16 - gentle / 4 * 3,
+    let most = mul_q16(depth / 2 + rise / 2, SHORE_RELIEF);
+    let even = mul_q16(
+        rise / 2 - depth / 2,
+        Q16 - hollow(rules, context, rise + depth),
     );
-    let away = middle + mul_q16(moved(context), gentle);
-    if away <= 0 {
-        under(level - shelving(context.level, -away, depth), level)
+    let height = even + relief(rules, context, most, EDGE_BITS + 1);
+    if height <= 0 {
+        under(level - shelving(context.level, -height, depth), level)
     } else {
-        let over = onto_land(rules, context, away, rise);
+        let over = onto_land(rules, context, height, rise);
         VertexGround::dry(VertexKind::Terrain, level + over.max(1))
     }
 }
 
-/// How gentle the ground of an edge is whose ends differ by `fall` grains, against the steepness of
-/// the land: 1 up to that steepness, half at twice of it; Q16.
-fn gentleness(rules: &Rules, context: &EdgeContext, fall: i32) -> i32 {
-    let steep = steepness(rules, context.new) + SOIL_SLOPE;
-    ratio(mul_q16(context.length, steep), fall.max(1))
+/// How far the shore lies from where an even slope would cross the water, towards the middle of its
+/// edge, Q16: land rises from its lakes in a hollow, but no steeper than it is elsewhere. Ends of
+/// the edge differ by `fall` grains.
+fn hollow(rules: &Rules, context: &EdgeContext, fall: i32) -> i32 {
+    let [most, loss] = HOLLOW;
+    let drawn = most - loss * context.level.min(16) as i32;
+    let steep = mul_q16(context.length, slope(rules, context));
+    mul_q16(drawn.max(0), ratio(steep, fall.max(1)))
 }
 
-/// How far noise moves the shore of gentle ground, as a share of the edge; Q16.
-fn moved(context: &EdgeContext) -> i32 {
+/// Tangent of the land's slopes, with the unevenness of its soil; Q16.
+fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
+    steepness(rules, context.new) + SOIL_SLOPE
+}
+
+/// Relief of the ground in and beside a lake, at most `most` grains high or deep: of the steepness
+/// of the land, and alike in all directions. Its waves on level 0 are 2^`wave` direction units.
+fn relief(rules: &Rules, context: &EdgeContext, most: i32, wave: u32) -> i32 {
     let noise = gradient(
         &mut CornerCache::default(),
         context.new.direction,
-        EDGE_BITS + 1 - context.level.min(16),
+        wave - context.level.min(16),
         SHORE_SEED + context.level,
     );
-    let [most, loss, least] = WANDER;
-    let wander = (most - loss * context.level.min(16) as i32).max(least);
-    mul_q16(noise, wander)
+    let [first, last] = CALM_LEVELS;
+    let rough = Q16 - linear_step(first, last, context.level as i32);
+    let height = mul_q16(full_relief(rules, context), rough).min(most);
+    mul_q16(height, mul_q16(noise, STRETCH).clamp(-Q16, Q16))
 }
 
-/// Depth at a share of the way from the shore down to a `depth`: floors are hollow, about as the
-/// 0.7th power of the distance. On straight edges they are even.
-fn shelving(level: u32, share: i32, depth: i32) -> i32 {
-    if level >= STRAIGHT_LEVEL {
-        return mul_q16(depth, share);
+/// Relief of the land over an edge, grains.
+fn full_relief(rules: &Rules, context: &EdgeContext) -> i32 {
+    mul_q16(mul_q16(context.span, slope(rules, context)), ROUGHNESS)
+}
+
+/// Depth where the even slope from the shore down to a `depth` has that of `even`: floors are
+/// hollow, about as the 0.7th power of the distance. On straight edges they are even.
+fn shelving(level: u32, even: i32, depth: i32) -> i32 {
+    let even = even.min(depth.max(DEEPEST));
+    if level >= STRAIGHT_LEVEL || even >= depth {
+        return even;
     }
     // The root of the power 1.5, which is 0.75.
-    mul_q16(depth, sqrt_q16(pow_1_5(share.min(Q16))))
+    mul_q16(depth, sqrt_q16(pow_1_5(ratio(even, depth))))
 }
 
-/// Height over the lake of land at a share of the way from the shore up to the land's `rise`: the
-/// farther from the shore, the more it is that of slopes without one.
-fn onto_land(rules: &Rules, context: &EdgeContext, share: i32, rise: i32) -> i32 {
-    let even = mul_q16(rise, share);
+/// Height over the lake of land on the way from the shore, where the even slope has `even`, up to
+/// the land's `rise`: the farther from the shore, the more it is that of slopes without one.
+fn onto_land(rules: &Rules, context: &EdgeContext, even: i32, rise: i32) -> i32 {
     if context.level >= rules.fine_level {
         return even;
     }
@@ -237,7 +277,8 @@ fn onto_land(rules: &Rules, context: &EdgeContext, share: i32, rise: i32) -> i32
     let slope = lifted(context, level, |lifted| {
         rise::height(rules, lifted, rise::SLOPE_BULGE)
     });
-    mix(even, slope - level, (2 * share).min(Q16))
+    let inland = ratio(2 * even, rise.max(1));
+    mix(even, slope - level, inland)
 }
 
 /// Beside a lake: the ground is made as if its ends stood at the lake's level at least.

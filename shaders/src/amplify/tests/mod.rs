@@ -1,5 +1,6 @@
 //! The laws of a refinement.
 
+mod lakes;
 mod local;
 mod meshes;
 mod order;

@@ -2,7 +2,7 @@
 //! assertions, every wrapped sum and product fails here.
 
 use crate::amplify::base::Base;
-use crate::amplify::carve::{NO_WATER, carve_all};
+use crate::amplify::carve::{Carved, NO_WATER, carve_all};
 use crate::amplify::control::{ControlMesh, ControlVertex, VertexKind};
 use crate::amplify::emit;
 use crate::amplify::fixed::metres;
@@ -12,6 +12,7 @@ use crate::amplify::mark::View;
 use crate::amplify::rules::Rules;
 use crate::amplify::seed::{draw, pcg};
 use crate::amplify::synthetic::control_mesh;
+use crate::amplify::vertex::Vertex;
 
 /// Most height and depth of a control mesh, grains.
 const MOST: u32 = metres(100_000) as u32;
@@ -101,6 +102,7 @@ fn check(base: &Base, rules: &Rules, seed: u32) {
         });
         let leaf = local.leaf([0, 1, 2].map(|i| v[i] + w[i] / 64), 17, None);
         assert!(leaf.carved.iter().all(|c| c.water >= NO_WATER));
+        assert!(leaf.carved.iter().zip(leaf.vertices).all(holds_water));
     }
     let at = base.vertices[seed as usize].direction;
     let view = View::disc(at, base.scale.radius_m / 500, 8);
@@ -108,4 +110,10 @@ fn check(base: &Base, rules: &Rules, seed: u32) {
     let carved = carve_all(&base.scale, rules, &ground.vertices);
     let water = emit::water(&ground, rules, &ground.triangles(), &carved);
     assert!(water.iter().flat_map(|t| t.water).all(|w| w > NO_WATER));
+    assert!(carved.iter().zip(ground.vertices).all(holds_water));
+}
+
+/// Whether wet ground lies under water.
+fn holds_water((carved, vertex): (&Carved, Vertex)) -> bool {
+    !vertex.is_wet() || carved.water >= carved.ground
 }
