@@ -55,7 +55,7 @@ fn between_levels(
     Carved {
         ground,
         // A river that is narrower than the level's edges lies under the land beside it.
-        water: carved.water.max(ground),
+        water: carved.water,
     }
 }
 
