@@ -35,6 +35,46 @@ pub struct RiverSegment {
     pub level: u32,
 }
 
+/// How the way of a river leaves its edge where it meanders; a set.
+///
+/// Each bit is set on the vertex that halves an edge: [`UPPER`](Self::UPPER) and
+/// [`LOWER`](Self::LOWER) on a river's, [`OUT`](Self::OUT) and [`BACK`](Self::BACK) on that of the
+/// ground's edge that it goes round by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bend(u8);
+
+impl Bend {
+    /// No meander.
+    pub const NONE: Self = Self(0);
+    /// The upper half of the river's edge is left dry.
+    pub const UPPER: Self = Self(1);
+    /// The lower half of the river's edge is left dry.
+    pub const LOWER: Self = Self(2);
+    /// A river comes from the end of the edge that lies on it, and goes on to its own middle.
+    pub const OUT: Self = Self(4);
+    /// A river comes from its own middle, and goes on to the end of the edge that lies on it.
+    pub const BACK: Self = Self(8);
+
+    /// Both sets.
+    #[must_use]
+    #[inline]
+    pub const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether two sets share a member.
+    #[inline]
+    pub const fn has(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// Whether a river bends over this vertex, which no river's edge halves.
+    #[inline]
+    pub const fn is_apex(self) -> bool {
+        self.has(Self::OUT.and(Self::BACK))
+    }
+}
+
 /// A valley's side at a place: its height, and how much of the ground that the graphs made is left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
@@ -107,6 +147,10 @@ pub struct Vertex {
     pub valley: u8,
     /// Whether a river or gully already branches here.
     pub branched: bool,
+    /// How a meander leaves the edge that this vertex halves.
+    pub bend: Bend,
+    /// Level at which the river of an apex was born; 0 elsewhere.
+    pub birth: u8,
     /// Orogeny age A, 1/64 My; [`NO_AGE`] where no orogeny ever was.
     pub age: u16,
     /// Share of continental collision in the orogeny, Q16.
@@ -126,6 +170,8 @@ pub struct Vertex {
     /// Ridge direction of the ocean floor (undirected, tangent), components times 32767; zero where
     /// there is none.
     pub ridge: [i16; 3],
+    /// Where a river flows in a meander, components times 32767; zero elsewhere.
+    pub way: [i16; 3],
 }
 
 impl Default for Vertex {
@@ -158,6 +204,8 @@ impl Vertex {
             level: 0,
             valley: control.valley,
             branched: false,
+            bend: Bend::default(),
+            birth: 0,
             age: control.age,
             collision: control.collision,
             wetness: control.wetness,
@@ -167,6 +215,7 @@ impl Vertex {
             ocean_age: control.ocean_age,
             fold: control.fold,
             ridge: control.ridge,
+            way: [0; 3],
         }
     }
 

@@ -12,7 +12,7 @@ use super::rules::{self, EdgeKind, Rules};
 use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::Edge;
-use super::vertex::{EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
+use super::vertex::{Bend, EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
 use place::place;
 
 /// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
@@ -33,6 +33,7 @@ pub fn split(
     let length = scale.grains(difference(b.direction, a.direction));
     let placed = place(rules, edge.kind, level, &new, ends, opposite);
     new.direction = placed.direction;
+    new.way = placed.way;
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
     new.discharge = gathered(a, edge);
@@ -133,6 +134,8 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         level: level as u8 + 1,
         valley: if seed & 1 == 0 { a.valley } else { b.valley },
         branched: false,
+        bend: Bend::default(),
+        birth: 0,
         age: mean(a.age, b.age),
         collision: mean(a.collision, b.collision),
         wetness: mean(a.wetness, b.wetness),
@@ -142,6 +145,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         ocean_age: mean(a.ocean_age, b.ocean_age),
         fold: undirected_mean(a.fold, b.fold),
         ridge: undirected_mean(a.ridge, b.ridge),
+        way: [0; 3],
     }
 }
 

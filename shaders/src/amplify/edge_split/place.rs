@@ -5,6 +5,7 @@ use super::STRAIGHT_LEVEL;
 use crate::amplify::arith::{linear_step, ratio};
 use crate::amplify::fixed::{Q16, difference, lift, mul_high, q16, square_q32, weigh};
 use crate::amplify::geometry::{Q12, Stance};
+use crate::amplify::rules::meander::{Course, course};
 use crate::amplify::rules::shift::{Shift, shift};
 use crate::amplify::rules::{EdgeKind, Rules};
 use crate::amplify::vertex::Vertex;
@@ -27,6 +28,8 @@ pub(super) struct Placed {
     pub(super) direction: [i32; 3],
     /// Height of the flat face, grains.
     pub(super) face: i32,
+    /// Where a meander flows there, as [`Vertex::way`].
+    pub(super) way: [i16; 3],
 }
 
 /// Places the vertex that halves an edge: at the middle, moved sideways within its safe zone, on
@@ -42,6 +45,11 @@ pub(super) fn place(
     if level < STRAIGHT_LEVEL
         && let [Some(x), Some(y)] = opposite
     {
+        if kind == EdgeKind::River
+            && let Some(course) = course(ends)
+        {
+            return on_course(&course, ends, [x, y]);
+        }
         let shift = shift(rules, kind, ends.map(|v| v.kind), level, new);
         // Towards the corner x, away from the corner y.
         let corners = if shift.second { [y, x] } else { [x, y] };
@@ -62,36 +70,79 @@ fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
         // Both shares are ½, so the deficit is a quarter of the edge's square.
         direction: lift(middle, square_q32(ab) / 4),
         face: a.height + (b.height - a.height) / 2,
+        way: [0; 3],
+    }
+}
+
+/// A place on the course of a meander, beside the middle of the edge. The first corner lies to the
+/// left of it.
+fn on_course(course: &Course, ends: [&Vertex; 2], [left, right]: [&Vertex; 2]) -> Placed {
+    let corners = if course.aside > 0 {
+        [left, right]
+    } else {
+        [right, left]
+    };
+    let placed = towards(ends, corners, |stances| aside(course.aside.abs(), stances));
+    Placed {
+        way: course.way,
+        ..placed
     }
 }
 
 /// A place moved towards the first of the two corners opposite to the edge.
-fn displaced(shift: &Shift, [a, b]: [&Vertex; 2], [x, y]: [&Vertex; 2]) -> Placed {
+fn displaced(shift: &Shift, ends: [&Vertex; 2], corners: [&Vertex; 2]) -> Placed {
+    towards(ends, corners, |stances| weights(shift, stances))
+}
+
+/// The place whose shares of the edge's end and of the first corner follow from how both corners
+/// stand over the edge.
+fn towards(
+    [a, b]: [&Vertex; 2],
+    [x, y]: [&Vertex; 2],
+    weights: impl Fn([Stance; 2]) -> [i32; 2],
+) -> Placed {
     let [ab, ax, ay] = [b, x, y].map(|v| difference(v.direction, a.direction));
-    let [wb, wx] = weights(shift, [ax, ay].map(|corner| Stance::of(ab, corner)));
+    let [wb, wx] = weights([ax, ay].map(|corner| Stance::of(ab, corner)));
     Placed {
+        way: [0; 3],
         direction: blend(a.direction, ab, ax, wb, wx),
         face: a.height + weigh(wb, b.height - a.height) + weigh(wx, x.height - a.height),
     }
 }
 
+/// Shares of the edge's end and of the corner `x` of a vertex beside the middle of the edge, at a
+/// share `aside` of its length.
+fn aside(aside: i32, corners: [Stance; 2]) -> [i32; 2] {
+    let x = corners[0];
+    let wx = weigh(calm(corners), ((aside << 12) / x.height).min(Q16));
+    bounded(-q12(wx, x.along), wx, corners)
+}
+
+/// Share of a displacement that triangles of these corners bear: flat ones would get flatter.
+fn calm([x, y]: [Stance; 2]) -> i32 {
+    linear_step(FLATNESS[0], FLATNESS[1], x.height.min(y.height))
+}
+
 /// Shares of the edge's end and of the corner `x` that the new vertex is drawn to; that of the
 /// start is the rest.
-///
-/// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least
-/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges'
-/// vertices do within such bounds, all four children of a face keep at least 0.045 of its area
-/// (least determinant over the corners of the bounds): none turns over.
 fn weights(shift: &Shift, [x, y]: [Stance; 2]) -> [i32; 2] {
-    // Flat triangles would get flatter.
-    let low = x.height.min(y.height);
-    let weight = weigh(shift.weight, linear_step(FLATNESS[0], FLATNESS[1], low));
+    let weight = weigh(shift.weight, calm([x, y]));
     let third = shift.inward / 3;
     // The barycentre lies a third of the way to the corner.
     let wx = weigh(weight, third);
     let along = weigh(Q16 - shift.inward, shift.along) + third;
     // A corner that leans over an end of the edge draws upwards only, not along.
     let towards_b = weigh(weight, along - Q16 / 2) - q12(wx, x.overhang());
+    bounded(towards_b, wx, [x, y])
+}
+
+/// Scales a displacement until no face turns over.
+///
+/// Written in the barycentric coordinates of either face beside the edge, the vertex keeps at least
+/// a third of both ends and at most [`MOST_FAR_CORNER`] of the far corner. Whatever their edges'
+/// vertices do within such bounds, all four children of a face keep at least 0.045 of its area
+/// (least determinant over the corners of the bounds): none turns over.
+fn bounded(towards_b: i32, wx: i32, [x, y]: [Stance; 2]) -> [i32; 2] {
     // In the face beyond, the vertex has -ρ·wx of its corner, ρ the ratio of the heights.
     let owed = wx * (x.height >> 3) / (y.height >> 3).max(1);
     let in_beyond = towards_b + q12(wx, x.along) + q12(owed, y.along);

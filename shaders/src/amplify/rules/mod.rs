@@ -19,6 +19,7 @@ pub mod fine;
 pub mod gully;
 pub mod lake;
 pub mod landform;
+pub mod meander;
 pub mod rise;
 pub mod river;
 pub mod shift;

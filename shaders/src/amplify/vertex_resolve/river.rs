@@ -10,7 +10,7 @@ use crate::amplify::control::VertexKind;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::mul_high;
 use crate::amplify::geometry::nearest_on;
-use crate::amplify::rules::EdgeKind;
+use crate::amplify::rules::{EdgeKind, Rules, meander};
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
@@ -112,13 +112,14 @@ impl NearestRiver {
 /// The nearest river of a new vertex of the level after `level`.
 pub(super) fn nearest(
     scale: &PlanetScale,
+    rules: &Rules,
     level: u32,
     new: &Vertex,
     around: &VertexContext,
 ) -> NearestRiver {
     if new.is_wet() {
         // A river or lake vertex lies on a segment of its own.
-        let birth = around.edge.birth;
+        let birth = around.edge.birth.max(new.birth);
         return NearestRiver {
             cost: 0,
             distance: 0,
@@ -128,7 +129,7 @@ pub(super) fn nearest(
         };
     }
     let mut nearest = NearestRiver::none();
-    offer_beside(scale, level, new, around, &mut nearest);
+    offer_beside(scale, rules, level, new, around, &mut nearest);
     let is_found = nearest.cost < i32::MAX;
     if !is_found {
         offer_inherited(scale, level, new, around, &mut nearest);
@@ -141,6 +142,7 @@ pub(super) fn nearest(
 /// the whole edges.
 fn offer_beside(
     scale: &PlanetScale,
+    rules: &Rules,
     level: u32,
     new: &Vertex,
     around: &VertexContext,
@@ -150,10 +152,30 @@ fn offer_beside(
         if drain.edge.kind != EdgeKind::River {
             continue;
         }
-        for segment in segments_of(scale, level, drain).iter().flatten() {
+        let segments = if meander::may_bend(scale, rules, level, drain.ends) {
+            places_of(scale, level, drain)
+        } else {
+            segments_of(scale, level, drain)
+        };
+        for segment in segments.iter().flatten() {
             nearest.offer(scale, new.direction, segment, 0);
         }
     }
+}
+
+/// Places that a river passes though it may leave its edge between them: the edge's middle and its
+/// lower end.
+fn places_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
+    [drain.mid, Some(drain.ends[1])].map(|place| {
+        let at = place?;
+        Some(segment(
+            scale,
+            drain.edge.birth,
+            level + 1,
+            [at, at],
+            at.discharge,
+        ))
+    })
 }
 
 /// The newest segments that are known of a river edge of a level, upstream first.

@@ -1,0 +1,172 @@
+//! Meanders: on the level whose edges are as long as a meander, a slow river leaves its edge for
+//! the sides of the faces beside it.
+//!
+//! A displaced vertex must stay within a sixth of its triangle, or faces turn over; that makes a
+//! river a fifth longer than its valley at most. A meander is half as long again. So it takes
+//! another way along the mesh: from the upper end of its edge over the middle of the left face's
+//! side, back to its own middle, over the middle of the right face's side and to the lower end.
+//! Seen from either end the way lies on the left, so no two rivers ask for the same side.
+//!
+//! ```text
+//!           o                 leaves to the left, comes from the right:
+//!         /   \               a river twice as long where triangles are equilateral,
+//!        m     .              one meander per edge
+//!      /   \  /  \
+//!     a --- m --- b  flow →
+//!      \   /  \   /
+//!        .     m
+//!         \  /
+//!          o
+//! ```
+//!
+//! Meanders are 8 to 16 widths long, 11.3 in the mean of logarithms (10 to 14: L. Leopold and
+//! M. Wolman, River meanders, 1960), and widths 4.8 m for the root of 1 m³/s (L. Leopold and
+//! T. Maddock, 1953). On finer levels the way is bent round: an apex knows where its river flows,
+//! and a new vertex lies on the cubic between two such directions.
+
+use super::preset::Rules;
+use super::river::descend;
+use crate::amplify::arith::{length, linear_step, mul_q16, ratio};
+use crate::amplify::control::VertexKind;
+use crate::amplify::fixed::{Q16, difference, metres, q16};
+use crate::amplify::geometry::dot;
+use crate::amplify::scale::PlanetScale;
+use crate::amplify::seed::share;
+use crate::amplify::vertex::{Bend, Vertex};
+
+/// Width of a river of flow φ = 1, grains: 4.8 m · √200,000.
+const FULL_WIDTH: i32 = metres(2_147);
+
+/// Least length of a meander in widths of its river; the greatest is twice as much.
+const LEAST_LENGTH: i32 = 8;
+
+/// One beyond the last level on which rivers leave their edges: two are left to round them.
+const BEND_LEVELS: u32 = 9;
+
+/// Fall of a river in its length: up to the first it meanders wherever it can, from the second on
+/// nowhere.
+const FALL: [i32; 2] = [q16(0.001), q16(0.01)];
+
+/// Most length of a bend, in lengths of the half edge that it leaves.
+const MOST_DETOUR: i32 = 3;
+
+/// Whether a river of a flow meanders on a level, whose edges are `span` grains long.
+#[inline]
+pub fn is_due(rules: &Rules, level: u32, span: i32, flow: i32) -> bool {
+    let least = LEAST_LENGTH * mul_q16(FULL_WIDTH, flow);
+    rules.landforms && level < BEND_LEVELS && least <= span && span / 2 < least
+}
+
+/// Whether the river along an edge of a level may leave it, whatever lies beside it.
+pub fn may_bend(scale: &PlanetScale, rules: &Rules, level: u32, ends: [&Vertex; 2]) -> bool {
+    let span = scale.edge_grains(level);
+    ends.iter().all(|end| end.kind == VertexKind::River)
+        && ends
+            .iter()
+            .all(|end| is_due(rules, level, span, end.flow()))
+}
+
+/// Whether a river that may bend leaves its edge for the sides of a face with the corner `far`, in
+/// the half at its upper end (0) or its lower end (1). `seed` is that of its middle.
+pub fn bends(
+    scale: &PlanetScale,
+    ends: [&Vertex; 2],
+    far: &Vertex,
+    half: usize,
+    seed: u32,
+) -> bool {
+    let [up, down] = ends;
+    let [here, there] = [ends[half], ends[1 - half]].map(|end| end.direction);
+    let [along, out, home] = [(there, here), (far.direction, here), (there, far.direction)]
+        .map(|(to, from)| difference(to, from));
+    let [whole, first, second] = [along, out, home].map(|way| scale.grains(way) >> 2);
+    // Only at an acute angle, and not round half the country.
+    let is_shapely = dot(along, out) > 0 && first + second < MOST_DETOUR * whole;
+    let fall = ratio(up.water - down.water, 4 * whole);
+    let chance = Q16 - linear_step(FALL[0], FALL[1], fall);
+    is_shapely && share(seed, 30 + half as u32) < chance
+}
+
+/// The vertex over which a river leaves its edge, in place of one on dry ground: on the way from
+/// `from` to `to`, with the discharge that arrives there.
+pub fn apex(ground: &Vertex, [from, to]: [&Vertex; 2], discharge: u32) -> Vertex {
+    let bed = descend(from.bed, to.bed, Q16 / 2);
+    Vertex {
+        kind: VertexKind::River,
+        height: bed,
+        bed,
+        water: descend(from.water, to.water, Q16 / 2).max(bed),
+        discharge,
+        way: unit(difference(to.direction, from.direction)),
+        ..*ground
+    }
+}
+
+/// Whether a half of an edge with this middle is a river's though the edge is none's, and whether
+/// it runs against the edge. `slot` is the half, `wet` whether its own end lies on a river.
+pub const fn half_of_bend(middle: Bend, slot: usize, wet: bool) -> Option<bool> {
+    // Out of the river's end, or back to it: the first half begins at its end, the second ends there.
+    match (middle.is_apex() && wet, middle.has(Bend::OUT)) {
+        (false, _) => None,
+        (true, out) => Some(out == (slot == 1)),
+    }
+}
+
+/// A unit vector with components times 32767.
+fn unit(v: [i32; 3]) -> [i16; 3] {
+    let [x, y, z] = v;
+    let bits = 32 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros();
+    // Components of fifteen bits, so that fifteen more have room.
+    let short = v.map(|c| {
+        if bits > 15 {
+            c >> (bits - 15)
+        } else {
+            c << (15 - bits)
+        }
+    });
+    let n = length(short[0], short[1], short[2]).max(1);
+    short.map(|c| (c * 32_767 / n).clamp(-32_767, 32_767) as i16)
+}
+
+/// A river's way through a new vertex, as the ways at the ends of its edge have it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Course {
+    /// How far it lies beside the edge, to the left of it, as a share of the edge; Q16.
+    pub aside: i32,
+    /// Where it flows there, as [`Vertex::way`].
+    pub way: [i16; 3],
+}
+
+/// The middle of the cubic from one end of an edge to the other that leaves and arrives as the
+/// river flows there; where an end knows no way, along the edge. `None` where neither does.
+///
+/// With the ways u, v and the edge e, all of its length: ½e + (u - v) / 8, and there 3/2 e -
+/// (u + v) / 4.
+pub fn course([a, b]: [&Vertex; 2]) -> Option<Course> {
+    if a.way == [0; 3] && b.way == [0; 3] {
+        return None;
+    }
+    let edge = unit(difference(b.direction, a.direction)).map(i32::from);
+    let [u, v] = [a, b].map(|end| match end.way {
+        [0, 0, 0] => edge,
+        way => way.map(i32::from),
+    });
+    let up = unit(a.direction).map(i32::from);
+    // Components of fifteen bits: products keep as many.
+    let left = [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        (up[j] * edge[k] - up[k] * edge[j]) >> 15
+    });
+    let aside = (0..3)
+        .map(|i| ((u[i] - v[i]) >> 2) * (left[i] >> 1))
+        .sum::<i32>();
+    Some(Course {
+        // An eighth of a product in Q27 as Q16.
+        aside: aside >> 14,
+        way: unit([0, 1, 2].map(|i| 6 * edge[i] - u[i] - v[i])),
+    })
+}
+
+#[cfg(test)]
+#[path = "meander_tests.rs"]
+mod tests;
