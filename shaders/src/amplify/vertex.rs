@@ -37,9 +37,9 @@ pub struct RiverSegment {
 
 /// How the way of a river leaves its edge where it meanders; a set.
 ///
-/// Each bit is set on the vertex that halves an edge: [`UPPER`](Self::UPPER) and
-/// [`LOWER`](Self::LOWER) on a river's, [`OUT`](Self::OUT) and [`BACK`](Self::BACK) on that of the
-/// ground's edge that it goes round by.
+/// Each member is one of the vertex that halves an edge: [`UPPER`](Self::UPPER),
+/// [`LOWER`](Self::LOWER) and [`LIMB`](Self::LIMB) on a river's, [`OUT`](Self::OUT) and
+/// [`BACK`](Self::BACK) on that of the ground's edge that it goes round by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bend(u8);
 
@@ -54,6 +54,8 @@ impl Bend {
     pub const OUT: Self = Self(4);
     /// A river comes from its own middle, and goes on to the end of the edge that lies on it.
     pub const BACK: Self = Self(8);
+    /// The vertex lies between the apex of a meander and its river's own vertices.
+    pub const LIMB: Self = Self(16);
 
     /// Both sets.
     #[must_use]
@@ -72,6 +74,12 @@ impl Bend {
     #[inline]
     pub const fn is_apex(self) -> bool {
         self.has(Self::OUT.and(Self::BACK))
+    }
+
+    /// Whether the vertex lies on a meander, off the river's own vertices.
+    #[inline]
+    pub const fn is_bent(self) -> bool {
+        self.is_apex() || self.has(Self::LIMB)
     }
 }
 
@@ -170,8 +178,8 @@ pub struct Vertex {
     /// Ridge direction of the ocean floor (undirected, tangent), components times 32767; zero where
     /// there is none.
     pub ridge: [i16; 3],
-    /// Where a river flows in a meander, components times 32767; zero elsewhere.
-    pub way: [i16; 3],
+    /// Where the river flows through a vertex of a meander, a unit tangent times 32767; else zero.
+    pub heading: [i16; 3],
 }
 
 impl Default for Vertex {
@@ -215,7 +223,7 @@ impl Vertex {
             ocean_age: control.ocean_age,
             fold: control.fold,
             ridge: control.ridge,
-            way: [0; 3],
+            heading: [0; 3],
         }
     }
 

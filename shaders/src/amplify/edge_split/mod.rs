@@ -33,7 +33,10 @@ pub fn split(
     let length = scale.grains(difference(b.direction, a.direction));
     let placed = place(rules, edge.kind, level, &new, ends, opposite);
     new.direction = placed.direction;
-    new.way = placed.way;
+    new.heading = placed.heading;
+    if placed.heading != [0; 3] {
+        new.bend = Bend::LIMB;
+    }
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
     new.discharge = gathered(a, edge);
@@ -145,7 +148,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         ocean_age: mean(a.ocean_age, b.ocean_age),
         fold: undirected_mean(a.fold, b.fold),
         ridge: undirected_mean(a.ridge, b.ridge),
-        way: [0; 3],
+        heading: [0; 3],
     }
 }
 

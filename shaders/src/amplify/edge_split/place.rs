@@ -28,8 +28,8 @@ pub(super) struct Placed {
     pub(super) direction: [i32; 3],
     /// Height of the flat face, grains.
     pub(super) face: i32,
-    /// Where a meander flows there, as [`Vertex::way`].
-    pub(super) way: [i16; 3],
+    /// Where a meander flows there, as [`Vertex::heading`].
+    pub(super) heading: [i16; 3],
 }
 
 /// Places the vertex that halves an edge: at the middle, moved sideways within its safe zone, on
@@ -70,7 +70,7 @@ fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
         // Both shares are ½, so the deficit is a quarter of the edge's square.
         direction: lift(middle, square_q32(ab) / 4),
         face: a.height + (b.height - a.height) / 2,
-        way: [0; 3],
+        heading: [0; 3],
     }
 }
 
@@ -84,7 +84,7 @@ fn on_course(course: &Course, ends: [&Vertex; 2], [left, right]: [&Vertex; 2]) -
     };
     let placed = towards(ends, corners, |stances| aside(course.aside.abs(), stances));
     Placed {
-        way: course.way,
+        heading: course.heading,
         ..placed
     }
 }
@@ -104,7 +104,7 @@ fn towards(
     let [ab, ax, ay] = [b, x, y].map(|v| difference(v.direction, a.direction));
     let [wb, wx] = weights([ax, ay].map(|corner| Stance::of(ab, corner)));
     Placed {
-        way: [0; 3],
+        heading: [0; 3],
         direction: blend(a.direction, ab, ax, wb, wx),
         face: a.height + weigh(wb, b.height - a.height) + weigh(wx, x.height - a.height),
     }
@@ -237,28 +237,46 @@ mod tests {
         }
     }
 
+    fn random_stances(k: u32) -> [Stance; 2] {
+        [0, 2].map(|i| Stance {
+            along: random(k, i, -8192..12_288),
+            height: random(k, i + 1, 300..12_288),
+        })
+    }
+
     #[test]
     fn displaced_vertices_keep_the_bounds_in_both_faces() {
         for k in 0..200_000_u32 {
-            let [x, y] = [0, 2].map(|i| Stance {
-                along: random(k, i, -8192..12_288),
-                height: random(k, i + 1, 300..12_288),
-            });
-            let [wb, wx] = weights(&random_shift(k), [x, y]).map(|w| f64::from(w) / 65_536.0);
-            let real = |v: i32| f64::from(v) / 4096.0;
-            // In the face beyond: x = s·a + t·b - ρ·y.
-            let ratio = real(x.height) / real(y.height);
-            let (far, end) = (
-                -wx * ratio,
-                wb + wx * (real(x.along) + ratio * real(y.along)),
+            let corners = random_stances(k);
+            check_bounds(corners, weights(&random_shift(k), corners));
+        }
+    }
+
+    #[test]
+    fn vertices_of_meanders_keep_the_bounds_in_both_faces() {
+        for k in 0..200_000_u32 {
+            let corners = random_stances(k);
+            // The most that a cubic lies beside its edge: a quarter of it.
+            check_bounds(corners, aside(random(k, 4, 0..Q16 / 4 + 1), corners));
+        }
+    }
+
+    /// Checks the shares of an edge's end and of the first corner.
+    fn check_bounds([x, y]: [Stance; 2], shares: [i32; 2]) {
+        let [wb, wx] = shares.map(|w| f64::from(w) / 65_536.0);
+        let real = |v: i32| f64::from(v) / 4096.0;
+        // In the face beyond: x = s·a + t·b - ρ·y.
+        let ratio = real(x.height) / real(y.height);
+        let (far, end) = (
+            -wx * ratio,
+            wb + wx * (real(x.along) + ratio * real(y.along)),
+        );
+        for shares in [[1.0 - wb - wx, wb, wx], [1.0 - end - far, end, far]] {
+            let least = 1.0 / 3.0;
+            assert!(
+                shares[0] > least && shares[1] > least && shares[2].abs() < 0.175,
+                "{shares:?} {x:?} {y:?}"
             );
-            for shares in [[1.0 - wb - wx, wb, wx], [1.0 - end - far, end, far]] {
-                let least = 1.0 / 3.0;
-                assert!(
-                    shares[0] > least && shares[1] > least && shares[2].abs() < 0.175,
-                    "{k} {shares:?} {x:?} {y:?}"
-                );
-            }
         }
     }
 }

@@ -19,10 +19,10 @@
 //!          o
 //! ```
 //!
-//! Meanders are 8 to 16 widths long, 11.3 in the mean of logarithms (10 to 14: L. Leopold and
+//! Meanders are 9 to 18 widths long, 12.7 in the mean of logarithms (10 to 14: L. Leopold and
 //! M. Wolman, River meanders, 1960), and widths 4.8 m for the root of 1 m³/s (L. Leopold and
 //! T. Maddock, 1953). On finer levels the way is bent round: an apex knows where its river flows,
-//! and a new vertex lies on the cubic between two such directions.
+//! and a new vertex lies on the cubic between two such headings.
 
 use super::preset::Rules;
 use super::river::descend;
@@ -38,7 +38,7 @@ use crate::amplify::vertex::{Bend, Vertex};
 const FULL_WIDTH: i32 = metres(2_147);
 
 /// Least length of a meander in widths of its river; the greatest is twice as much.
-const LEAST_LENGTH: i32 = 8;
+const LEAST_LENGTH: i32 = 9;
 
 /// One beyond the last level on which rivers leave their edges: two are left to round them.
 const BEND_LEVELS: u32 = 9;
@@ -48,7 +48,7 @@ const BEND_LEVELS: u32 = 9;
 const FALL: [i32; 2] = [q16(0.001), q16(0.01)];
 
 /// Most length of a bend, in lengths of the half edge that it leaves.
-const MOST_DETOUR: i32 = 3;
+const MOST_DETOUR: i32 = q16(2.9);
 
 /// Whether a river of a flow meanders on a level, whose edges are `span` grains long.
 #[inline]
@@ -81,7 +81,7 @@ pub fn bends(
         .map(|(to, from)| difference(to, from));
     let [whole, first, second] = [along, out, home].map(|way| scale.grains(way) >> 2);
     // Only at an acute angle, and not round half the country.
-    let is_shapely = dot(along, out) > 0 && first + second < MOST_DETOUR * whole;
+    let is_shapely = dot(along, out) > 0 && first + second < mul_q16(MOST_DETOUR, whole);
     let fall = ratio(up.water - down.water, 4 * whole);
     let chance = Q16 - linear_step(FALL[0], FALL[1], fall);
     is_shapely && share(seed, 30 + half as u32) < chance
@@ -97,7 +97,7 @@ pub fn apex(ground: &Vertex, [from, to]: [&Vertex; 2], discharge: u32) -> Vertex
         bed,
         water: descend(from.water, to.water, Q16 / 2).max(bed),
         discharge,
-        way: unit(difference(to.direction, from.direction)),
+        heading: unit(difference(to.direction, from.direction)),
         ..*ground
     }
 }
@@ -128,43 +128,57 @@ fn unit(v: [i32; 3]) -> [i16; 3] {
     short.map(|c| (c * 32_767 / n).clamp(-32_767, 32_767) as i16)
 }
 
-/// A river's way through a new vertex, as the ways at the ends of its edge have it.
+/// A river's way through a new vertex, as the headings at the ends of its edge have it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Course {
     /// How far it lies beside the edge, to the left of it, as a share of the edge; Q16.
     pub aside: i32,
-    /// Where it flows there, as [`Vertex::way`].
-    pub way: [i16; 3],
+    /// Where it flows there, as [`Vertex::heading`].
+    pub heading: [i16; 3],
 }
 
-/// The middle of the cubic from one end of an edge to the other that leaves and arrives as the
-/// river flows there; where an end knows no way, along the edge. `None` where neither does.
+/// Headings of a river at the ends of its edge; zero stands for the way from end to end. A river's
+/// own vertices, between two bends, have the way to the bend.
+pub fn headings([a, b]: [&Vertex; 2]) -> [[i16; 3]; 2] {
+    let beside = |end: &Vertex, other: &Vertex| {
+        if other.bend.is_bent() && !end.bend.is_bent() {
+            [0; 3]
+        } else {
+            end.heading
+        }
+    };
+    [beside(a, b), beside(b, a)]
+}
+
+/// The middle of the cubic from one end of an edge of a meander to the other, which leaves and
+/// arrives as the river flows there. `None` off meanders.
 ///
-/// With the ways u, v and the edge e, all of its length: ½e + (u - v) / 8, and there 3/2 e -
+/// With the headings u, v and the edge e, all of its length: ½e + (u - v) / 8, and there 3/2 e -
 /// (u + v) / 4.
-pub fn course([a, b]: [&Vertex; 2]) -> Option<Course> {
-    if a.way == [0; 3] && b.way == [0; 3] {
+pub fn course(ends: [&Vertex; 2]) -> Option<Course> {
+    if ends.iter().all(|end| !end.bend.is_bent()) {
         return None;
     }
+    let [a, b] = ends;
     let edge = unit(difference(b.direction, a.direction)).map(i32::from);
-    let [u, v] = [a, b].map(|end| match end.way {
+    let [u, v] = headings(ends).map(|heading| match heading {
         [0, 0, 0] => edge,
-        way => way.map(i32::from),
+        known => known.map(i32::from),
     });
-    let up = unit(a.direction).map(i32::from);
-    // Components of fifteen bits: products keep as many.
-    let left = [0, 1, 2].map(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        (up[j] * edge[k] - up[k] * edge[j]) >> 15
-    });
+    let left = left_of(unit(a.direction).map(i32::from), edge);
     let aside = (0..3)
         .map(|i| ((u[i] - v[i]) >> 2) * (left[i] >> 1))
         .sum::<i32>();
     Some(Course {
         // An eighth of a product in Q27 as Q16.
         aside: aside >> 14,
-        way: unit([0, 1, 2].map(|i| 6 * edge[i] - u[i] - v[i])),
+        heading: unit([0, 1, 2].map(|i| 6 * edge[i] - u[i] - v[i])),
     })
+}
+
+/// The unit vector to the left of a way where `up` is upwards; components times 32767.
+fn left_of(up: [i32; 3], way: [i32; 3]) -> [i32; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| (up[j] * way[k] - up[k] * way[j]) >> 15)
 }
 
 #[cfg(test)]

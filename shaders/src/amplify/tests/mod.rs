@@ -1,6 +1,7 @@
 //! The laws of a refinement.
 
 mod local;
+mod meanders;
 mod meshes;
 mod order;
 mod precision;

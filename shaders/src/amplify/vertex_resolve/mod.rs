@@ -58,7 +58,8 @@ impl VertexContext<'_> {
         let river = rivers.find(|drain| drain.edge.vertices.contains(&wet))?;
         let ([up, down], mid) = (river.ends, river.mid?);
         let apex = if bend.has(Bend::OUT) {
-            meander::apex(new, [up, mid], up.discharge)
+            // Of a distributary the middle knows the share.
+            meander::apex(new, [up, mid], up.discharge.min(mid.discharge))
         } else {
             meander::apex(new, [mid, down], river.edge.arriving)
         };
@@ -192,7 +193,7 @@ pub fn resolve(
         apex,
         kind,
         branched: junction,
-        bend,
+        bend: new.bend.and(bend),
         river,
         section,
         gully,
