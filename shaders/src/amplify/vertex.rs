@@ -28,6 +28,8 @@ pub struct RiverSegment {
     pub water: [i32; 2],
     /// Flow φ at the ends, Q16.
     pub flow: [i32; 2],
+    /// Tides at the ends, as [`Vertex::tide`].
+    pub tide: [i32; 2],
     /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so
     /// that ground of coarser levels never lies in it; [`FAR`] for a river of the control mesh.
     pub reach: i32,
@@ -153,6 +155,9 @@ pub struct Vertex {
     pub level: u8,
     /// Valley archetype (e_r), a `ValleyShape`'s number.
     pub valley: u8,
+    /// How much wider a river is here than its discharge makes it, in 256ths of an octave; see
+    /// [`estuary`](super::rules::estuary).
+    pub tide: u16,
     /// Whether a river or gully already branches here.
     pub branched: bool,
     /// How a meander leaves the edge that this vertex halves.
@@ -211,6 +216,7 @@ impl Vertex {
             kind: VertexKind::from_number(control.kind),
             level: 0,
             valley: control.valley,
+            tide: 0,
             branched: false,
             bend: Bend::default(),
             birth: 0,

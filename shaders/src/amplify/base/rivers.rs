@@ -21,7 +21,7 @@ pub(super) fn settle_water(vertices: &mut [Vertex]) {
 }
 
 /// River edges of a control mesh as (upper end, lower end).
-fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
+pub(super) fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
     mesh.edges
         .iter()
         .filter(|e| e.river != 0)

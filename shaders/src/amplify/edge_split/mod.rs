@@ -40,6 +40,9 @@ pub fn split(
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
     new.discharge = gathered(a, edge);
+    if edge.kind == EdgeKind::River {
+        new.tide = mean(a.tide, b.tide);
+    }
     let context = EdgeContext {
         a,
         b,
@@ -136,6 +139,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         kind: VertexKind::Terrain,
         level: level as u8 + 1,
         valley: if seed & 1 == 0 { a.valley } else { b.valley },
+        tide: 0,
         branched: false,
         bend: Bend::default(),
         birth: 0,

@@ -97,6 +97,7 @@ pub fn apex(ground: &Vertex, [from, to]: [&Vertex; 2], discharge: u32) -> Vertex
         bed,
         water: descend(from.water, to.water, Q16 / 2).max(bed),
         discharge,
+        tide: (from.tide + to.tide) / 2,
         heading: unit(difference(to.direction, from.direction)),
         ..*ground
     }

@@ -15,6 +15,7 @@ pub mod preset;
 
 pub mod coast;
 pub mod crest;
+pub mod estuary;
 pub mod fine;
 pub mod gully;
 pub mod lake;

@@ -14,8 +14,8 @@
 //! valleys too; the curve never raises ground above the land beside it; a bank always overtops its
 //! water.
 
-use super::ocean;
 use super::preset::Rules;
+use super::{estuary, ocean};
 use crate::amplify::arith::{mix, mul_q16, ratio, saturate, smooth, smoothstep, sqrt_q16, square};
 use crate::amplify::control::{ValleyShape, VertexKind};
 use crate::amplify::fixed::{Q16, metres, q16, tan_deg};
@@ -70,6 +70,8 @@ pub struct Reach {
     pub water: i32,
     /// √φ, Q16.
     pub strength: i32,
+    /// How much wider it is than its discharge makes it, in 256ths of an octave.
+    pub tide: i32,
 }
 
 impl Reach {
@@ -82,6 +84,7 @@ impl Reach {
             bed: mix(piece.bed[0], piece.bed[1], t),
             water: mix(piece.water[0], piece.water[1], t),
             strength: sqrt_q16(flow),
+            tide: mix(piece.tide[0], piece.tide[1], t),
         }
     }
 
@@ -89,7 +92,7 @@ impl Reach {
     pub fn half_bed(&self) -> i32 {
         let depth = (self.water - self.bed).max(0).saturating_add(BANK);
         let spread = mix(BED_SPREAD[0], BED_SPREAD[1], self.strength);
-        mul_q16(depth.min(DEEPEST_BED), spread)
+        estuary::widened(mul_q16(depth.min(DEEPEST_BED), spread), self.tide)
     }
 
     /// Ground and water in the bed at a distance from its middle, grains.

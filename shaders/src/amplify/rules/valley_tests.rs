@@ -31,6 +31,7 @@ fn cross_section_is_continuous_and_above_the_bed() {
     for valley in ValleyShape::ALL {
         for flow in [200, 3_000, 20_000, Q16] {
             let reach = Reach {
+                tide: 0,
                 bed: 0,
                 water: 0,
                 strength: sqrt_q16(flow),
@@ -115,6 +116,7 @@ fn archetypes_are_what_they_are_called() {
 /// A river ten metres deep of a strength √φ.
 fn reach(strength: i32) -> Reach {
     Reach {
+        tide: 0,
         bed: 0,
         water: 10 * GRAINS,
         strength,

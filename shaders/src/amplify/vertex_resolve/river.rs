@@ -45,6 +45,7 @@ pub fn segment(
         water: [up.water, down.water],
         // At its lower end not the junction's flow: that holds the rivers that join there.
         flow: [up.flow(), isqrt(arriving) as i32],
+        tide: [up, down].map(|end| i32::from(end.tide)),
         reach,
         level,
     }
