@@ -66,13 +66,14 @@ pub fn split(
     new
 }
 
-/// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then.
+/// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then. An
+/// arm of a delta loses the other arms' at its upper end.
 #[inline]
 fn gathered(up: &Vertex, edge: &Edge) -> u32 {
-    if edge.kind == EdgeKind::River {
-        up.discharge + edge.arriving.saturating_sub(up.discharge) / 2
-    } else {
-        0
+    match edge.kind {
+        EdgeKind::River if edge.arriving < up.discharge => edge.arriving,
+        EdgeKind::River => up.discharge + (edge.arriving - up.discharge) / 2,
+        _ => 0,
     }
 }
 

@@ -1,5 +1,6 @@
 //! The laws of a refinement.
 
+mod deltas;
 mod local;
 mod meanders;
 mod meshes;

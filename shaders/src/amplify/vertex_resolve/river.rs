@@ -44,7 +44,8 @@ pub fn segment(
         bed: [bed_beside(up), bed_beside(down)],
         water: [up.water, down.water],
         // At its lower end not the junction's flow: that holds the rivers that join there.
-        flow: [up.flow(), isqrt(arriving) as i32],
+        // Nor at its upper end that of all arms of a delta.
+        flow: [up.discharge.min(arriving), arriving].map(|q| isqrt(q) as i32),
         tide: [up, down].map(|end| i32::from(end.tide)),
         reach,
         level,
