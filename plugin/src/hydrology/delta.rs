@@ -3,7 +3,7 @@
 //! The fan is as wide as the base mesh tells: every vertex of the sea around the mouth becomes its
 //! new coast, 50 to 60 km off on an Earth-sized planet (Mississippi 60 km, Nile 160 km, Amazon 150
 //! km). From the mouth, now its apex, the river runs on in two to four distributaries, which share
-//! its discharge.
+//! its discharge, over the fan or to the old coast beside it.
 //!
 //! A shelf is shallow where it falls less than 1 in 500 from the mouth. Radii of deltas go by
 //! Q^0.4, and so does the depth that a river fills: a river of more than [`SHELF_DISCHARGE`] has a
@@ -39,8 +39,8 @@ pub(crate) struct Delta {
     pub apex: u32,
     /// The new coast.
     pub shore: Vec<u32>,
-    /// Vertices of the new coast to which distributaries run, with their shares of the discharge,
-    /// which sum to 1; the main one first.
+    /// Vertices of the coast to which distributaries run, with their shares of the discharge, which
+    /// sum to 1; the main one first.
     pub arms: Vec<(u32, f64)>,
 }
 
@@ -50,12 +50,16 @@ pub(crate) fn deltas(mesh: &SphereMesh, drainage: &Drainage, mouths: &[u32]) -> 
     ranked.sort_unstable_by_key(|&m| (std::cmp::Reverse(drainage.discharge[m as usize]), m));
     ranked.dedup();
     let mut taken = vec![false; mesh.len()];
+    for &mouth in &ranked {
+        taken[mouth as usize] = true;
+    }
     let mut found = Vec::new();
     for mouth in ranked {
         let Some(delta) = delta_at(mesh, drainage, mouth, &taken) else {
             continue;
         };
-        for &s in &delta.shore {
+        let arms = delta.arms.iter().map(|&(arm, _)| arm);
+        for s in delta.shore.iter().copied().chain(arms) {
             taken[s as usize] = true;
             for &t in mesh.ring(s) {
                 taken[t as usize] = true;
@@ -69,10 +73,13 @@ pub(crate) fn deltas(mesh: &SphereMesh, drainage: &Drainage, mouths: &[u32]) -> 
 /// The delta at a mouth, if it has one and none of its sea is `taken`.
 fn delta_at(mesh: &SphereMesh, drainage: &Drainage, mouth: u32, taken: &[bool]) -> Option<Delta> {
     let discharge = drainage.earth_like_discharge(mouth as usize);
-    let is_sea = |&j: &u32| drainage.shore[j as usize] == ShoreClass::Sea;
-    let shore: Vec<u32> = mesh.ring(mouth).iter().copied().filter(is_sea).collect();
-    let is_free = shore.iter().all(|&s| !taken[s as usize]);
-    if discharge < LEAST_DISCHARGE || shore.len() < 2 || !is_free {
+    let around = |class| {
+        let ring = mesh.ring(mouth).iter().copied();
+        ring.filter(move |&j| drainage.shore[j as usize] == class)
+    };
+    let shore: Vec<u32> = around(ShoreClass::Sea).collect();
+    let is_taken = |&s: &u32| taken[s as usize];
+    if discharge < LEAST_DISCHARGE || shore.is_empty() || shore.iter().any(is_taken) {
         return None;
     }
     let greatness = (discharge / SHELF_DISCHARGE).max(1.0);
@@ -81,9 +88,13 @@ fn delta_at(mesh: &SphereMesh, drainage: &Drainage, mouth: u32, taken: &[bool]) 
         return None;
     }
     // An arm needs sea before it.
-    let has_sea = |s: u32| mesh.ring(s).iter().any(|j| is_sea(j) && !shore.contains(j));
-    let mut arms: Vec<u32> = shore.iter().copied().filter(|&s| has_sea(s)).collect();
-    arms.sort_unstable_by_key(|&s| pcg(mouth ^ pcg(s)));
+    let stays_sea = |j: &u32| drainage.shore[*j as usize] == ShoreClass::Sea && !shore.contains(j);
+    let old_coast = around(ShoreClass::Coast).filter(|s| !is_taken(s));
+    let ends = shore.iter().copied().chain(old_coast);
+    let mut arms: Vec<u32> = ends
+        .filter(|&s| mesh.ring(s).iter().any(stays_sea))
+        .collect();
+    arms.sort_unstable_by_key(|&s| (!shore.contains(&s), pcg(mouth ^ pcg(s))));
     arms.truncate(2 + MORE_ARMS.iter().filter(|&&least| discharge > least).count());
     (arms.len() > 1).then(|| Delta {
         apex: mouth,
