@@ -47,6 +47,9 @@ const BEND_LEVELS: u32 = 9;
 /// nowhere.
 const FALL: [i32; 2] = [q16(0.001), q16(0.01)];
 
+/// Share of bends that even the slowest river leaves out: none winds without a break.
+const STRAIGHT_SHARE: i32 = q16(0.05);
+
 /// Most length of a bend, in lengths of the half edge that it leaves.
 const MOST_DETOUR: i32 = q16(2.9);
 
@@ -83,7 +86,8 @@ pub fn bends(
     // Only at an acute angle, and not round half the country.
     let is_shapely = dot(along, out) > 0 && first + second < mul_q16(MOST_DETOUR, whole);
     let fall = ratio(up.water - down.water, 4 * whole);
-    let chance = Q16 - linear_step(FALL[0], FALL[1], fall);
+    let slow = Q16 - linear_step(FALL[0], FALL[1], fall);
+    let chance = mul_q16(slow, Q16 - STRAIGHT_SHARE);
     is_shapely && share(seed, 30 + half as u32) < chance
 }
 
