@@ -8,10 +8,12 @@
 //! | coast | ground, on either side of 0 | = height | = height, at least 0 |
 //! | mouth: a river on the coast | 0 | less the depth, or the ground if the sea covers it | 0 |
 //! | sea | sea floor | = height | 0 |
+//! | apex of a delta | ½ m | less the depth | = height |
+//! | arm of a delta: a river on its coast | 0 | under that of the apex | 0 |
 //!
 //! Along river edges water never rises, and beds fall strictly.
 
-use super::rivers::{RiverEdges, RiverRule};
+use super::rivers::{DeltaVertex, RiverEdges, RiverRule};
 use super::topology::Topology;
 use crate::climate::Climate;
 use crate::hydrology::{Drainage, MIN_FALL, NO_VERTEX, ShoreClass, Terrain, ground_of_coast, worn};
@@ -70,7 +72,9 @@ pub(super) fn control_mesh(input: &ControlInput) -> ControlMesh {
 /// The edges of the base mesh, those of rivers turned downstream.
 fn edges(input: &ControlInput, rivers: &RiverEdges) -> Vec<ControlEdge> {
     let mut edges = input.topology.edges.clone();
-    for (i, &to) in (0..).zip(&rivers.next) {
+    let main = (0..).zip(rivers.next.iter().copied());
+    let branches = rivers.branches.iter().map(|&[from, to]| (from, to));
+    for (i, to) in main.chain(branches) {
         if to == NO_VERTEX {
             continue;
         }
@@ -107,6 +111,9 @@ impl Levels {
         let bed = drainage.profile.bed[i];
         let level = drainage.profile.level[i];
         let discharge = drainage.earth_like_discharge(i);
+        if let Some(delta) = rivers.delta.get(&(i as u32)) {
+            return Self::of_delta(delta, bed, discharge);
+        }
         match drainage.shore[i] {
             ShoreClass::Sea => Self::sea_floor(drainage, rivers, i),
             ShoreClass::Coast if rivers.is_river[i] => Self {
@@ -132,6 +139,23 @@ impl Levels {
                 discharge,
             },
             ShoreClass::Land => Self::dry(VertexKind::Terrain, level),
+        }
+    }
+
+    /// A vertex of a delta; the bed and the discharge are those of a mouth there.
+    fn of_delta(delta: &DeltaVertex, bed: i32, discharge: f64) -> Self {
+        let river = |water, bed, discharge| Self {
+            kind: VertexKind::River,
+            height: water,
+            bed,
+            water,
+            discharge,
+        };
+        match *delta {
+            // Lower than any river that runs in.
+            DeltaVertex::Apex => river(MIN_FALL / 2, bed, discharge),
+            DeltaVertex::Arm { bed, discharge } => river(0, bed, discharge),
+            DeltaVertex::Shore => Self::dry(VertexKind::Coast, 0),
         }
     }
 

@@ -48,11 +48,14 @@ fn water_never_runs_uphill_and_beds_fall_along_river_edges() {
     for seed in 1..4 {
         let bake = rough(seed, 0.015);
         let mut rivers = 0;
+        let leaves = leaving(&bake);
         for edge in bake.control.edges.iter().filter(|e| e.river == 1) {
             let [a, b] = edge.vertices.map(|v| bake.control.vertices[v as usize]);
             assert!(a.water >= b.water, "{a:?} {b:?}");
             assert!(a.bed > b.bed, "{a:?} {b:?}");
-            assert!(a.flow > 0 && b.flow >= a.flow, "{a:?} {b:?}");
+            let parts = leaves[edge.vertices[0] as usize] > 1;
+            assert!(a.flow > 0 && b.flow > 0, "{a:?} {b:?}");
+            assert!(parts || b.flow >= a.flow, "{a:?} {b:?}");
             assert_eq!(a.kind, VertexKind::River as u8);
             rivers += 1;
         }
@@ -97,18 +100,76 @@ fn a_lake_has_one_level() {
     }
 }
 
-#[test]
-fn rivers_join_and_never_split() {
-    let bake = rough(5, 0.015);
+/// How many rivers leave each vertex.
+fn leaving(bake: &Bake) -> Vec<u32> {
     let mut leaves = vec![0; bake.mesh().len()];
     for edge in bake.control.edges.iter().filter(|e| e.river == 1) {
         leaves[edge.vertices[0] as usize] += 1;
     }
-    assert!(leaves.iter().all(|&n| n <= 1));
-    for (v, &n) in bake.control.vertices.iter().zip(&leaves) {
+    leaves
+}
+
+#[test]
+fn rivers_join_and_part_at_deltas_alone() {
+    let bake = rough(5, 0.015);
+    for (i, (v, n)) in bake.control.vertices.iter().zip(leaving(&bake)).enumerate() {
         // A river ends at the sea; one on the coast may have no sea beside it.
-        assert!(n == 1 || v.kind != VertexKind::River as u8 || v.height == 0);
+        assert!(n > 0 || v.kind != VertexKind::River as u8 || v.height == 0);
+        assert!(n < 2 || bake.drainage.shore[i] == ShoreClass::Coast);
     }
+}
+
+/// A wet continent of 60° before a shelf that falls 30 m on 1000 km.
+fn shelf_planet() -> Bake {
+    let noise = Noise::new(9, Purpose::Relief, 0);
+    let maps = maps_of(|lat, lon| {
+        let inland = 30.0 - (lat as f32).abs().max((lon as f32).abs() / 2.0);
+        let rough = noise.fractal(math::direction(lat, lon), 2.0, 5) as f32;
+        if inland > 0.0 {
+            0.01 + inland * (0.03 + 0.02 * rough)
+        } else {
+            inland.max(-60.0) * 0.003
+        }
+    });
+    let wet = ClimateMaps {
+        rain: EquirectMap::from_fn(8, |_, _| 3000.0).ok(),
+        ..ClimateMaps::default()
+    };
+    bake(6370.0, &maps, 0.015, &wet).unwrap()
+}
+
+#[test]
+fn great_rivers_part_over_shallow_shelves() {
+    let bake = shelf_planet();
+    let leaves = leaving(&bake);
+    let vertices = &bake.control.vertices;
+    let mut deltas = 0;
+    for (apex, _) in (0..).zip(&leaves).filter(|&(_, &n)| n > 1) {
+        let from = vertices[apex as usize];
+        assert_eq!(
+            (from.kind, from.height),
+            (VertexKind::River as u8, MIN_FALL / 2)
+        );
+        let is_arm = |e: &&ControlEdge| e.river == 1 && e.vertices[0] == apex;
+        let arms: Vec<u32> = bake
+            .control
+            .edges
+            .iter()
+            .filter(is_arm)
+            .map(|e| e.vertices[1])
+            .collect();
+        let squares = arms
+            .iter()
+            .map(|&v| f64::from(vertices[v as usize].flow).powi(2));
+        let lost = squares.sum::<f64>() / f64::from(from.flow).powi(2) - 1.0;
+        assert!(lost.abs() < 1e-3, "{lost}");
+        // Each runs on into the sea, and nothing of the sea is left beside the apex.
+        assert!(arms.iter().all(|&v| leaves[v as usize] == 1));
+        let is_sea = |&j: &u32| vertices[j as usize].kind == VertexKind::Sea as u8;
+        assert_eq!(bake.mesh().ring(apex).iter().copied().find(is_sea), None);
+        deltas += 1;
+    }
+    assert!(deltas > 5, "{deltas}");
 }
 
 #[test]

@@ -16,6 +16,7 @@
 //! profile       levels, beds and lakes along the rivers
 //! order         Horton-Strahler order, basins
 //! drainage      all of them together
+//! delta         land that great rivers build into shallow seas
 //! stats         figures: Horton's ratios, Hack's exponent
 //! ```
 //!
@@ -48,11 +49,14 @@ mod order;
 
 mod drainage;
 
+mod delta;
+
 mod stats;
 
 pub use base::{BASE_SPACING, BaseMesh, Transfer};
 pub use coast::ShoreClass;
 pub(crate) use coast::ground_of_coast;
+pub(crate) use delta::{Delta, deltas};
 pub use drainage::{Drainage, LakeKind};
 pub use flood::{Depression, NO_VERTEX, Routes};
 pub(crate) use landform::worn;

@@ -10,7 +10,8 @@ use super::control::VertexKind;
 use super::edge_split::STRAIGHT_LEVEL;
 use super::fixed::difference;
 use super::geometry::dot;
-use super::rules::{EdgeKind, Rules, gully};
+use super::rules::{EdgeKind, Rules, gully, meander};
+use super::scale::PlanetScale;
 use super::seed::pcg;
 use super::topology::{Edge, Inner};
 use super::vertex::Vertex;
@@ -32,11 +33,14 @@ pub struct FaceContext<'a> {
 }
 
 /// Decides the three inner edges of a face of a level.
-pub fn decide(rules: &Rules, level: u32, face: &FaceContext) -> [Inner; 3] {
+pub fn decide(scale: &PlanetScale, rules: &Rules, level: u32, face: &FaceContext) -> [Inner; 3] {
     if level >= STRAIGHT_LEVEL {
         return [Inner::Terrain; 3];
     }
     [0, 1, 2].map(|k| {
+        if let Some(bend) = bend(scale, rules, level, face, k) {
+            return bend;
+        }
         let other = (k + 2) % 3;
         let is_drained = |e: usize| face.edges[e].kind != EdgeKind::Terrain;
         // Drainage begins between a drained edge and ground: between two of a kind there is no
@@ -47,7 +51,8 @@ pub fn decide(rules: &Rules, level: u32, face: &FaceContext) -> [Inner; 3] {
             _ => return Inner::Terrain,
         };
         let corner = Corner { k, low, high };
-        match (corner.drainage(rules, level, face), low == k) {
+        let span = scale.edge_grains(level);
+        match (corner.drainage(rules, level, span, face), low == k) {
             (EdgeKind::Terrain, _) => Inner::Terrain,
             (EdgeKind::River, true) => Inner::RiverToFirst,
             (EdgeKind::River, false) => Inner::RiverToSecond,
@@ -55,6 +60,44 @@ pub fn decide(rules: &Rules, level: u32, face: &FaceContext) -> [Inner; 3] {
             (EdgeKind::Gully, false) => Inner::GullyToSecond,
         }
     })
+}
+
+/// The meander at the `k`th corner, of a river to whose left, seen from there, the face lies.
+fn bend(
+    scale: &PlanetScale,
+    rules: &Rules,
+    level: u32,
+    face: &FaceContext,
+    k: usize,
+) -> Option<Inner> {
+    let far = (k + 2) % 3;
+    let edge = face.edges[k];
+    let is_river = |e: usize| face.edges[e].kind == EdgeKind::River;
+    // A river on another side would meet it.
+    if !is_river(k) || is_river((k + 1) % 3) || is_river(far) {
+        return None;
+    }
+    let is_dry = |kind| matches!(kind, VertexKind::Terrain | VertexKind::Gully);
+    let is_free = is_dry(face.kinds[far]) && is_dry(face.vertices[far].kind);
+    let is_upper = edge.vertices[0] == face.corners[k];
+    let [here, there] = [k, (k + 1) % 3].map(|k| face.vertices[k]);
+    let ends = if is_upper {
+        [here, there]
+    } else {
+        [there, here]
+    };
+    let bends = is_free
+        && face.kinds[k] == VertexKind::River
+        && meander::may_bend(scale, rules, level, ends)
+        && meander::bends(
+            scale,
+            ends,
+            face.vertices[far],
+            usize::from(!is_upper),
+            face.mids[k].seed,
+        );
+    let inner = [Inner::BendToSecond, Inner::BendToFirst][usize::from(is_upper)];
+    bends.then_some(inner)
 }
 
 /// A corner of a face between an edge with a river or gully and an edge of the ground.
@@ -69,7 +112,7 @@ struct Corner {
 
 impl Corner {
     /// The kind of the inner edge that cuts the corner off.
-    fn drainage(&self, rules: &Rules, level: u32, face: &FaceContext) -> EdgeKind {
+    fn drainage(&self, rules: &Rules, level: u32, span: i32, face: &FaceContext) -> EdgeKind {
         if !self.may_drain(face) {
             return EdgeKind::Terrain;
         }
@@ -78,7 +121,10 @@ impl Corner {
         let seed = pcg(junction.seed ^ pcg(tip.seed));
         // A gully has no water to share: off it only gullies branch.
         let off_gully = face.kinds[self.low] == VertexKind::Gully;
+        // A meander may come back over the tip.
+        let meanders = meander::is_due(rules, level, span, face.vertices[self.k].flow());
         if !off_gully
+            && !meanders
             && self.is_chosen(face)
             && self.gains_water(face)
             && gully::is_tributary(rules, level, junction.flow(), height, spring, seed)

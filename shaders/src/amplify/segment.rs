@@ -3,6 +3,7 @@
 use super::arith::isqrt;
 use super::control::VertexKind;
 use super::curve::Curve;
+use super::rules::meander;
 use super::scale::PlanetScale;
 use super::vertex::{FAR, RiverSegment, Vertex};
 
@@ -23,14 +24,17 @@ impl RiverSegment {
         };
         // A smaller river ends across the larger one that it joins, and the sea has no heading.
         let runs_on = down.is_wet() && arriving >= down.discharge / 2;
-        let arrives = if runs_on { down.heading } else { [0; 3] };
+        let [leaves, arrives] = meander::headings([up, down]);
+        let arrives = if runs_on { arrives } else { [0; 3] };
         let is_lake = [up, down].iter().all(|v| v.kind == VertexKind::Lake);
         Self {
             ends: [up.direction, down.direction],
-            headings: [up.heading, arrives],
+            headings: [leaves, arrives],
             water: [up.water, down.water],
             // At its lower end not the junction's flow: that holds the rivers that join there.
-            flow: [up.flow(), isqrt(arriving) as i32],
+            // Nor at its upper end that of all arms of a delta.
+            flow: [up.discharge.min(arriving), arriving].map(|q| isqrt(q) as i32),
+            tide: [up.tide, down.tide],
             reach,
             level: level as u16,
             is_lake: u16::from(is_lake),

@@ -145,7 +145,7 @@ impl LevelPasses<'_> {
             kinds: mids.map(|mid| mid.kind),
             beyond: face.edges.map(|e| beyond(level, vertices, e, f)),
         };
-        face_decide::decide(self.rules, self.index, &context)
+        face_decide::decide(self.scale, self.rules, self.index, &context)
     }
 
     fn resolve_vertices(&self, level: &Level, vertices: &mut [Vertex]) {

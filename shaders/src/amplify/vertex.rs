@@ -26,6 +26,8 @@ pub struct RiverSegment {
     pub water: [i32; 2],
     /// Flow φ at the ends, Q16.
     pub flow: [i32; 2],
+    /// Tides at the ends, as [`Vertex::tide`].
+    pub tide: [u16; 2],
     /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so
     /// that ground of coarser levels never lies in it; [`FAR`] for a river of the control mesh.
     pub reach: i32,
@@ -33,6 +35,54 @@ pub struct RiverSegment {
     pub level: u16,
     /// 1 where it is a lake from end to end, which has shores but no bed; else 0.
     pub is_lake: u16,
+}
+
+/// How the way of a river leaves its edge where it meanders; a set.
+///
+/// Each member is one of the vertex that halves an edge: [`UPPER`](Self::UPPER),
+/// [`LOWER`](Self::LOWER) and [`LIMB`](Self::LIMB) on a river's, [`OUT`](Self::OUT) and
+/// [`BACK`](Self::BACK) on that of the ground's edge that it goes round by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bend(u8);
+
+impl Bend {
+    /// No meander.
+    pub const NONE: Self = Self(0);
+    /// The upper half of the river's edge is left dry.
+    pub const UPPER: Self = Self(1);
+    /// The lower half of the river's edge is left dry.
+    pub const LOWER: Self = Self(2);
+    /// A river comes from the end of the edge that lies on it, and goes on to its own middle.
+    pub const OUT: Self = Self(4);
+    /// A river comes from its own middle, and goes on to the end of the edge that lies on it.
+    pub const BACK: Self = Self(8);
+    /// The vertex lies between the apex of a meander and its river's own vertices.
+    pub const LIMB: Self = Self(16);
+
+    /// Both sets.
+    #[must_use]
+    #[inline]
+    pub const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether two sets share a member.
+    #[inline]
+    pub const fn has(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// Whether a river bends over this vertex, which no river's edge halves.
+    #[inline]
+    pub const fn is_apex(self) -> bool {
+        self.has(Self::OUT.and(Self::BACK))
+    }
+
+    /// Whether the vertex lies on a meander, off the river's own vertices.
+    #[inline]
+    pub const fn is_bent(self) -> bool {
+        self.is_apex() || self.has(Self::LIMB)
+    }
 }
 
 /// A valley's side at a place: its height, and how much of the ground that the graphs made is left.
@@ -105,10 +155,17 @@ pub struct Vertex {
     pub level: u8,
     /// Valley archetype (e_r), a `ValleyShape`'s number.
     pub valley: u8,
+    /// How much wider a river is here than its discharge makes it, in 256ths of an octave; see
+    /// [`estuary`](super::rules::estuary).
+    pub tide: u16,
     /// Whether a river or gully already branches here.
     pub branched: bool,
     /// How far age has worn the land (A), Q16; see [`ControlVertex::worn`].
     pub worn: u16,
+    /// How a meander leaves the edge that this vertex halves.
+    pub bend: Bend,
+    /// Level at which the river of an apex was born; 0 elsewhere.
+    pub birth: u8,
     /// Share of continental collision in the orogeny, Q16.
     pub collision: u16,
     /// Wetness W, Q16.
@@ -157,8 +214,11 @@ impl Vertex {
             kind: VertexKind::from_number(control.kind),
             level: 0,
             valley: control.valley,
+            tide: 0,
             branched: false,
             worn: control.worn,
+            bend: Bend::default(),
+            birth: 0,
             collision: control.collision,
             wetness: control.wetness,
             plateau: control.plateau,
@@ -206,7 +266,7 @@ pub struct EdgeContext<'a> {
     pub is_dammed: bool,
     /// How far the ground beside the edge bends up: a quarter of the height of the opposite corners
     /// over the ends, grains.
-    pub bend: i32,
+    pub curvature: i32,
     /// Length of the edge, grains.
     pub length: i32,
     /// Mean length of the edges of its level, grains.

@@ -4,6 +4,7 @@
 //! Done once per planet; refining the ground only reads it.
 
 mod check;
+mod estuary;
 mod rivers;
 
 use super::control::ControlMesh;
@@ -53,6 +54,7 @@ impl Base {
         rivers::settle_water(&mut vertices);
         rivers::accumulate(mesh, &mut vertices);
         rivers::find_headings(mesh, &mut vertices);
+        estuary::flood(&scale, mesh, &mut vertices);
         let mut edges = rivers::edges(mesh, &vertices);
         rivers::add_gullies(&mut vertices, &mut edges);
         let faces: Vec<Face> = (0..)

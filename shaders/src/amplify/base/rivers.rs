@@ -21,7 +21,7 @@ pub(super) fn settle_water(vertices: &mut [Vertex]) {
 }
 
 /// River edges of a control mesh as (upper end, lower end).
-fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
+pub(super) fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
     mesh.edges
         .iter()
         .filter(|e| e.river != 0)
@@ -31,24 +31,28 @@ fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
 /// Raises discharges until every vertex carries at least what comes from upstream: squares of
 /// rounded flows need not.
 pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
-    // How many rivers still have to arrive at each vertex, and where each flows.
+    let below = Below::new(mesh);
+    // How many rivers still have to arrive at each vertex.
     let mut waiting = vec![0_u32; vertices.len()];
-    let mut below = vec![usize::MAX; vertices.len()];
-    for [up, down] in river_edges(mesh) {
+    for [_, down] in river_edges(mesh) {
         waiting[down] += 1;
-        below[up] = down;
     }
     // From the springs down: a vertex is ready once all that flow into it are done.
     let mut inflow = vec![0_u32; vertices.len()];
     let mut ready: Vec<usize> = (0..vertices.len())
-        .filter(|&v| waiting[v] == 0 && below[v] != usize::MAX)
+        .filter(|&v| waiting[v] == 0 && !below.of(v).is_empty())
         .collect();
     while let Some(up) = ready.pop() {
-        vertices[up].discharge = vertices[up].discharge.max(inflow[up]);
-        let down = below[up];
-        if down != usize::MAX {
+        let arms = below.of(up);
+        let arrived = vertices[up].discharge.max(inflow[up]);
+        vertices[up].discharge = arrived;
+        for (&down, part) in arms.iter().zip(parts(vertices, arrived, arms)) {
             // A planet that saturates carries 200,000 m³/s in one river.
-            inflow[down] = inflow[down].saturating_add(vertices[up].discharge);
+            inflow[down] = inflow[down].saturating_add(part);
+            if arms.len() > 1 {
+                // An arm of a delta has what the split gives it, and no more.
+                vertices[down].discharge = part;
+            }
             // Edges that run in a ring never become ready, and keep their discharges.
             waiting[down] -= 1;
             if waiting[down] == 0 {
@@ -82,6 +86,54 @@ pub(super) fn find_headings(mesh: &ControlMesh, vertices: &mut [Vertex]) {
     }
 }
 
+/// The vertices that rivers lead to: one from most, several from the apex of a delta.
+struct Below {
+    /// Those of vertex v: `to[starts[v]..starts[v + 1]]`.
+    starts: Vec<usize>,
+    to: Vec<usize>,
+}
+
+impl Below {
+    fn new(mesh: &ControlMesh) -> Self {
+        let mut rivers: Vec<[usize; 2]> = river_edges(mesh).collect();
+        // Stable, so that arms stay in the order of their edges.
+        rivers.sort_by_key(|&[up, _]| up);
+        let mut starts = vec![0; mesh.vertices.len() + 1];
+        for &[up, _] in &rivers {
+            starts[up + 1] += 1;
+        }
+        for v in 0..mesh.vertices.len() {
+            starts[v + 1] += starts[v];
+        }
+        let to = rivers.into_iter().map(|[_, down]| down).collect();
+        Self { starts, to }
+    }
+
+    /// Where the rivers from a vertex lead.
+    fn of(&self, v: usize) -> &[usize] {
+        &self.to[self.starts[v]..self.starts[v + 1]]
+    }
+}
+
+/// A discharge as its arms share it: in proportion to those that they came with. The parts make
+/// the whole to the unit.
+fn parts(vertices: &[Vertex], whole: u32, arms: &[usize]) -> Vec<u32> {
+    let weights = arms
+        .iter()
+        .map(|&v| u64::from(vertices[v].discharge).max(1));
+    let sum: u64 = weights.clone().sum();
+    let (mut weight, mut given) = (0, 0);
+    let part = |own: u64| {
+        weight += own;
+        // Differences of rounded sums.
+        let up_to_here = (u128::from(whole) * u128::from(weight) / u128::from(sum)) as u32;
+        let part = up_to_here - given;
+        given = up_to_here;
+        part
+    };
+    weights.map(part).collect()
+}
+
 /// Rivers that meet in a vertex.
 #[derive(Clone, Copy, Default)]
 struct Confluence {
@@ -98,8 +150,10 @@ struct Confluence {
 /// makes its discharge.
 pub(super) fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
     let mut confluences = vec![Confluence::default(); vertices.len()];
+    let below = Below::new(mesh);
     for [up, down] in river_edges(mesh) {
-        confluences[down].discharge += u64::from(vertices[up].discharge);
+        let carried = carried([&vertices[up], &vertices[down]], below.of(up).len());
+        confluences[down].discharge += u64::from(carried);
         confluences[down].rivers += 1;
     }
     let edges = mesh.edges.iter().map(|edge| {
@@ -107,22 +161,34 @@ pub(super) fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
             return Edge::new(EdgeKind::Terrain, edge.vertices, edge.faces);
         }
         let into = &mut confluences[edge.vertices[1] as usize];
+        let ends = gather(vertices, edge.vertices);
+        let carried = carried(ends, below.of(edge.vertices[0] as usize).len());
         Edge {
-            arriving: arriving(gather(vertices, edge.vertices), into),
+            arriving: arriving(carried, ends[1], into),
             ..Edge::new(EdgeKind::River, edge.vertices, edge.faces)
         }
     });
     edges.collect()
 }
 
-/// Discharge that the next river of a confluence brings.
-fn arriving([up, down]: [&Vertex; 2], into: &mut Confluence) -> u32 {
+/// Discharge that a river edge carries from its upper end, one of so many `arms` that leave it. An
+/// arm ends alone, so its share is what its end has.
+fn carried([up, down]: [&Vertex; 2], arms: usize) -> u32 {
+    if arms > 1 {
+        down.discharge
+    } else {
+        up.discharge
+    }
+}
+
+/// Discharge that the next river of a confluence brings, of which it carries so much already.
+fn arriving(carried: u32, down: &Vertex, into: &mut Confluence) -> u32 {
     // What the vertex gains by itself is spread over the rivers that meet there.
     let gain = u64::from(down.discharge).saturating_sub(into.discharge);
     // Differences of rounded sums, so that the parts make the whole.
     let part = gain * (into.done + 1) / into.rivers - gain * into.done / into.rivers;
     into.done += 1;
-    (u64::from(up.discharge) + part).min(u64::from(u32::MAX)) as u32
+    (u64::from(carried) + part).min(u64::from(u32::MAX)) as u32
 }
 
 /// Every dry land vertex drains down its steepest edge, which becomes a gully, as does the vertex.

@@ -12,11 +12,11 @@ use super::arith::isqrt;
 use super::control::VertexKind;
 use super::curve::{Curve, heading_of};
 use super::fixed::{Q16, difference};
-use super::rules::{self, EdgeKind, Rules, valley};
+use super::rules::{self, EdgeKind, Rules, meander, valley};
 use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::Edge;
-use super::vertex::{EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
+use super::vertex::{Bend, EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
 use course::on_course;
 use place::place;
 
@@ -46,6 +46,10 @@ pub fn split(
         let way = |curve: Curve| curve.quarter_tangent(Q16 / 2);
         let chord = difference(b.direction, a.direction);
         new.heading = heading_of(course.map_or(chord, way));
+        new.tide = mean(a.tide, b.tide);
+        if meander::is_bent(ends) {
+            new.bend = Bend::LIMB;
+        }
     }
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
@@ -58,7 +62,7 @@ pub fn split(
         face: placed.face,
         range: range(ends, opposite),
         is_dammed: lakes::is_dammed(ends, opposite),
-        bend: bend(ends, opposite),
+        curvature: curvature(ends, opposite),
         length,
         span: scale.edge_grains(level),
         level,
@@ -86,7 +90,8 @@ fn range([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> [i32; 2] {
     range
 }
 
-/// The course that a river keeps on an edge, where its edges are too short to bend it anew.
+/// The course that a river keeps on an edge: round a meander, and where its edges are too short to
+/// bend it anew.
 fn course(
     scale: &PlanetScale,
     rules: &Rules,
@@ -96,8 +101,8 @@ fn course(
 ) -> Option<Curve> {
     let runs = edge.kind == EdgeKind::River && rules.landforms && up.is_wet();
     let flow = isqrt(edge.arriving) as i32;
-    let is_smooth = level >= STRAIGHT_LEVEL || valley::is_smooth(scale, rules, level, flow);
-    if !runs || !is_smooth {
+    let keeps = level >= STRAIGHT_LEVEL || valley::is_smooth(scale, rules, level, flow);
+    if !runs || !(keeps || meander::is_bent([up, down])) {
         return None;
     }
     let river = RiverSegment::between(scale, edge.birth, level, [up, down], edge.arriving);
@@ -106,20 +111,21 @@ fn course(
 
 /// How far the ground beside an edge bends up, grains: a quarter of the height of the corners over
 /// the ends; 0 where edges are straight.
-fn bend([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> i32 {
+fn curvature([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> i32 {
     let [Some(x), Some(y)] = opposite else {
         return 0;
     };
     (x.height - a.height) / 4 + (y.height - b.height) / 4
 }
 
-/// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then.
+/// Discharge in the middle of an edge: on a river, half of what the edge gains has come by then. An
+/// arm of a delta loses the other arms' at its upper end.
 #[inline]
 fn gathered(up: &Vertex, edge: &Edge) -> u32 {
-    if edge.kind == EdgeKind::River {
-        up.discharge + edge.arriving.saturating_sub(up.discharge) / 2
-    } else {
-        0
+    match edge.kind {
+        EdgeKind::River if edge.arriving < up.discharge => edge.arriving,
+        EdgeKind::River => up.discharge + (edge.arriving - up.discharge) / 2,
+        _ => 0,
     }
 }
 
@@ -144,8 +150,11 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         kind: VertexKind::Terrain,
         level: level as u8 + 1,
         valley: if seed & 1 == 0 { a.valley } else { b.valley },
+        tide: 0,
         branched: false,
         worn: mean(a.worn, b.worn),
+        bend: Bend::default(),
+        birth: 0,
         collision: mean(a.collision, b.collision),
         wetness: mean(a.wetness, b.wetness),
         plateau: mean(a.plateau, b.plateau),

@@ -129,7 +129,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             kinds: edges.map(|e| e.split_kind),
             beyond: beyond.map(|v| self.vertex_at(v)),
         };
-        face_decide::decide(&self.rules, level as u32, &context)
+        face_decide::decide(&self.base.scale, &self.rules, level as u32, &context)
     }
 
     /// The corner beyond an edge of a face, final.

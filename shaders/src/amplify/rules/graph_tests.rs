@@ -67,7 +67,7 @@ pub(super) fn halved(
         face: a.height / 2 + b.height / 2,
         range: [a.height.min(b.height), a.height.max(b.height)],
         is_dammed: true,
-        bend: 0,
+        curvature: 0,
         length: edge_length(level),
         span: edge_length(level),
         level,

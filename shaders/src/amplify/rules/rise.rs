@@ -87,7 +87,7 @@ pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
 /// would show the edges of the control mesh.
 const fn bend(context: &EdgeContext) -> i32 {
     if context.level < BENT_LEVELS {
-        context.bend
+        context.curvature
     } else {
         0
     }

@@ -66,7 +66,7 @@ fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
 
 /// A height that falls from `up` to `down`, strictly between the two where they are two grains
 /// apart or more.
-fn descend(up: i32, down: i32, share_of_fall: i32) -> i32 {
+pub(super) fn descend(up: i32, down: i32, share_of_fall: i32) -> i32 {
     let fall = up - down;
     if fall < 2 {
         return down + fall.max(0);

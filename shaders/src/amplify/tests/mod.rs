@@ -1,7 +1,9 @@
 //! The laws of a refinement.
 
+mod deltas;
 mod lakes;
 mod local;
+mod meanders;
 mod meshes;
 mod order;
 mod precision;

@@ -9,7 +9,7 @@ use crate::amplify::control::VertexKind;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::mul_high;
 use crate::amplify::rules::valley::RiverPlace;
-use crate::amplify::rules::{EdgeKind, Rules, valley};
+use crate::amplify::rules::{EdgeKind, Rules, meander, valley};
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
@@ -112,7 +112,8 @@ impl Search<'_> {
 
     /// Offers a wet vertex the river that it lies on, and a larger one in whose bed it lies.
     fn offer_itself(&mut self, around: &VertexContext) {
-        let (birth, new) = (around.edge.birth, self.new);
+        let new = self.new;
+        let birth = around.edge.birth.max(new.birth);
         let own =
             RiverSegment::between(self.scale, birth, self.level + 1, [new, new], new.discharge);
         self.offer(&own, 0);
@@ -129,7 +130,12 @@ impl Search<'_> {
             if drain.edge.kind != EdgeKind::River {
                 continue;
             }
-            for segment in segments_of(self.scale, self.level, drain).iter().flatten() {
+            let segments = if meander::may_bend(self.scale, self.rules, self.level, drain.ends) {
+                places_of(self.scale, self.level, drain)
+            } else {
+                segments_of(self.scale, self.level, drain)
+            };
+            for segment in segments.iter().flatten() {
                 self.offer(segment, 0);
             }
         }
@@ -159,6 +165,14 @@ impl Search<'_> {
             }
         }
     }
+}
+
+/// Places that a river passes though it may leave its edge between them: the edge's middle and its
+/// lower end.
+fn places_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
+    let birth = drain.edge.birth;
+    let place = |at: &Vertex| RiverSegment::between(scale, birth, level + 1, [at; 2], at.discharge);
+    [drain.mid, Some(drain.ends[1])].map(|at| at.map(place))
 }
 
 /// The newest segments that are known of a river edge of a level, upstream first.

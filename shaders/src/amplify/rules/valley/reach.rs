@@ -8,7 +8,7 @@
 use crate::amplify::arith::{mix, mul_q16, ratio, saturate, smoothstep, sqrt_q16, square};
 use crate::amplify::fixed::{GRAINS, Q16, metres, q16, weigh};
 use crate::amplify::geometry::share_along;
-use crate::amplify::rules::Rules;
+use crate::amplify::rules::{Rules, estuary};
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::vertex::{RiverSegment, Vertex};
 
@@ -137,11 +137,13 @@ impl Reach {
         } else {
             half_bed(scale, rules, flow)
         };
+        let [from, to] = segment.tide.map(i32::from);
+        let tide = mix(from, to, t);
         let [brook, greatest] = WIDTH_OVER_DEPTH;
         let slenderness = ratio(1 << 8, mix(brook, greatest, strength));
         Self {
             water: mix(segment.water[0], segment.water[1], t),
-            half_bed,
+            half_bed: estuary::widened(half_bed, tide),
             depth: mul_q16(half_bed.saturating_mul(2), slenderness),
             strength,
         }
