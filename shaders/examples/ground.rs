@@ -2,7 +2,7 @@
 
 use pangaea_shaders::amplify::base::Base;
 use pangaea_shaders::amplify::carve::carve_all;
-use pangaea_shaders::amplify::fixed::{ONE, metres};
+use pangaea_shaders::amplify::fixed::{GRAINS, ONE};
 use pangaea_shaders::amplify::ground::{Caps, refine};
 use pangaea_shaders::amplify::local::LocalGround;
 use pangaea_shaders::amplify::mark::View;
@@ -189,15 +189,10 @@ fn patches(planet: &TimedPlanet) {
 fn view(planet: &TimedPlanet, local: &mut LocalGround<&Base>, altitude_m: i32, sharpness: u32) {
     let centre = planet.on_land(9);
     let height = local.leaf(centre, FINEST, None).carved[0].ground;
-    let horizon_m = (2.0 * RADIUS_M * (f64::from(altitude_m) + 9000.0)).sqrt();
+    let above_sea = (height / GRAINS + altitude_m).max(0) as u32;
     let view = View {
-        direction: centre,
-        altitude: Some(height + metres(altitude_m)),
-        radius: 0,
-        sides: [[0; 3]; 2],
         sharpness: sharpness << 8,
-        level: FINEST,
-        horizon: (horizon_m * 16.0).min(2e9) as i32,
+        ..View::camera(&planet.base.scale, centre, above_sea, FINEST)
     };
     let watch = Watch::start();
     let ground = refine(&planet.base, &planet.rules, &view, &Caps::default());

@@ -41,7 +41,7 @@ impl View {
     pub fn shown_level(&self, scale: &PlanetScale, vertex: &Vertex) -> i32 {
         let finest = self.level as i32 * Q16;
         let distance = self.distance(scale, [vertex; 3]).max(1) as u32;
-        let sharpness = self.sharpness.clamp(SHARPNESS.0, SHARPNESS.1);
+        let sharpness = self.clamped_sharpness();
         // Half a level finer than the split: leaves of two levels meet there.
         let farthest = mul_shift(scale.edge, sharpness + sharpness / 2, 8) as u32;
         if distance >= farthest {

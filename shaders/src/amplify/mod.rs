@@ -18,13 +18,13 @@
 //! | [`mark`] | face | view, corners; then its neighbours | split, halo or leaf |
 //! | [`mark::edge_mark`] | edge | its faces' marks | the same |
 //! | [`scan`] | edge, face | counts | places of vertices, halves, children |
-//! | [`edge_split`] | edge | ends, opposite corners | the new vertex: place, kind, ground, water (R1 to R5, lakes) |
+//! | [`edge_split`] | edge | ends, opposite corners | the new vertex: place, heading of its river, kind, ground, water (R1 to R5, lakes) |
 //! | [`face_decide`] | face | corners, new vertices, corners beyond | its inner edges (Ia to Ic, meanders) |
 //! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river |
 //! | [`face_split`] | edge, face | the same level | halves, inner edges, children |
 //! | [`carve`] | vertex | itself | final ground and water |
 //! | [`show`] | vertex | itself, view | ground and water that a level shows of it |
-//! | [`emit`] | leaf, triangle | split edges; water | triangles of ground and of water |
+//! | [`emit`] | leaf, triangle | split edges; water of its corners | triangles of ground and of water |
 //!
 //! [`step`] runs the passes of one level, [`ground::refine`] all levels of a view. [`local`]
 //! answers for a single direction: [`lazy`] calls the same functions for no more vertices than the
@@ -63,7 +63,7 @@
 //! | λ, ℓ | level of an edge 0..=16, [`PlanetScale::edge_grains`](scale::PlanetScale::edge_grains) | ℓ₀ / 2^λ, grains of 1/1024 m |
 //! | p | [`Vertex::direction`](vertex::Vertex::direction) | 1 / [`ONE`](fixed::ONE) of the radius: 3.1 mm on Earth |
 //! | h | `height`, then [`Carved::ground`](carve::Carved::ground) | grains above sea level |
-//! | h_w | `water` | grains |
+//! | h_w | `water`, then [`Carved::water`](carve::Carved::water), also under dry ground | grains |
 //! | h_r, d_r | `river` (a segment), `river_distance`, `river_along` | grains, Q16 |
 //! | valley | `section`: height of its side, share of the ground's own | grains, Q16 |
 //! | φ | [`Vertex::flow`](vertex::Vertex::flow), root of `discharge` | Q16; discharge 2⁻³² of 200,000 m³/s |

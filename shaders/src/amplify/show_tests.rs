@@ -90,7 +90,7 @@ fn a_camera_sees_coarser_land_farther_off() {
     let base = base();
     let at = base.vertices[7].direction;
     let camera = View {
-        altitude: Some(2_000 * 1024),
+        altitude: Some(2_000 * 16),
         radius: 0,
         horizon: i32::MAX,
         ..View::disc(at, 0, 17)

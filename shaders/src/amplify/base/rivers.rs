@@ -67,22 +67,17 @@ pub(super) fn find_headings(mesh: &ControlMesh, vertices: &mut [Vertex]) {
     let mut largest: Vec<Option<usize>> = vec![None; vertices.len()];
     let mut below: Vec<Option<usize>> = vec![None; vertices.len()];
     // Of equal rivers the seed decides, not the number of a vertex.
-    let rank = |v: &Vertex| (v.discharge, v.seed);
+    let rank = |v: usize| (vertices[v].discharge, vertices[v].seed);
     for [up, down] in river_edges(mesh) {
         below[up] = Some(down);
-        let is_larger = |&other: &usize| rank(&vertices[up]) > rank(&vertices[other]);
-        if largest[down].as_ref().is_none_or(is_larger) {
+        if largest[down].is_none_or(|other| rank(up) > rank(other)) {
             largest[down] = Some(up);
         }
     }
     for v in 0..vertices.len() {
-        let way = |from: usize, to: usize| {
-            heading_of(difference(vertices[to].direction, vertices[from].direction))
-        };
-        let arrives = largest[v].map_or([0; 3], |up| way(up, v));
-        let leaves = below[v].map_or([0; 3], |down| way(v, down));
-        let sum = [0, 1, 2].map(|i| i32::from(arrives[i]) + i32::from(leaves[i]));
-        vertices[v].heading = heading_of(sum);
+        let arrives = largest[v].map_or([0; 3], |up| way(vertices, up, v));
+        let leaves = below[v].map_or([0; 3], |down| way(vertices, v, down));
+        vertices[v].heading = heading_of([0, 1, 2].map(|i| arrives[i] + leaves[i]));
     }
 }
 
@@ -132,6 +127,12 @@ fn parts(vertices: &[Vertex], whole: u32, arms: &[usize]) -> Vec<u32> {
         part
     };
     weights.map(part).collect()
+}
+
+/// The unit tangent from a vertex to another, times 32767.
+fn way(vertices: &[Vertex], from: usize, to: usize) -> [i32; 3] {
+    let way = difference(vertices[to].direction, vertices[from].direction);
+    heading_of(way).map(i32::from)
 }
 
 /// Rivers that meet in a vertex.

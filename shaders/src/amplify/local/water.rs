@@ -25,7 +25,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
     /// use pangaea_shaders::amplify::rules::Rules;
     /// use pangaea_shaders::amplify::synthetic::control_mesh;
     ///
-    /// let base = Base::new(&control_mesh(6_371_000, 3, 1))?;
+    /// let base = Base::new(&control_mesh(6_371_000, 5, 1))?;
     /// let mut vertices = base.vertices.iter();
     /// let river = vertices.find(|v| v.kind == VertexKind::River).expect("a river").direction;
     /// let mut ground = LocalGround::new(&base, &Rules::default());

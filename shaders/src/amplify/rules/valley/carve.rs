@@ -1,8 +1,6 @@
 //! Final ground and water of a vertex.
 
-use super::plain::{
-    EDGE, EDGE_GROWTH, LOW_LAND_SLOPE, PLAIN_WIDTH, PlainCache, flood_plain, smooth_max,
-};
+use super::plain::{PlainCache, flood_plain, smooth_max};
 use super::reach::Reach;
 use super::section::width;
 use crate::amplify::arith::mix;
@@ -18,6 +16,18 @@ pub const NO_WATER: i32 = metres(-900_000);
 
 /// Half-beds from the middle of a river up to which ground knows its water.
 const KNOWN_WATER: i32 = 2;
+
+/// Most width of the round edge between a flood plain and its valley's side, in height; grains.
+const ROUND_EDGE: i32 = metres(2);
+
+/// That edge grows with the distance from the bed, 1 in 4: at the bed's rim there is none.
+const EDGE_GROWTH: i32 = 4;
+
+/// Half-beds from the bed's rim up to which no land lies lower than the flood plain.
+const PLAIN_WIDTH: i32 = 3;
+
+/// From there on land may lie lower, by 1 in 40 of the distance.
+const LOW_LAND_SLOPE: i32 = 40;
 
 /// Ground and water after carving.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -139,7 +149,7 @@ fn dry_ground(cache: &mut CarveCache, vertex: &Vertex, reach: &Reach, valley: i3
     let raw = vertex.height;
     // Far from the river land may lie lower than its plain.
     let low_land = (beyond - valley.min(PLAIN_WIDTH * reach.half_bed)).max(0) / LOW_LAND_SLOPE;
-    let edge = EDGE.min(beyond / EDGE_GROWTH);
+    let edge = ROUND_EDGE.min(beyond / EDGE_GROWTH);
     let ValleySection { height, own } = vertex.section;
     let plain_top = reach.water + 2 * reach.bank() - low_land;
     let least = mix(height.min(raw), raw, own);

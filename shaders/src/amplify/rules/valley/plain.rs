@@ -85,17 +85,3 @@ pub(super) fn smooth_max(a: i32, b: i32, edge: i32) -> i32 {
     let rounded = mul_q16(near, ratio(near, edge.max(1))) / 4;
     a.max(b) + rounded
 }
-
-/// Least difference at which a valley's side stands out of a flood plain, grains.
-pub(super) const EDGE: i32 = metres(2);
-
-/// The edge between a flood plain and its valley's side grows with the distance from the bed by
-/// this divisor: at the bed's rim there is none.
-pub(super) const EDGE_GROWTH: i32 = 4;
-
-/// Beyond so many half-widths of the bed land may lie lower than the plain, by 1 in
-/// [`LOW_LAND_SLOPE`].
-pub(super) const PLAIN_WIDTH: i32 = 3;
-
-/// See [`PLAIN_WIDTH`].
-pub(super) const LOW_LAND_SLOPE: i32 = 40;

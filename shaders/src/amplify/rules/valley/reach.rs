@@ -79,25 +79,34 @@ impl RiverPlace {
     ) -> Self {
         let curve = segment.curve();
         let (along, off) = curve.nearest(direction);
-        let reach = Reach::at(scale, rules, segment, along);
-        let near = reach.half_bed.saturating_mul(3);
-        let mut distance = scale.grains(off);
-        if (along == 0 || along == Q16) && distance < near {
-            let is_lower = along == Q16 || segment.is_point();
+        let mut place = Self {
+            reach: Reach::at(scale, rules, segment, along),
+            along,
+            distance: scale.grains(off),
+        };
+        if along == 0 || along == Q16 {
             let tangent = if segment.is_point() {
                 segment.headings[0].map(|x| i32::from(x) << 14)
             } else {
                 curve.quarter_tangent(along)
             };
+            let is_lower = along == Q16 || segment.is_point();
             let off = stretched(off, tangent, BEYOND_END[usize::from(is_lower)]);
-            // As it is where it no longer matters.
-            let faded = smoothstep(reach.half_bed.saturating_mul(2), near, distance);
-            distance = mix(scale.grains(off), distance, faded);
+            place.stretch(scale.grains(off));
         }
-        Self {
-            reach,
-            along,
-            distance,
+        place
+    }
+
+    /// Takes another distance near the bed; away from it the true one stays.
+    fn stretch(&mut self, distance: i32) {
+        let bed = self.reach.half_bed;
+        let far = smoothstep(
+            bed.saturating_mul(2),
+            bed.saturating_mul(3).max(1),
+            self.distance,
+        );
+        if far < Q16 {
+            self.distance = mix(distance, self.distance, far);
         }
     }
 }
