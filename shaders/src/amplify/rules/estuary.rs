@@ -61,7 +61,7 @@ mod tests {
     #[test]
     fn widths_are_exponential() {
         // Roots of two, by quarters of an octave.
-        let quarters = [1.0, 1.189_207, 1.414_214, 1.681_793];
+        let quarters = [1.0, 1.189_207, std::f64::consts::SQRT_2, 1.681_793];
         for (quarter, root) in (0..).zip(quarters) {
             for octave in 0..5 {
                 let found = widened(100_000, octave * OCTAVE + quarter * OCTAVE / 4);
