@@ -158,10 +158,9 @@ fn great_rivers_part_over_shallow_shelves() {
             .filter(is_arm)
             .map(|e| e.vertices[1])
             .collect();
-        let squares = arms
-            .iter()
-            .map(|&v| f64::from(vertices[v as usize].flow).powi(2));
-        let lost = squares.sum::<f64>() / f64::from(from.flow).powi(2) - 1.0;
+        let square = |v: &ControlVertex| f64::from(v.flow) * f64::from(v.flow);
+        let parts: f64 = arms.iter().map(|&v| square(&vertices[v as usize])).sum();
+        let lost = parts / square(&from) - 1.0;
         assert!(lost.abs() < 1e-3, "{lost}");
         // Each runs on into the sea, and nothing of the sea is left beside the apex.
         assert!(arms.iter().all(|&v| leaves[v as usize] == 1));

@@ -1,5 +1,6 @@
 //! Tides of level 0: from the mouths up the rivers.
 
+use super::arms::river_edges;
 use crate::amplify::arith::ratio;
 use crate::amplify::control::{ControlMesh, VertexKind};
 use crate::amplify::fixed::difference;
@@ -9,7 +10,7 @@ use crate::amplify::vertex::Vertex;
 
 /// Gives rivers before the sea their tides. Deltas have none: their rivers push the sea back.
 pub(super) fn flood(scale: &PlanetScale, mesh: &ControlMesh, vertices: &mut [Vertex]) {
-    let rivers: Vec<[usize; 2]> = super::rivers::river_edges(mesh).collect();
+    let rivers: Vec<[usize; 2]> = river_edges(mesh).collect();
     let mut leaving = vec![0_u32; vertices.len()];
     let mut largest: Vec<Option<usize>> = vec![None; vertices.len()];
     for &[up, down] in &rivers {

@@ -3,6 +3,7 @@
 //!
 //! Done once per planet; refining the ground only reads it.
 
+mod arms;
 mod check;
 mod estuary;
 mod rivers;

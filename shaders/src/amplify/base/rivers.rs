@@ -1,5 +1,6 @@
 //! Rivers and gullies of level 0: discharges, river edges, dry drainage lines, nearest rivers.
 
+use super::arms::{Below, carried, parts, river_edges};
 use crate::amplify::control::{ControlMesh, VertexKind};
 use crate::amplify::curve::heading_of;
 use crate::amplify::fixed::difference;
@@ -18,14 +19,6 @@ pub(super) fn settle_water(vertices: &mut [Vertex]) {
             vertex.discharge = 0;
         }
     }
-}
-
-/// River edges of a control mesh as (upper end, lower end).
-pub(super) fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
-    mesh.edges
-        .iter()
-        .filter(|e| e.river != 0)
-        .map(|e| e.vertices.map(|v| v as usize))
 }
 
 /// Raises discharges until every vertex carries at least what comes from upstream: squares of
@@ -81,54 +74,6 @@ pub(super) fn find_headings(mesh: &ControlMesh, vertices: &mut [Vertex]) {
     }
 }
 
-/// The vertices that rivers lead to: one from most, several from the apex of a delta.
-struct Below {
-    /// Those of vertex v: `to[starts[v]..starts[v + 1]]`.
-    starts: Vec<usize>,
-    to: Vec<usize>,
-}
-
-impl Below {
-    fn new(mesh: &ControlMesh) -> Self {
-        let mut rivers: Vec<[usize; 2]> = river_edges(mesh).collect();
-        // Stable, so that arms stay in the order of their edges.
-        rivers.sort_by_key(|&[up, _]| up);
-        let mut starts = vec![0; mesh.vertices.len() + 1];
-        for &[up, _] in &rivers {
-            starts[up + 1] += 1;
-        }
-        for v in 0..mesh.vertices.len() {
-            starts[v + 1] += starts[v];
-        }
-        let to = rivers.into_iter().map(|[_, down]| down).collect();
-        Self { starts, to }
-    }
-
-    /// Where the rivers from a vertex lead.
-    fn of(&self, v: usize) -> &[usize] {
-        &self.to[self.starts[v]..self.starts[v + 1]]
-    }
-}
-
-/// A discharge as its arms share it: in proportion to those that they came with. The parts make
-/// the whole to the unit.
-fn parts(vertices: &[Vertex], whole: u32, arms: &[usize]) -> Vec<u32> {
-    let weights = arms
-        .iter()
-        .map(|&v| u64::from(vertices[v].discharge).max(1));
-    let sum: u64 = weights.clone().sum();
-    let (mut weight, mut given) = (0, 0);
-    let part = |own: u64| {
-        weight += own;
-        // Differences of rounded sums.
-        let up_to_here = (u128::from(whole) * u128::from(weight) / u128::from(sum)) as u32;
-        let part = up_to_here - given;
-        given = up_to_here;
-        part
-    };
-    weights.map(part).collect()
-}
-
 /// The unit tangent from a vertex to another, times 32767.
 fn way(vertices: &[Vertex], from: usize, to: usize) -> [i32; 3] {
     let way = difference(vertices[to].direction, vertices[from].direction);
@@ -170,16 +115,6 @@ pub(super) fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
         }
     });
     edges.collect()
-}
-
-/// Discharge that a river edge carries from its upper end, one of so many `arms` that leave it. An
-/// arm ends alone, so its share is what its end has.
-fn carried([up, down]: [&Vertex; 2], arms: usize) -> u32 {
-    if arms > 1 {
-        down.discharge
-    } else {
-        up.discharge
-    }
 }
 
 /// Discharge that the next river of a confluence brings, of which it carries so much already.

@@ -60,14 +60,18 @@ mod tests {
 
     #[test]
     fn widths_are_exponential() {
-        for tide in 0..5 * OCTAVE {
-            let expected = 1e5 * f64::from(tide).mul_add(1.0 / 256.0, 0.0).exp2();
-            let found = f64::from(widened(100_000, tide));
-            assert!(
-                (found / expected - 1.0).abs() < 0.004,
-                "{tide}: {found} {expected}"
-            );
+        // Roots of two, by quarters of an octave.
+        let quarters = [1.0, 1.189_207, std::f64::consts::SQRT_2, 1.681_793];
+        for (quarter, root) in (0..).zip(quarters) {
+            for octave in 0..5 {
+                let found = widened(100_000, octave * OCTAVE + quarter * OCTAVE / 4);
+                let expected = 1e5 * root * f64::from(1 << octave);
+                let off = f64::from(found) / expected - 1.0;
+                assert!(off.abs() < 0.004, "{octave} {quarter}: {found} {expected}");
+            }
         }
+        let widths = (0..5 * OCTAVE).map(|tide| widened(100_000, tide));
+        assert!(widths.is_sorted());
     }
 
     #[test]

@@ -57,7 +57,8 @@ fn place(ground: &RefinedGround, v: u32) -> Vector {
 }
 
 fn distance(p: Vector, q: Vector) -> f64 {
-    (0..3).map(|i| (p[i] - q[i]).powi(2)).sum::<f64>().sqrt()
+    let square = |x: f64| x * x;
+    (0..3).map(|i| square(p[i] - q[i])).sum::<f64>().sqrt()
 }
 
 /// Cuts a way into stretches.
