@@ -19,7 +19,7 @@ fn planet() -> Base {
         // On every river and in every eighth hollow, but none beside another or the sea.
         let is_river = vertex.kind == VertexKind::River as u8;
         let is_hollow = vertex.kind == VertexKind::Terrain as u8 && v % 8 == 0;
-        let by_lake = around[v]
+        let by_lake = around
             .iter()
             .any(|&w| mesh.vertices[w].kind == VertexKind::Lake as u8);
         if by_lake || lowest <= 0 || !(is_river || is_hollow) {
