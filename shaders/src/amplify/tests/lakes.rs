@@ -12,15 +12,14 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A small planet with lakes that rivers enter and leave, and with some in dry hollows.
 fn planet() -> Base {
     let mut mesh = control_mesh(300_000, 4, 7);
-    let around = neighbours(&mesh);
-    for v in 0..mesh.vertices.len() {
+    for (v, around) in neighbours(&mesh).into_iter().enumerate() {
         let surface = |&w: &usize| mesh.vertices[w].height.max(mesh.vertices[w].water);
-        let lowest = around[v].iter().map(surface).min().unwrap();
+        let lowest = around.iter().map(surface).min().unwrap();
         let vertex = &mesh.vertices[v];
         // On every river and in every eighth hollow, but none beside another or the sea.
         let is_river = vertex.kind == VertexKind::River as u8;
         let is_hollow = vertex.kind == VertexKind::Terrain as u8 && v % 8 == 0;
-        let by_lake = around[v]
+        let by_lake = around
             .iter()
             .any(|&w| mesh.vertices[w].kind == VertexKind::Lake as u8);
         if by_lake || lowest <= 0 || !(is_river || is_hollow) {
