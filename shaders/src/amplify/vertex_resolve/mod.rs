@@ -8,7 +8,7 @@
 mod river;
 
 use super::control::VertexKind;
-use super::rules::{EdgeKind, Rules, valley};
+use super::rules::{Rules, valley};
 use super::scale::PlanetScale;
 use super::topology::{Edge, Inner};
 use super::vertex::{ValleySection, Vertex};
