@@ -48,9 +48,6 @@ pub(super) const RELIEF_BELOW_MEAN: f32 = 0.35;
 /// Least ground of valleys above the sea, as a share of the mean elevation.
 const LOWEST_VALLEY: f32 = 0.4;
 
-/// Least ground above the sea, or depth under it, that the noise leaves, as a share of the mean.
-const LEAST_OF_MEAN: f32 = 0.15;
-
 /// Roughness of slopes in km per unit of steepness: the height that they gain within an edge.
 const SLOPE_ROUGHNESS_KM: f32 = 45.0;
 
@@ -133,15 +130,7 @@ impl CrustSample {
         // 900 m more.
         let rough = 0.06 + 0.2 * relief + SLOPE_ROUGHNESS_KM * steepness.min(0.02);
         // The deep floor gets its relief from the amplifier alone.
-        let moved = valleys + self.noise * noise * rough * smoothstep((z + 1.5) / 1.3);
-        // The noise drowns no land and lifts no sea floor above the sea: it would drown more, as
-        // valleys lie lower than the mean.
-        let least = LEAST_OF_MEAN * z;
-        if z > 0.0 {
-            moved.max(least)
-        } else {
-            moved.min(least)
-        }
+        valleys + self.noise * noise * rough * smoothstep((z + 1.5) / 1.3)
     }
 
     /// P. Tibet and the Altiplano rise by less than 200 m in 100 km, the flanks of their belts by 1
