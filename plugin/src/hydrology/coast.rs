@@ -67,7 +67,7 @@ pub(super) fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<ShoreClas
 
 /// How much higher than the terrain the ground stands at coasts, grains. Terrain is the level of the
 /// valleys, with a noise that is stronger on land than under the sea: its own contour would drown a
-/// twentieth of the land. Fitted to the land of three grown planets, within 0.002 of their area.
+/// twentieth of the land. Fitted to three grown planets: their share of land, within 0.003.
 const COAST_LIFT: i32 = metres(280);
 
 /// Height of the ground at coast vertex `i`, grains: that of the terrain, lifted. An islet without
