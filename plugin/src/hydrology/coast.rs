@@ -18,6 +18,7 @@ use crate::parallel;
 use crate::sphere::SphereMesh;
 use crate::sphere::components::{Components, OUTSIDE};
 use bevy::reflect::Reflect;
+use pangaea_shaders::amplify::fixed::metres;
 
 /// Share of the planet's area from which on a body of water is a sea: between the Caspian's and
 /// that of the smallest seas with an ocean's floor (Black Sea and Mediterranean together 0.6 %).
@@ -64,7 +65,12 @@ pub(super) fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<ShoreClas
     shore
 }
 
-/// Height of the ground at coast vertex `i`, grains: that of the terrain. An islet without
+/// How much higher than the terrain the ground stands at coasts, grains. Terrain is the level of the
+/// valleys, with a noise that is stronger on land than under the sea: its own contour would drown a
+/// twentieth of the land. Fitted to three grown planets: their share of land, within 0.003.
+const COAST_LIFT: i32 = metres(280);
+
+/// Height of the ground at coast vertex `i`, grains: that of the terrain, lifted. An islet without
 /// hinterland beside a deep sea reaches half of the way to its coast, whatever the depth.
 pub(crate) fn ground_of_coast(
     mesh: &SphereMesh,
@@ -76,7 +82,7 @@ pub(crate) fn ground_of_coast(
     let heights = land
         .filter(|&j| shore[j] == ShoreClass::Land)
         .map(|j| terrain[j]);
-    terrain[i].max(-heights.max().unwrap_or(0).max(0))
+    terrain[i].max(-heights.max().unwrap_or(0).max(0)) + COAST_LIFT
 }
 
 /// Whether a condition holds at some neighbour of vertex `i`.

@@ -36,6 +36,9 @@ const STRAIGHTENING_LEVELS: [i32; 2] = [8, 16];
 /// Share of the displacement that lakes' shores keep.
 const LAKE_WEIGHT: i32 = q16(0.25);
 
+/// Share of the displacement that coasts of ours keep.
+const COAST_WEIGHT: i32 = q16(0.6);
+
 /// One beyond the last level whose coasts are moved.
 const COAST_LEVELS: u32 = 11;
 
@@ -125,6 +128,14 @@ fn weight(rules: &Rules, edge: EdgeKind, kinds: [VertexKind; 2], level: u32, wet
         }
         EdgeKind::River => 0,
         EdgeKind::Terrain if kinds.contains(&Lake) => LAKE_WEIGHT,
+        EdgeKind::Terrain if rules.landforms && kinds.contains(&Coast) => {
+            // The shore's noise bends it: what is moved less keeps the shape of its triangles.
+            if level < COAST_LEVELS {
+                mul_q16(calm, COAST_WEIGHT)
+            } else {
+                0
+            }
+        }
         EdgeKind::Terrain if kinds.contains(&Coast) || kinds.contains(&Sea) => {
             if level < COAST_LEVELS { Q16 } else { 0 }
         }
