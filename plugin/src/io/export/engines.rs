@@ -28,9 +28,8 @@ pub(super) struct TileFrame {
     west: f64,
     north: f64,
     side: f64,
-    /// Height of black, and of all greys over black; 0 and 1 for metres.
+    /// Height of black; 0 for metres.
     base: f64,
-    span: f64,
     /// Height at Unreal's location: that of the grey in the middle, or of 0 m.
     middle: f64,
 }
@@ -44,7 +43,6 @@ impl TileFrame {
             north: corner.y,
             side: block.tile_m(),
             base,
-            span,
             middle: range.map_or(0.0, |_| base + span * UNREAL_MIDDLE / 65_535.0),
         }
     }
