@@ -16,7 +16,6 @@ use crate::output::{check_file, json, print, say, write_file};
 /// # Errors
 /// If a file for the timings is refused, or a planet cannot be grown.
 pub fn bench(args: &BenchArgs) -> Result<(), CliError> {
-    args.threads.start()?;
     if let Some(path) = &args.json {
         check_file(path)?;
     }

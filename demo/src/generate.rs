@@ -7,7 +7,7 @@ use crate::growth::GrowthPlan;
 use crate::headless::{Headless, initial_planet};
 use crate::interrupt;
 use crate::maps::MapSet;
-use crate::output::{Files, check_file, json, say_written, write_file};
+use crate::output::{Files, check_file, json, say_written};
 use bevy_pangaea::climate::ClimateMaps;
 use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::io::scenario::scenario_of;
@@ -25,11 +25,9 @@ const STATS_FILE: &str = "stats.json";
 ///
 /// # Errors
 /// If an option, or a command of the scenario, is refused, or the user interrupts it; nothing is
-/// written then. A scenario that cannot be written in the end leaves the planet, which holds its
-/// commands.
+/// written then.
 pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     interrupt::watch();
-    args.growth.threads.start()?;
     let recipe = args.growth.recipe.checked()?;
     let plan = GrowthPlan::new(&args.growth, recipe.params.time_step)?;
     let climate = args.climate.load()?;
@@ -47,11 +45,12 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     maps.draw(&headless, &mut files)?;
     files.add(STATS_FILE, stats(&headless, digest, timings)?);
     interrupt::check()?;
-    let written = files.write()?;
+    let in_folder = files.count();
     if let Some(path) = scenario_out {
-        write_file(path, scenario.as_bytes())?;
+        files.add_named(path, scenario.into_bytes());
     }
-    say_written(&written, &args.out);
+    let written = files.write()?;
+    say_written(&written[..in_folder], &args.out);
     Ok(())
 }
 

@@ -22,7 +22,8 @@ pub fn bake_planet(mut state: PlanetState, given: ClimateMaps) -> Result<Headles
     Ok(headless)
 }
 
-/// Replaces maps of the climate that a planet came with by those that the user gives, and says so where they differ.
+/// Replaces maps of the climate that a planet came with by those that the user gives, and says so
+/// where they differ.
 pub fn replace_maps(saved: &mut ClimateMaps, given: &ClimateMaps) {
     for (field, map) in given.iter() {
         let name = field.name();

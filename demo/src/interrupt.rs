@@ -1,9 +1,11 @@
 //! Signals that end a program: long commands look for them where they can stop, and leave nothing
-//! half done.
+//! half done; where they do not look in time, they are ended.
 //!
 //! Ctrl-C is SIGINT; terminals that are closed send SIGHUP; `docker stop`, systemd, batch systems and
 //! `timeout` send SIGTERM.
 
+#[cfg(unix)]
+use crate::ending;
 use crate::error::CliError;
 #[cfg(unix)]
 use signal_hook::consts::{SIGHUP, SIGQUIT};
@@ -41,6 +43,11 @@ fn note(signal: i32, is_asked: &Arc<AtomicBool>) -> io::Result<()> {
     flag::register_conditional_shutdown(signal, 128 + signal, is_asked.clone())?;
     flag::register(signal, is_asked.clone())?;
     flag::register_usize(signal, SIGNAL.clone(), signal as usize)?;
+    #[cfg(unix)]
+    // SAFETY: the handler takes neither locks nor memory.
+    unsafe {
+        signal_hook::low_level::register(signal, move || ending::ask(128 + signal))?;
+    }
     Ok(())
 }
 

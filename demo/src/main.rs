@@ -7,13 +7,17 @@
 )]
 
 mod error;
-mod memory;
 mod values;
 
 mod cli;
+#[cfg(unix)]
+mod ending;
 mod interrupt;
+#[cfg(unix)]
+mod memory;
 mod output;
 mod progress;
+mod threads;
 
 mod floor;
 
@@ -52,8 +56,22 @@ fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return refuse(&error),
     };
-    let result = match &cli.command {
-        None => explore(&cli),
+    exit(prepare(&cli).and_then(|()| run(&cli)))
+}
+
+/// Gets ready for the end of memory, and starts the threads of commands.
+fn prepare(cli: &Cli) -> Result<(), CliError> {
+    #[cfg(unix)]
+    ending::start(output::abandon)?;
+    match &cli.command {
+        None => Ok(()),
+        Some(command) => threads::start(command.threads()),
+    }
+}
+
+fn run(cli: &Cli) -> Result<(), CliError> {
+    match &cli.command {
+        None => explore(cli),
         Some(Command::Generate(args)) => generate::generate(args),
         Some(Command::Maps(args)) => maps::maps(args),
         Some(Command::Render(args)) => picture::render(args),
@@ -63,8 +81,7 @@ fn main() -> ExitCode {
         Some(Command::Export(args)) => export::export(args),
         Some(Command::Relief(args)) => relief::relief(args),
         Some(Command::Query(args)) => query::query(args),
-    };
-    exit(result)
+    }
 }
 
 /// Opens the explorer. Files are read and paths tried first: a command line is refused on the

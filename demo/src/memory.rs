@@ -1,18 +1,23 @@
-//! The end of memory: one line and exit code 1, where Rust would abort with a backtrace.
+//! The end of memory: one line and exit code 1, and nothing left behind.
+//!
+//! What asks whether there is room is told that there is none, and says so. Where nobody asks, no
+//! answer can help: the thread waits until the program is cleaned up and ended.
 
+use crate::ending;
+use bevy_pangaea::room::is_asking;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
 use std::time::Duration;
-use std::{process, thread};
 
-/// The system's allocator; where it has nothing left, the program says so and ends.
+/// The system's allocator; where it has nothing left, and nobody asked, the program ends.
 pub struct FiniteMemory;
 
 #[global_allocator]
 static MEMORY: FiniteMemory = FiniteMemory;
 
-// SAFETY: every call is handed on to `System` as it came, and every answer but null as it was given.
+// SAFETY: every call is handed on to `System` as it came, and every answer as it was given.
 unsafe impl GlobalAlloc for FiniteMemory {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: the caller's promises are those that `System` asks for.
@@ -35,26 +40,25 @@ unsafe impl GlobalAlloc for FiniteMemory {
     }
 }
 
-/// The memory that was asked for; the program ends where there is none.
 fn given(place: *mut u8, size: usize) -> *mut u8 {
-    if place.is_null() {
+    if place.is_null() && !is_asking() {
         end(size);
     }
     place
 }
 
-/// Says that memory is full, once, and ends the program.
+/// Says that memory is full, once, and waits for the end of the program.
 fn end(size: usize) -> ! {
-    static HAS_ENDED: AtomicBool = AtomicBool::new(false);
-    if HAS_ENDED.swap(true, Ordering::Relaxed) {
-        // Another thread ends the program; if it cannot, this one does.
-        thread::sleep(Duration::from_secs(5));
-        process::abort();
+    static IS_SAID: AtomicBool = AtomicBool::new(false);
+    if !IS_SAID.swap(true, Ordering::SeqCst) {
+        // It does not allocate, and nobody needs to hear it.
+        let _ = writeln!(
+            io::stderr(),
+            "error: memory is full: {size} bytes more are needed"
+        );
     }
-    // It does not allocate, and nobody needs to hear it.
-    let _ = writeln!(
-        io::stderr(),
-        "error: memory is full: {size} bytes more are needed"
-    );
-    process::exit(1);
+    ending::ask(ending::NO_MEMORY);
+    loop {
+        thread::sleep(Duration::from_secs(1));
+    }
 }

@@ -110,7 +110,8 @@ impl Offscreen {
     ///
     /// # Errors
     /// [`OffscreenError::Renderer`] if the renderer stopped, or did not answer in minutes;
-    /// [`OffscreenError::Interrupted`]; [`OffscreenError::Planet`] if the overlay needs what the planet does not have.
+    /// [`OffscreenError::Interrupted`]; [`OffscreenError::Planet`] if the overlay needs what the
+    /// planet does not have.
     pub fn picture(&mut self, view: Transform, globe: Globe) -> Result<Raster, OffscreenError> {
         let Some(planet) = self.planet else {
             return Err(OffscreenError::Renderer("there is no planet".into()));

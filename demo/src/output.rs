@@ -2,11 +2,30 @@
 
 use crate::error::CliError;
 use crate::interrupt;
-use bevy_pangaea::io::{Output, check_outputs, write_all, write_atomically};
+use bevy_pangaea::io::{Output, abandon_outputs, check_outputs, write_all, write_atomically};
 use serde::Serialize;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Folders that were made for files that are not there yet, the innermost first.
+static MADE: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn made_folders() -> MutexGuard<'static, Vec<PathBuf>> {
+    MADE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes what is unfinished, and says whether nothing was written.
+pub fn abandon() -> bool {
+    let is_nothing_written = abandon_outputs();
+    if is_nothing_written {
+        for folder in made_folders().iter() {
+            let _ = fs::remove_dir(folder);
+        }
+    }
+    is_nothing_written
+}
 
 /// Files for one folder, kept in memory until all are there.
 pub struct Files {
@@ -32,6 +51,7 @@ impl Files {
             made: missing_folders(folder),
             files: Vec::new(),
         };
+        made_folders().extend(files.made.iter().cloned());
         files.make_folder()?;
         let outputs = names.into_iter().map(|name| files.output(name.as_ref()));
         let outputs: Vec<Output> = outputs.collect();
@@ -54,6 +74,17 @@ impl Files {
     /// Adds a file.
     pub fn add(&mut self, name: &str, content: Vec<u8>) {
         self.files.push((self.output(name), content));
+    }
+
+    /// Number of files that were added.
+    pub fn count(&self) -> usize {
+        self.files.len()
+    }
+
+    /// Adds a file that the user named, wherever it is: it is written with the others, or not at
+    /// all.
+    pub fn add_named(&mut self, path: &Path, content: Vec<u8>) {
+        self.files.push((Output::named(path), content));
     }
 
     /// Writes all files, or not one, and returns their paths in the order in which they were added.

@@ -56,22 +56,15 @@ fn answer(
     is_read: impl Fn() -> bool,
 ) -> Result<(), CliError> {
     let mut pace = Pace::default();
-    let mut text = format!("{HEADER}\n");
-    let mut is_open = true;
+    // Who talks with the command may wait for the header before the first line, which may be wrong.
+    let mut is_open = is_read() && print_to(&mut out, &format!("{HEADER}\n"))?;
     while is_open && is_read() {
-        // Who talks with the command may wait for the header before the first line.
-        let patience = if text.is_empty() {
-            WAIT
-        } else {
-            Duration::ZERO
-        };
-        is_open = places.wait(patience)?;
+        is_open = places.wait(WAIT)?;
         let block = places.arrived(pace.points());
-        text += &pace.measure(block.len(), || table(ground, &block, level))?;
-        if !print_to(&mut out, &text)? {
+        let text = pace.measure(block.len(), || table(ground, &block, level))?;
+        if !text.is_empty() && !print_to(&mut out, &text)? {
             break;
         }
-        text.clear();
     }
     Ok(())
 }

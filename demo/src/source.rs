@@ -23,7 +23,6 @@ impl PlanetSource {
     /// # Errors
     /// If the file, or an option, is refused.
     pub fn new(file: Option<&Path>, args: &GrowthArgs) -> Result<Self, CliError> {
-        args.threads.start()?;
         if let Some(path) = file {
             return Ok(Self::Saved(Box::new(load_planet(path)?)));
         }

@@ -213,6 +213,8 @@ pub mod math;
 
 pub mod parallel;
 
+pub mod room;
+
 mod named;
 
 pub mod params;

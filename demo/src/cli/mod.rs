@@ -107,5 +107,18 @@ pub enum Command {
     Query(QueryArgs),
 }
 
+impl Command {
+    /// Number of threads that is asked for.
+    pub fn threads(&self) -> Option<usize> {
+        match self {
+            Self::Generate(args) => args.growth.threads.threads,
+            Self::Render(args) => args.growth.threads.threads,
+            Self::Views(args) => args.growth.threads.threads,
+            Self::Bench(args) => args.threads.threads,
+            _ => None,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests;

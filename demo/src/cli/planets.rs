@@ -26,7 +26,8 @@ pub struct GenerateArgs {
     pub out: PathBuf,
     /// Write the commands that were carried out as a scenario, too
     ///
-    /// Played on the same recipe for as long, it gives the same planet to the last bit.
+    /// Played on the same recipe for as long, and with the same maps of the climate, it gives the
+    /// same planet to the last bit.
     #[arg(long, value_name = "FILE.scenario.ron")]
     pub scenario_out: Option<PathBuf>,
 }
@@ -88,7 +89,8 @@ pub struct InfoArgs {
     pub file: PathBuf,
     /// Write all commands of the planet, carried out and to come, as a scenario, too
     ///
-    /// Played on the recipe of the planet for as long, it gives the same planet to the last bit.
+    /// Played on the recipe of the planet for as long, and with the same maps of the climate, it
+    /// gives the same planet to the last bit.
     #[arg(long, value_name = "FILE.scenario.ron")]
     pub scenario_out: Option<PathBuf>,
 }

@@ -97,19 +97,3 @@ pub struct ThreadsArgs {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = threads)]
     pub threads: Option<usize>,
 }
-
-impl ThreadsArgs {
-    /// Starts the threads, once, before anything runs in parallel.
-    ///
-    /// # Errors
-    /// If the system does not give as many threads.
-    pub fn start(&self) -> Result<(), CliError> {
-        let Some(threads) = self.threads else {
-            return Ok(());
-        };
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build_global()
-            .map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))
-    }
-}

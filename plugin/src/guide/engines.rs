@@ -31,8 +31,8 @@
 //! # The manifest
 //!
 //! `generator`, `radius_m`, `lat`, `lon` (the middle of the block), `level`, `tiles`, `vertices`,
-//! `tile_m`, `spacing_m`; `lowest_m`, `highest_m` of all ground; for greys `min_m` and `max_m`,
-//! black and white, and `sea_level_grey`. For each of `files` its column and row, its sides from
+//! `tile_m`, `spacing_m`; `lowest_m`, `highest_m` of all ground, `sea_level_m`; for greys `min_m`
+//! and `max_m`, black and white, and `sea_level_grey`. For each of `files` its column and row, its sides from
 //! the middle of the block (`west_m`, `north_m`, `east_m`, `south_m`), the middle (`lat`, `lon`),
 //! and its place in `engines`; what tiles have in common there is in `engines` of the manifest
 //! itself. The sea is at height 0 in each.

@@ -75,7 +75,9 @@ pub use digest::{digest, map_digest};
 pub use error::{IoError, SaveError};
 #[cfg(feature = "export")]
 pub use export::{ExportError, export};
-pub use files::{MarkedJson, Output, check_outputs, is_marked, write_all, write_atomically};
+pub use files::{
+    MarkedJson, Output, abandon_outputs, check_outputs, is_marked, write_all, write_atomically,
+};
 #[cfg(feature = "dem")]
 pub use maps::{LoadedMap, MapFileError, MapQuantity, load_map, load_map_of};
 pub use preset::{PlanetPreset, PlanetRecipeLoader, PresetPlugin, load_preset};

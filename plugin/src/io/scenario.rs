@@ -10,7 +10,7 @@
 //! ```
 
 use super::text::{TextError, parse, read_text};
-use super::{IoError, write_atomically};
+use super::{IoError, map_digest, write_atomically};
 use crate::authoring::{Scenario, TimedCommand};
 use crate::spawn::PlanetState;
 use ron::ser::PrettyConfig;
@@ -79,13 +79,19 @@ pub fn scenario_of(state: &PlanetState) -> String {
     format!("{}{list}\n", head(state))
 }
 
-/// The planet that the commands belong to, as a comment.
+/// The planet that the commands belong to, as a comment, with the maps that its climate needs.
 fn head(state: &PlanetState) -> String {
     let (clock, seed) = (&state.clock, state.planet.seed);
     let samples = state.lattice.0.len();
+    let maps = state.climate.iter().map(|(field, map)| {
+        let name = field.name();
+        let hash = map_digest(map);
+        format!("// Its climate is that of a map: give --{name} again, BLAKE3 {hash:.16}.\n")
+    });
+    let maps: String = maps.collect();
     format!(
         "// The commands of a planet of seed {seed} and {samples} samples after {} My, {} steps.\n\
-         // Played on the same recipe for as long, they give the same planet.\n",
+         // Played on the same recipe for as long, they give the same planet.\n{maps}",
         clock.time, clock.step
     )
 }
@@ -139,6 +145,26 @@ mod tests {
         }];
         let text = ron::to_string(&commands).unwrap();
         assert_eq!(parse_scenario(&text).unwrap().0, commands);
+    }
+
+    #[test]
+    fn the_head_names_the_maps_that_the_planet_needs() {
+        use crate::climate::{ClimateField, EquirectMap};
+        use crate::planet::PlanetRecipe;
+
+        let recipe = PlanetRecipe {
+            samples: 500,
+            plate_count: 8,
+            ..PlanetRecipe::default()
+        };
+        let mut state = PlanetState::new(&recipe).unwrap();
+        assert!(!scenario_of(&state).contains("--rain"));
+        let map = EquirectMap::from_fn(4, |_, _| 900.0).unwrap();
+        state.climate.set(ClimateField::Rain, map);
+        let text = scenario_of(&state);
+        let line = text.lines().find(|line| line.contains("--rain")).unwrap();
+        assert!(line.starts_with("// ") && line.contains("BLAKE3"), "{line}");
+        assert!(parse_scenario(&text).is_ok());
     }
 
     #[test]

@@ -21,6 +21,9 @@ pub struct Sidecar {
     pub metres_per_unit: Option<f64>,
     /// Side of a pixel in m.
     pub metres_per_pixel: f64,
+    /// Side of a pixel from west to east in m, if it is another.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub metres_per_pixel_across: Option<f64>,
     /// Latitude of the middle in degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lat: Option<f64>,

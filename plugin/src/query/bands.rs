@@ -4,6 +4,7 @@ use super::error::GroundError;
 use super::ground::Ground;
 use super::map_grid::MapGrid;
 use crate::parallel;
+use crate::room::try_reserve;
 use bevy::math::DVec3;
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
@@ -54,7 +55,7 @@ impl MapGrid {
         let mut band = Vec::new();
         for rows in self.bands() {
             let count = rows.len() * self.columns();
-            band.try_reserve(count).map_err(|_| GroundError::Memory)?;
+            try_reserve(&mut band, count).map_err(|_| GroundError::Memory)?;
             band.resize(count, 0.0);
             self.fill(ground, rows.start, &mut band, &known, &go_on)?;
             take(&band)?;

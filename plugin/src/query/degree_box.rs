@@ -70,7 +70,7 @@ impl DegreeBox {
         if width == 0.0 || width > 360.0 {
             let place = format!("the {width} degrees from longitude {west} to {east}");
             return Err(GroundError::Box(
-                "must be up to 360 degrees wide, not",
+                "must be more than 0 and up to 360 degrees wide, not",
                 place,
             ));
         }

@@ -6,6 +6,7 @@ use super::ground::Ground;
 use super::level::raster_level;
 use super::map_grid::{GridPoint, MapGrid};
 use super::projection::AzimuthalEquidistant;
+use crate::room::try_reserve;
 use bevy::math::DVec3;
 use bevy::reflect::Reflect;
 
@@ -182,9 +183,7 @@ impl MapSquare {
 
 /// Adds a band to the values of a grid.
 fn append(values: &mut Vec<f32>, band: &[f32]) -> Result<(), GroundError> {
-    values
-        .try_reserve(band.len())
-        .map_err(|_| GroundError::Memory)?;
+    try_reserve(values, band.len()).map_err(|_| GroundError::Memory)?;
     values.extend_from_slice(band);
     Ok(())
 }

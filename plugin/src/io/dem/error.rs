@@ -14,6 +14,9 @@ pub enum DemError {
     /// Files with the name's extension are not read.
     #[error("elevation models are .hgt, .tif, .tiff or .png files")]
     Extension,
+    /// Archives are not unpacked.
+    #[error("it is an archive: unpack it")]
+    Archive,
     /// The file is larger than any that is read.
     #[error("the file is larger than {MAX_BYTES} bytes")]
     TooLarge,

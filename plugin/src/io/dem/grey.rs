@@ -59,6 +59,7 @@ pub(super) fn read(bytes: &[u8], sidecar: &Sidecar, void: Option<f64>) -> Result
             .map_or(f32::NAN, |grey| scale.height(grey))
     };
     let Greys { size, values } = Greys::read(bytes, check_size, height)?;
-    let pixel_m = [sidecar.metres_per_pixel; 2];
+    let down = sidecar.metres_per_pixel;
+    let pixel_m = [sidecar.metres_per_pixel_across.unwrap_or(down), down];
     Dem::new(size, values, pixel_m, sidecar.lat.zip(sidecar.lon))
 }

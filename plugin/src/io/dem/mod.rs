@@ -13,7 +13,11 @@
 //! A file may be a copy that a browser or `wget` made and put a number behind: `N44W072.hgt (1)`,
 //! `N44W072.hgt.1`.
 //!
-//! Heights come out in m, rows from the north. Lengths of degrees are those of the Earth.
+//! Heights come out in m, rows from the north. Degrees of an .hgt file have the lengths of the
+//! Earth's, those of a GeoTIFF the lengths on the ellipsoid that it names, or the Earth's.
+//!
+//! Files beside a raster that change its numbers are read, too: GDAL's NAME.EXT.aux.xml and
+//! NAME.EXT.msk, and world files; where a format cannot have them, they are refused.
 
 mod error;
 
@@ -43,8 +47,8 @@ use geotiff::SideFiles;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The files in a folder whose extensions are those of elevation models, ordered by name; not those
-/// in folders within it. Not each has to be one: pictures may be previews, hidden files the
+/// The files in a folder whose extensions are those of elevation models, packed ones included,
+/// ordered by name; not those in folders within it. Not each has to be one: pictures may be previews, hidden files the
 /// remains of another system.
 ///
 /// # Errors
@@ -57,7 +61,7 @@ pub fn dem_files(folder: &Path) -> Result<Vec<PathBuf>, IoError> {
         let path = entry.path();
         // Pipes would be waited for; links that lead nowhere are named when they are read.
         let is_file = path.metadata().map_or(true, |metadata| metadata.is_file());
-        if DemFormat::of(&path).is_ok() && is_file {
+        if (DemFormat::of(&path).is_ok() || is_packed(&path)) && is_file {
             files.push(path);
         }
     }
@@ -124,6 +128,12 @@ fn load_sidecar(picture: &Path) -> Result<Sidecar, IoError> {
     grey::parse_sidecar(&read_limited(&path)?).map_err(|source| IoError::dem(&path, source))
 }
 
+/// Is it an elevation model in an archive, such as N44W072.hgt.zip? It is not read, but named.
+fn is_packed(path: &Path) -> bool {
+    let is_archive = matches!(DemFormat::of(path), Err(DemError::Archive));
+    is_archive && DemFormat::of(&path.with_extension("")).is_ok()
+}
+
 /// The formats of elevation models.
 #[derive(Clone, Copy)]
 enum DemFormat {
@@ -139,6 +149,7 @@ impl DemFormat {
             Some("hgt") => Ok(Self::Hgt),
             Some("tif" | "tiff") => Ok(Self::GeoTiff),
             Some("png") => Ok(Self::Grey),
+            Some("zip" | "gz") => Err(DemError::Archive),
             _ => Err(DemError::Extension),
         }
     }

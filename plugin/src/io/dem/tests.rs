@@ -189,6 +189,7 @@ fn folder_of_bad_files() -> tempfile::TempDir {
         ("N44W072.hgt", &[0; 10]),
         ("b.tif", &tif[..tif.len() / 2]),
         ("c.tif", b"II*\0"),
+        ("a.hgt.zip", b"PK"),
     ] {
         fs::write(folder.path().join(name), bytes).unwrap();
     }
@@ -205,6 +206,7 @@ fn files_are_refused_in_one_line_that_names_them() {
         ("b.tif", "b.tif"),
         ("c.tif", "c.tif"),
         ("missing.tif", "missing.tif"),
+        ("a.hgt.zip", "unpack"),
     ] {
         let error = load_dem(&folder.path().join(name)).unwrap_err();
         let text = error.to_string();
@@ -230,6 +232,7 @@ fn folders_list_elevation_models_by_name() {
         "N44W072.SRTMGL1.hgt",
         "N44W072.hgt (1)",
         "N44W072.hgt.1",
+        "N44W072.hgt.zip",
         "b.tif",
         "c.Tiff",
     ];
@@ -237,8 +240,8 @@ fn folders_list_elevation_models_by_name() {
         ".DS_Store",
         "A.PNG.aux.xml",
         "N44W072",
-        "N44W072.hgt.zip",
         "N44W072.hgt2",
+        "N44W072.zip",
         "a.json",
         "read me.txt",
         "tif",

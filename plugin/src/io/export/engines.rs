@@ -28,9 +28,10 @@ pub(super) struct TileFrame {
     west: f64,
     north: f64,
     side: f64,
-    /// Height of black, and of all greys over black; 0 and 1 for metres.
+    /// Height of black; 0 for metres.
     base: f64,
-    span: f64,
+    /// Height at Unreal's location: that of the grey in the middle, or of 0 m.
+    middle: f64,
 }
 
 impl TileFrame {
@@ -42,14 +43,13 @@ impl TileFrame {
             north: corner.y,
             side: block.tile_m(),
             base,
-            span,
+            middle: range.map_or(0.0, |_| base + span * UNREAL_MIDDLE / 65_535.0),
         }
     }
 
     /// The corner of the first vertex in cm; z is the height of the middle grey.
     fn unreal(&self) -> Value {
-        let middle = self.base + self.span * UNREAL_MIDDLE / 65_535.0;
-        let location = [self.west, 0.0 - self.north, middle];
+        let location = [self.west, 0.0 - self.north, self.middle];
         json!(location.map(|m| 100.0 * m))
     }
 
@@ -61,6 +61,11 @@ impl TileFrame {
     /// The corner of the first vertex.
     fn godot(&self) -> Value {
         json!([self.west, 0.0, 0.0 - self.north])
+    }
+
+    /// The middle of the block, about which the vertices of all meshes are.
+    fn of_block(&self) -> Value {
+        json!([0.0, 0.0, 0.0])
     }
 
     /// The middle; z is the height of black.
@@ -83,19 +88,45 @@ fn engines(
             unity(block, range),
             godot(block, Some(range)),
         ],
-        (ExportFormat::Exr, _) => vec![
+        (ExportFormat::Mesh, _) => ["unreal", "unity", "godot", "blender"]
+            .map(|name| {
+                (
+                    name,
+                    json!({ "metres_per_unit": 1.0 }),
+                    TileFrame::of_block as fn(&_) -> _,
+                )
+            })
+            .into(),
+        // Heights in metres: by EXR they are imported as they are, by GeoTIFF through other programs.
+        _ => vec![
+            unreal_in_metres(block),
+            unity_in_metres(block),
             godot(block, None),
-            blender(
-                block,
-                GreyRange {
-                    low: 0.0,
-                    high: 1.0,
-                },
-            ),
+            blender(block, METRE),
         ],
-        // A mesh is in its place as it is, and no engine imports elevations from GeoTIFF.
-        _ => Vec::new(),
     }
+}
+
+/// The range of heights in metres as greys: a unit is a metre.
+const METRE: GreyRange = GreyRange {
+    low: 0.0,
+    high: 1.0,
+};
+
+/// The scale of a landscape or a mesh whose heights are metres.
+fn unreal_in_metres(block: &TileBlock) -> EngineFigures {
+    let spacing_cm = 100.0 * block.spacing_m();
+    let scale = [spacing_cm, spacing_cm, 100.0];
+    ("unreal", json!({ "scale": scale }), TileFrame::unreal)
+}
+
+/// The size of a terrain whose heights are metres, of which one is 1.
+fn unity_in_metres(block: &TileBlock) -> EngineFigures {
+    let figures = json!({
+        "terrain_size": [block.tile_m(), 1.0, block.tile_m()],
+        "heightmap_resolution": block.vertices(),
+    });
+    ("unity", figures, TileFrame::unity)
 }
 
 fn unreal(block: &TileBlock, range: GreyRange) -> EngineFigures {

@@ -80,17 +80,26 @@ pub(super) fn square_sidecar(grid: &MapGrid, range: GreyRange) -> Value {
         max_m: Some(range.high),
         metres_per_unit: None,
         metres_per_pixel: grid.step().x,
+        metres_per_pixel_across: None,
         lat: Some(lat),
         lon: Some(lon),
     })
 }
 
-/// The sidecar of a box: it tells degrees instead of metres to a pixel.
+/// The sidecar of a box: it tells degrees, and metres to a pixel in the middle.
 pub(super) fn box_sidecar(degrees: &DegreeBox, range: GreyRange) -> Value {
     let [south, west, north, east] = degrees.bounds();
+    let grid = degrees.grid();
+    let (lat, lon) = middle(&grid);
+    let degree_m = grid.projection().radius_m() * math::PI / 180.0;
+    let [across, down] = grid.step().to_array().map(|step| step * degree_m);
     json!({
         "min_m": range.low,
         "max_m": range.high,
+        "metres_per_pixel": down,
+        "metres_per_pixel_across": across * math::cos(lat.to_radians()),
+        "lat": lat,
+        "lon": lon,
         "degrees_per_pixel": degrees.grid().step().to_array(),
         "south": south,
         "west": west,

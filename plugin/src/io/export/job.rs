@@ -6,7 +6,7 @@ use super::error::{ExportError, cannot_encode};
 use super::format::ExportFormat;
 use super::greys::{self, GreyRange};
 use super::manifest::manifest;
-use super::names::ExportFiles;
+use super::names::{ExportFiles, file_name};
 use super::scratch::HeightScratch;
 use super::{exr, geotiff, mesh};
 use crate::io::{MarkedJson, write_all};
@@ -145,11 +145,15 @@ impl ExportJob {
 
     /// The sidecar of each file of greys.
     fn sidecars(&self, range: GreyRange) -> Vec<Value> {
-        let files = 0..self.files.named().len();
-        files
-            .map(|k| match &self.area {
-                ExportArea::Box(degrees) => greys::box_sidecar(degrees, range),
-                area => greys::square_sidecar(&area.file(k), range),
+        (0..)
+            .zip(self.files.named())
+            .map(|(k, path)| {
+                let mut sidecar = match &self.area {
+                    ExportArea::Box(degrees) => greys::box_sidecar(degrees, range),
+                    area => greys::square_sidecar(&area.file(k), range),
+                };
+                sidecar["file"] = file_name(&path).into();
+                sidecar
             })
             .collect()
     }

@@ -30,6 +30,7 @@ pub(super) fn manifest(
         "spacing_m": block.spacing_m(),
         "lowest_m": heights[0],
         "highest_m": heights[1],
+        "sea_level_m": 0.0,
         "engines": common_figures(format, block, range),
         "files": tiles(files, block, range),
     });

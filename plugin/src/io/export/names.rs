@@ -71,10 +71,14 @@ impl ExportFiles {
     /// All files, with the older ones that they may replace: the file that was named any, the others
     /// only ours.
     pub fn outputs(&self) -> Vec<Output> {
-        let named = self.named().into_iter().map(|path| self.output(path));
-        named
-            .chain(self.beside().into_iter().map(Output::beside))
-            .collect()
+        let named = self.named();
+        // A manifest, the last one, is that of the first tile.
+        let of = named.iter().chain(named.first());
+        let skipped = named.len() * usize::from(!self.format.has_greys());
+        let beside = self.beside().into_iter().zip(of.skip(skipped));
+        let beside = beside.map(|(path, of)| Output::telling_of(path, file_name(of)));
+        let with_heights = named.iter().map(|path| self.output(path.clone()));
+        with_heights.chain(beside).collect()
     }
 
     /// A file with heights. Raw ones have no room for a mark: the manifest lists them.
@@ -103,6 +107,14 @@ impl ExportFiles {
         name.push(self.path.extension().unwrap_or_default());
         self.path.with_file_name(name)
     }
+}
+
+/// The name of a file without its folder.
+pub(super) fn file_name(path: &Path) -> String {
+    path.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
 }
 
 /// The JSON file of the same name.

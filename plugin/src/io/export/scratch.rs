@@ -8,6 +8,7 @@ use super::error::{ExportError, as_io_error, cannot_encode};
 use crate::io::IoError;
 use crate::io::files::folder_of;
 use crate::query::{Ground, GroundError, MapGrid};
+use crate::room::try_reserve;
 use core::ops::Range;
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
@@ -49,8 +50,7 @@ impl HeightScratch {
     pub(super) fn read(&self, columns: Range<usize>, rows: Range<usize>) -> io::Result<Vec<f32>> {
         let width = columns.len();
         let mut values = Vec::new();
-        values
-            .try_reserve(width * rows.len())
+        try_reserve(&mut values, width * rows.len())
             .map_err(|_| as_io_error(GroundError::Memory))?;
         let mut bytes = vec![0; 4 * width];
         for row in rows {

@@ -5,6 +5,7 @@ use super::lock::FolderLock;
 use super::output::Output;
 use super::place::{adopt, check_owner, copy_into};
 use super::target::Target;
+use super::unfinished;
 use crate::io::IoError;
 use std::collections::BTreeMap;
 use std::env;
@@ -101,6 +102,7 @@ impl OutputSet {
     /// Gives all files their names.
     pub(super) fn commit(self) -> Result<(), IoError> {
         let locks = self.lock_folders()?;
+        let mut unfinished = unfinished::hold();
         for (done, draft) in self.drafts.iter().enumerate() {
             let total = self.drafts.len();
             draft.place().map_err(|source| match done {
@@ -108,6 +110,8 @@ impl OutputSet {
                 _ => IoError::half(&draft.path, source, [done, total]),
             })?;
         }
+        unfinished.are_named = true;
+        drop(unfinished);
         locks.iter().for_each(FolderLock::sync);
         Ok(())
     }

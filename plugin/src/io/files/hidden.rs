@@ -4,6 +4,7 @@
 //! lock on a file in it; a folder whose lock can be taken belongs to a run that was killed.
 
 use super::lock::FolderLock;
+use super::unfinished;
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
@@ -40,6 +41,7 @@ impl HiddenFolder {
         builder.prefix(PREFIX).rand_bytes(RANDOM).suffix(&ending);
         // The name of a folder that is not there says nothing to the user.
         let stage = builder.tempdir_in(folder).map_err(|error| error.kind())?;
+        unfinished::begin(stage.path());
         let mut alive = File::create_new(stage.path().join(LOCK))?;
         // Where files cannot be locked, nobody can take this lock for that of a dead run.
         let _ = alive.try_lock();
@@ -54,6 +56,12 @@ impl HiddenFolder {
     /// The path of a file in it.
     pub(super) fn part(&self, number: usize) -> PathBuf {
         self.folder.path().join(number.to_string())
+    }
+}
+
+impl Drop for HiddenFolder {
+    fn drop(&mut self) {
+        unfinished::end(self.folder.path());
     }
 }
 

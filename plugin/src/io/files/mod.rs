@@ -5,6 +5,7 @@
 //! output   a file to write, and what it may replace
 //! target   where the content of a file goes: links, devices, files in the way
 //! lock     one writer at a time in a folder
+//! unfinished    the hidden folders of a program that must end in the middle
 //! hidden   the hidden folder in which files grow, and those that dead runs left
 //! place    what a file keeps when it is replaced
 //! draft    files while they grow, and how they get their names
@@ -29,6 +30,8 @@ mod target;
 
 mod lock;
 
+mod unfinished;
+
 mod hidden;
 
 mod place;
@@ -39,6 +42,7 @@ pub use mark::{MarkedJson, is_marked};
 pub use output::Output;
 #[cfg(feature = "export")]
 pub(super) use target::folder_of;
+pub use unfinished::abandon_outputs;
 
 use super::IoError;
 use draft::OutputSet;

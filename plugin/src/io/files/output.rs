@@ -24,6 +24,8 @@ enum Replaceable {
     Marked,
     /// One that this file names, which has the mark.
     ListedIn(PathBuf),
+    /// One with the mark that tells of this file, or of none.
+    TellingOf(String),
 }
 
 impl Output {
@@ -52,6 +54,15 @@ impl Output {
         }
     }
 
+    /// A text that tells of another file, `name` beside it: it replaces one of ours that tells of
+    /// the same, so that what another file is decoded by stays.
+    pub fn telling_of(path: impl Into<PathBuf>, name: String) -> Self {
+        Self {
+            path: path.into(),
+            replaces: Replaceable::TellingOf(name),
+        }
+    }
+
     /// The file.
     pub fn path(&self) -> &Path {
         &self.path
@@ -63,12 +74,27 @@ impl Output {
             Replaceable::Any => true,
             Replaceable::Marked => is_marked(&self.path)?,
             Replaceable::ListedIn(list) => self.is_listed_in(list)?,
+            Replaceable::TellingOf(name) => {
+                self.check_told(name)?;
+                is_marked(&self.path)?
+            }
         };
         if is_ours {
             return Ok(());
         }
-        let problem = "there is a file of this name that Pangaea did not make; move it, or choose \
-                       another --out";
+        let problem = "there is a file of this name that does not say that Pangaea made it (early \
+                       versions left that out); move it, or choose another --out";
+        Err(io::Error::new(io::ErrorKind::AlreadyExists, problem))
+    }
+
+    /// Refuses to replace a text that tells of another file than `name`.
+    fn check_told(&self, name: &str) -> io::Result<()> {
+        let text = fs::read(&self.path)?;
+        let tells = contains(&text, b"\"file\": ");
+        if !tells || contains(&text, format!("\"{name}\"").as_bytes()) {
+            return Ok(());
+        }
+        let problem = "it tells of a file in another format; choose another --out";
         Err(io::Error::new(io::ErrorKind::AlreadyExists, problem))
     }
 

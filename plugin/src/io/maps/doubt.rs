@@ -30,7 +30,7 @@ pub(super) fn of(map: &EquirectMap, quantity: MapQuantity) -> Option<String> {
         MapQuantity::Rain => {
             let values = map.values().iter().copied();
             let most = values.fold(f32::NEG_INFINITY, f32::max);
-            let is_odd = most < LEAST_WETTEST_MM || most > MOST_RAIN_MM;
+            let is_odd = !(LEAST_WETTEST_MM..=MOST_RAIN_MM).contains(&most);
             (is_odd && most > 0.0).then(|| {
                 format!(
                     "the most rain is {most} mm a year, and the file tells no unit: it looks like \

@@ -2,9 +2,9 @@
 //! left edge.
 //!
 //! A GeoTIFF of one band holds the values themselves; one that says where it is may begin at any
-//! meridian, its rows in the south, hold values at nodes, and leave out latitudes. A PNG holds greys, in whatever form: what
-//! black and white stand for is told by a sidecar NAME.json, `{"min": -40, "max": 35}`, or by the
-//! caller; values between are linear.
+//! meridian, its rows in the south, hold values at nodes, and leave out latitudes. A PNG holds
+//! greys, in whatever form: what black and white stand for is told by a sidecar NAME.json,
+//! `{"min": -40, "max": 35}`, or by the caller; values between are linear.
 //!
 //! Pixels without a value, such as the sea in an archive of land, are voids: nodata of a GeoTIFF,
 //! transparent pixels of a PNG, latitudes that a map does not reach.

@@ -10,6 +10,7 @@
 use super::error::MapFileError;
 use crate::climate::{EquirectMap, MapError};
 use crate::io::dem::DemError;
+use crate::room::try_reserve;
 
 /// Columns of a map whose raster is wider than a map can be: pixels of 5 km on the Earth.
 const MOST_COLUMNS: u32 = 8192;
@@ -107,9 +108,9 @@ impl Regrid {
             counts: Vec::new(),
             grid: self,
         };
-        means.values.try_reserve_exact(cells).map_err(no_room)?;
+        try_reserve(&mut means.values, cells).map_err(no_room)?;
         means.values.resize(cells, f32::NAN);
-        means.counts.try_reserve_exact(counts).map_err(no_room)?;
+        try_reserve(&mut means.counts, counts).map_err(no_room)?;
         means.counts.resize(counts, 0);
         Ok(means)
     }

@@ -6,6 +6,7 @@ use super::rows::each_row;
 use super::structure::{Directory, TiffFile, unsupported};
 use super::tag;
 use crate::io::dem::error::{DemError, invalid};
+use crate::room::try_reserve;
 use std::io::{Read, Seek};
 
 /// Bits of NewSubfileType: an image of less resolution, and a mask.
@@ -89,7 +90,7 @@ impl InvalidPixels {
     ) -> Result<(), DemError> {
         let words = layout.pixels().div_ceil(64);
         if self.0.is_empty() {
-            let room = self.0.try_reserve_exact(words);
+            let room = try_reserve(&mut self.0, words);
             room.map_err(|_| DemError::Memory(8 * words as u64))?;
             self.0.resize(words, 0);
         }

@@ -22,8 +22,8 @@ pub(super) struct Nodata {
 }
 
 impl Nodata {
-    /// The voids that a text marks for a type of samples. Without a text nothing is marked, but -32768 among
-    /// signed numbers of 16 bits.
+    /// The voids that a text marks for a type of samples. Without a text nothing is marked, but
+    /// -32768 among signed numbers of 16 bits.
     pub(super) fn of(text: Option<&str>, sample_type: SampleType) -> Result<Self, DemError> {
         let is_srtm = sample_type.kind == NumberKind::Signed && sample_type.bits == 16;
         let told = match text.filter(|text| !text.trim().is_empty()) {

@@ -15,6 +15,7 @@ use super::system::{self, System, mean_radius};
 use super::tag;
 use crate::io::dem::error::{DemError, invalid};
 use crate::io::dem::tile::degrees_on_sphere;
+use crate::room::try_reserve;
 use std::io::{Read, Seek};
 
 /// A raster without a coordinate system counts in degrees if its pixels are less wide than this,
@@ -228,9 +229,7 @@ fn check_kind<R: Read + Seek>(
 fn room(count: usize) -> Result<Vec<f32>, DemError> {
     let mut values = Vec::new();
     let bytes = count as u64 * size_of::<f32>() as u64;
-    values
-        .try_reserve_exact(count)
-        .map_err(|_| DemError::Memory(bytes))?;
+    try_reserve(&mut values, count).map_err(|_| DemError::Memory(bytes))?;
     values.resize(count, f32::NAN);
     Ok(values)
 }

@@ -66,12 +66,31 @@ fn a_box_reaches_the_poles() {
 fn the_sidecar_of_a_box_tells_its_bounds() {
     let pixels = degrees([-20.0, 170.0, -10.0, -170.0], [40, 10]);
     let (_folder, files) = written("a.png", pixels, Some([-500.0, 500.0]));
+    let mut found = json(&files[1]);
+    // A degree is 52.36 km long, and at 15° S 0.9659 of that from west to east.
+    let keys = ["metres_per_pixel", "metres_per_pixel_across", "lat", "lon"];
+    let mut take = |key| {
+        found
+            .as_object_mut()
+            .unwrap()
+            .remove(key)
+            .unwrap()
+            .as_f64()
+            .unwrap()
+    };
+    let [down, across, lat, lon] = keys.map(&mut take);
+    assert!((down - 52_359.877_56).abs() < 1e-3, "{down}");
+    assert!(
+        (across - 0.5 * 0.965_925_826_3 * 52_359.877_56).abs() < 1e-3,
+        "{across}"
+    );
+    assert!((lat + 15.0).abs() < 1e-9 && (lon.abs() - 180.0).abs() < 1e-9);
     let expected = serde_json::json!({
-        "generator": "Pangaea",
+        "generator": "Pangaea", "file": "a.png",
         "min_m": -500.0, "max_m": 500.0, "degrees_per_pixel": [0.5, 1.0],
         "south": -20.0, "west": 170.0, "north": -10.0, "east": 190.0,
     });
-    assert_eq!(json(&files[1]), expected);
+    assert_eq!(found, expected);
 }
 
 #[test]

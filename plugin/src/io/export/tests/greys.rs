@@ -40,7 +40,7 @@ fn a_sidecar_says_where_its_picture_is() {
     assert_eq!(files[1], folder.path().join("TILE.json"));
     let [low, high] = heights(64).range().unwrap().map(f64::from);
     let expected = serde_json::json!({
-        "generator": "Pangaea",
+        "generator": "Pangaea", "file": "TILE.PNG",
         "lat": -10.0, "lon": 20.0, "metres_per_pixel": 625.0, "min_m": low, "max_m": high,
     });
     assert_eq!(json(&files[1]), expected);

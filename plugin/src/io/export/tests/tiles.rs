@@ -152,6 +152,41 @@ fn godot_and_blender_have_their_places() {
 }
 
 #[test]
+fn every_format_has_its_place_in_every_engine() {
+    for name in ["t.tif", "t.exr", "t.glb"] {
+        let (_folder, files) = written(name, block(), None);
+        let manifest = json(files.last().unwrap());
+        assert_eq!(manifest["sea_level_m"], 0.0);
+        for engine in ["unreal", "unity", "godot", "blender"] {
+            assert!(manifest["engines"][engine].is_object(), "{name}, {engine}");
+            let place = &manifest["files"][5]["engines"][engine];
+            assert_eq!(place.as_array().unwrap().len(), 3, "{name}, {engine}");
+        }
+        // Heights in metres: sea level is at 0, in Unreal too.
+        let unreal = &manifest["files"][5]["engines"]["unreal"];
+        assert_eq!(unreal[2], 0.0);
+    }
+}
+
+#[test]
+fn formats_of_one_name_do_not_take_each_others_texts() {
+    let (folder, files) = written("t.png", block(), None);
+    let manifest = fs::read(files.last().unwrap()).unwrap();
+    let path = folder.path().join("t.r16");
+    let refused = ExportJob::new(block(), &path)
+        .unwrap()
+        .run(&Mountain, |_| true);
+    let problem = refused.unwrap_err().to_string();
+    assert!(
+        problem.contains("another format") && problem.contains(".json"),
+        "{problem}"
+    );
+    assert_eq!(fs::read(files.last().unwrap()).unwrap(), manifest);
+    let again = ExportJob::new(block(), &folder.path().join("t.png")).unwrap();
+    assert!(again.run(&Mountain, |_| true).is_ok());
+}
+
+#[test]
 fn the_manifest_tells_the_range_of_all_and_the_sea() {
     let (_folder, files) = written("t.png", block(), None);
     let manifest = json(files.last().unwrap());

@@ -1,7 +1,7 @@
 //! Files beside a raster: GDAL's side file, an external mask, world files.
 
 use super::writer::Values;
-use super::{fields, plain, short, with};
+use super::{fields, plain, short};
 use crate::io::{load_dem, load_map};
 use std::fs;
 use std::path::PathBuf;
