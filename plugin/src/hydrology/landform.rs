@@ -236,7 +236,10 @@ mod tests {
         let heights = (0..200).map(|i| 0.1 * i as f32);
         for pair in heights.collect::<Vec<_>>().windows(2) {
             let [low, high] = [pair[0], pair[1]].map(lowered_summits);
-            assert!(low < high && high <= pair[1] && high < 9.3, "{pair:?}");
+            assert!(
+                low < high && high < pair[1] + 1e-5 && high < 9.3,
+                "{pair:?}"
+            );
         }
         assert_eq!([0.3, 4.9].map(lowered_summits), [0.3, 4.9]);
         // As high as the Himalaya without a summit of 12 km.
@@ -247,7 +250,7 @@ mod tests {
     #[test]
     fn the_shore_stays_where_the_crust_has_it() {
         for age in [10.0, 300.0] {
-            for z in [0.02, 0.1, 0.3] {
+            for z in [0.02, 0.05, 0.1] {
                 let ground = [z, -z].map(|z| {
                     let crust = belt(z, age, 1.0);
                     crust.ground(crust.relief(0.0), 0.0, 0.0)

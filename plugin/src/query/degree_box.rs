@@ -158,8 +158,8 @@ mod tests {
     }
 
     #[test]
-    fn coarse_boxes_show_the_land_and_not_the_beds_of_rivers() {
-        assert_eq!(grid([0.0, 0.0, 10.0, 10.0], [10, 10]).level(), 6);
+    fn coarse_boxes_are_no_coarser_than_the_third_level() {
+        assert_eq!(grid([0.0, 0.0, 10.0, 10.0], [10, 10]).level(), 3);
     }
 
     #[test]
