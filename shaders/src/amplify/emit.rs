@@ -135,3 +135,7 @@ pub fn water(triangles: &[Triangle], carved: &[Carved]) -> Vec<Triangle> {
         .copied()
         .collect()
 }
+
+#[cfg(test)]
+#[path = "emit_tests.rs"]
+mod tests;
