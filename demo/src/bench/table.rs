@@ -65,13 +65,14 @@ fn stage_table(rows: &[BenchRow]) -> String {
 /// A line for each row that has a ground.
 fn ground_table(rows: &[BenchRow]) -> String {
     let mut text = format!(
-        "\n{:>9} {:>9} {:>10} {:>10} {:>11} {:>8} {:>9} {:>9} {:>12}\n",
+        "\n{:>9} {:>9} {:>10} {:>10} {:>11} {:>8} {:>9} {:>9} {:>9} {:>12}\n",
         "samples",
         "vertices",
         "base ms",
         "climate ms",
         "drainage ms",
         "bake ms",
+        "ground ms",
         "fresh us",
         "near us",
         "collider ms"
@@ -86,12 +87,13 @@ fn ground_table(rows: &[BenchRow]) -> String {
 
 fn ground_line(samples: u32, ground: &GroundTimings) -> String {
     format!(
-        "{samples:>9} {:>9} {:>10.0} {:>10.1} {:>11.1} {:>8.0} {:>9.1} {:>9.1} {:>12.1}\n",
+        "{samples:>9} {:>9} {:>10.0} {:>10.1} {:>11.1} {:>8.0} {:>9.0} {:>9.1} {:>9.1} {:>12.1}\n",
         ground.vertices,
         ground.base_mesh_ms,
         ground.climate_ms,
         ground.drainage_ms,
         ground.bake_ms,
+        ground.ground_ms,
         ground.fresh_us,
         ground.near_us,
         ground.collider_ms,

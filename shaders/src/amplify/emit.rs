@@ -172,3 +172,7 @@ pub fn is_resolved(scale: &PlanetScale, rules: &Rules, vertex: &Vertex, level: u
     let stands = matches!(vertex.kind, VertexKind::Lake | VertexKind::Sea);
     stands || 2 * Reach::of(scale, rules, vertex).half_bed >= scale.edge_grains(level)
 }
+
+#[cfg(test)]
+#[path = "emit_tests.rs"]
+mod tests;

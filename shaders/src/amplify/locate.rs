@@ -1,6 +1,7 @@
 //! The face that a direction lies in. On the CPU alone, in f64: it chooses a face, and changes no
 //! bit of it.
 
+use super::control::ControlMesh;
 use super::topology::{Face, Level, NONE, gather};
 use super::vertex::Vertex;
 
@@ -20,11 +21,11 @@ pub struct FaceIndex {
 
 impl FaceIndex {
     /// Indexes the faces of the control mesh.
-    pub fn new(vertices: &[Vertex], faces: &[Face]) -> Self {
+    pub fn new(mesh: &ControlMesh) -> Self {
         let mut starts = vec![NONE; 6 * CELLS * CELLS];
-        for (i, face) in (0..).zip(faces) {
+        for (i, face) in (0..).zip(&mesh.faces) {
             // Which of a cell's faces is taken does not matter: the walk ends in the same face.
-            starts[cell(vertices[face.vertices[0] as usize].direction)] = i;
+            starts[cell(mesh.vertices[face.vertices[0] as usize].direction)] = i;
         }
         // A cell without a corner takes the face of the last one that has one.
         let mut last = 0;

@@ -15,7 +15,7 @@
 //! | pass | once per | reads | writes |
 //! |---|---|---|---|
 //! | [`cull`] | base face | view, control mesh | level 0 of the ground |
-//! | [`mark`] | face | view, corners; then its neighbours | split, halo or leaf |
+//! | [`mark`] | face | view ([`sight`]), corners; then its neighbours | split, halo or leaf |
 //! | [`mark::edge_mark`] | edge | its faces' marks | the same |
 //! | [`scan`] | edge, face | counts | places of vertices, halves, children |
 //! | [`edge_split`] | edge | ends, opposite corners | the new vertex: place, heading of its river, kind, ground, water (R1 to R5, lakes) |
@@ -50,11 +50,11 @@
 //!
 //! A vertex is named by its path from the control mesh. It depends on its edge, on the two faces
 //! beside it, on their decisions, and these on the faces' new vertices and on the corners beyond.
-//! Faces are split within c·ℓ of the camera, so all of them exist wherever the edge is split
-//! ([`mark`]); those that are not split themselves are halo: their midpoints are made and their
-//! inner edges decided as if they were. Nothing reads anything finer than its own level, and a
-//! vertex, once settled, never changes. Buffers are laid out by prefix sums, never by the order of
-//! the work.
+//! Faces are split within c·ℓ of the camera, where what it does not see counts as farther by no
+//! more than [`sight`] bounds, so all of them exist wherever the edge is split ([`mark`]); those
+//! that are not split themselves are halo: their midpoints are made and their inner edges decided
+//! as if they were. Nothing reads anything finer than its own level, and a vertex, once settled,
+//! never changes. Buffers are laid out by prefix sums, never by the order of the work.
 //!
 //! # Symbols
 //!

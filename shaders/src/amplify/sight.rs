@@ -111,7 +111,7 @@ impl Sight {
         } = self.view;
         let refined = if radius == 0 && bound > horizon {
             // The inverse of `beyond_horizon`, rounded up.
-            let steep = ((bound - horizon) as u32 / self.slope + 1).min(1 << 22) << 8;
+            let steep = (bound.saturating_sub(horizon) as u32 / self.slope + 1).min(1 << 22) << 8;
             horizon.saturating_add(steep as i32)
         } else {
             bound

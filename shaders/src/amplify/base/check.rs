@@ -69,9 +69,20 @@ pub(super) fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
     if mesh.faces.len() < 4 || items.max(mesh.faces.len()) > MOST_ITEMS {
         return Err(BadMesh::Size);
     }
-    all_fit(&mesh.vertices, |_, v| vertex_fits(v)).map_err(BadMesh::Vertex)?;
-    all_fit(&mesh.faces, |i, f| face_fits(mesh, i, f)).map_err(BadMesh::Face)?;
-    all_fit(&mesh.edges, |i, e| edge_fits(mesh, i, e)).map_err(BadMesh::Edge)
+    let (vertices, faces, edges) = std::thread::scope(|scope| {
+        let faces = scope.spawn(|| all_fit(&mesh.faces, |i, f| face_fits(mesh, i, f)));
+        let edges = scope.spawn(|| all_fit(&mesh.edges, |i, e| edge_fits(mesh, i, e)));
+        let vertices = all_fit(&mesh.vertices, |_, v| vertex_fits(v));
+        (vertices, joined(faces.join()), joined(edges.join()))
+    });
+    vertices.map_err(BadMesh::Vertex)?;
+    faces.map_err(BadMesh::Face)?;
+    edges.map_err(BadMesh::Edge)
+}
+
+/// The result of a thread; a panic there is one here.
+pub(super) fn joined<T>(result: std::thread::Result<T>) -> T {
+    result.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
 }
 
 /// Refuses the first item that does not fit.

@@ -8,7 +8,7 @@ mod check;
 mod estuary;
 mod rivers;
 
-use super::control::ControlMesh;
+use super::control::{ControlFace, ControlMesh};
 use super::locate::FaceIndex;
 use super::scale::PlanetScale;
 use super::topology::{Face, Level};
@@ -50,6 +50,7 @@ impl Base {
     /// A [`BadMesh`] that names the first item that does not fit.
     pub fn new(mesh: &ControlMesh) -> Result<Self, BadMesh> {
         check::check(mesh)?;
+<<<<<<< HEAD
         let scale = PlanetScale::new(mesh);
         let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();
         rivers::settle_water(&mut vertices);
@@ -65,13 +66,20 @@ impl Base {
         rivers::find_nearest(&scale, &mut vertices, &edges, &faces);
         let (starts, around) = incidence(vertices.len(), &faces);
         let index = FaceIndex::new(&vertices, &faces);
+=======
+        // Two halves that read the mesh alone; neither changes a bit of the other.
+        let (ground, lookup) = std::thread::scope(|scope| {
+            let lookup = scope.spawn(|| Lookup::new(mesh));
+            (Ground::new(mesh), check::joined(lookup.join()))
+        });
+>>>>>>> s-views
         Ok(Self {
-            scale,
-            vertices,
-            level: Level { edges, faces },
-            starts,
-            around,
-            index,
+            scale: ground.scale,
+            vertices: ground.vertices,
+            level: ground.level,
+            starts: lookup.starts,
+            around: lookup.around,
+            index: lookup.index,
         })
     }
 
@@ -88,9 +96,55 @@ impl Base {
     }
 }
 
+/// The part of level 0 that the passes read.
+struct Ground {
+    scale: PlanetScale,
+    vertices: Vec<Vertex>,
+    level: Level,
+}
+
+impl Ground {
+    fn new(mesh: &ControlMesh) -> Self {
+        let scale = PlanetScale::new(mesh);
+        let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();
+        rivers::settle_water(&mut vertices);
+        rivers::accumulate(mesh, &mut vertices);
+        let mut edges = rivers::edges(mesh, &vertices);
+        rivers::add_gullies(&mut vertices, &mut edges);
+        let faces: Vec<Face> = (0..)
+            .zip(&mesh.faces)
+            .map(|(i, f)| Face::new(f.vertices, f.edges, i))
+            .collect();
+        rivers::find_nearest(&scale, &mut vertices, &edges, &faces);
+        Self {
+            scale,
+            vertices,
+            level: Level { edges, faces },
+        }
+    }
+}
+
+/// The part of level 0 that finds faces.
+struct Lookup {
+    starts: Vec<u32>,
+    around: Vec<u32>,
+    index: FaceIndex,
+}
+
+impl Lookup {
+    fn new(mesh: &ControlMesh) -> Self {
+        let (starts, around) = incidence(mesh.vertices.len(), &mesh.faces);
+        Self {
+            starts,
+            around,
+            index: FaceIndex::new(mesh),
+        }
+    }
+}
+
 /// Faces around every vertex, in the order of the faces: where those of a vertex start, and all of
 /// them.
-fn incidence(vertices: usize, faces: &[Face]) -> (Vec<u32>, Vec<u32>) {
+fn incidence(vertices: usize, faces: &[ControlFace]) -> (Vec<u32>, Vec<u32>) {
     let mut starts = vec![0_u32; vertices + 1];
     for vertex in faces.iter().flat_map(|f| f.vertices) {
         starts[vertex as usize + 1] += 1;

@@ -4,6 +4,10 @@ use super::views::by_path;
 use super::*;
 use crate::amplify::carve::{CarveCache, carve, carve_all};
 use crate::amplify::control::{ControlEdge, ControlFace, ControlMesh};
+use crate::amplify::emit::{Triangle, emit};
+use crate::amplify::mark::{edge_mark, halo};
+use crate::amplify::sight::Sight;
+use crate::amplify::topology::{SplitMark, gather};
 
 /// The numbers below `count` in a random order.
 fn shuffled(count: usize, seed: u32) -> Vec<u32> {
@@ -90,4 +94,55 @@ fn vertices_are_carved_in_any_order() {
             assert_eq!(got, want[v]);
         }
     }
+}
+
+#[test]
+fn faces_and_edges_are_marked_in_any_order() {
+    let base = planet();
+    for k in 0..3 {
+        let view = camera(on_river(&base, k), 200, 10);
+        let ground = refined(&base, &view);
+        let sight = Sight::new(&base.scale, &view);
+        let mut split = 0;
+        for (index, level) in (0..10).zip(&ground.levels) {
+            let splits = |f: u32| {
+                let face = &level.faces[f as usize];
+                sight.splits(index, gather(&ground.vertices, face.vertices))
+            };
+            for f in shuffled(level.faces.len(), k) {
+                let face = &level.faces[f as usize];
+                assert_eq!(halo(face, f, &level.edges, splits), face.mark);
+                split += u32::from(face.mark == SplitMark::Split);
+            }
+            for e in shuffled(level.edges.len(), k) {
+                let edge = &level.edges[e as usize];
+                assert_eq!(edge_mark(edge, &level.faces), edge.mark);
+            }
+        }
+        assert!(split > 1_000, "{split}");
+    }
+}
+
+#[test]
+fn leaves_become_triangles_in_any_order() {
+    let base = planet();
+    let ground = refined(&base, &camera(on_river(&base, 4), 200, 10));
+    let mut triangles = Vec::new();
+    for (index, level) in ground.levels.iter().enumerate().rev() {
+        for f in shuffled(level.faces.len(), 9) {
+            let face = &level.faces[f as usize];
+            if face.mark != SplitMark::Split {
+                let mut out = [[0; 3]; 4];
+                let made = emit(face, level, &ground.vertices, &mut out);
+                triangles.extend(out[..made].iter().map(|&vertices| Triangle {
+                    vertices,
+                    level: index as u32,
+                    face: f,
+                }));
+            }
+        }
+    }
+    // Back in the order of levels and leaves; the triangles of a leaf stay in theirs.
+    triangles.sort_by_key(|t| (t.level, t.face));
+    assert!(triangles.len() > 5_000 && triangles == ground.triangles());
 }
