@@ -50,29 +50,11 @@ impl Base {
     /// A [`BadMesh`] that names the first item that does not fit.
     pub fn new(mesh: &ControlMesh) -> Result<Self, BadMesh> {
         check::check(mesh)?;
-<<<<<<< HEAD
-        let scale = PlanetScale::new(mesh);
-        let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();
-        rivers::settle_water(&mut vertices);
-        rivers::accumulate(mesh, &mut vertices);
-        rivers::find_headings(mesh, &mut vertices);
-        estuary::flood(&scale, mesh, &mut vertices);
-        let mut edges = rivers::edges(mesh, &vertices);
-        rivers::add_gullies(&mut vertices, &mut edges);
-        let faces: Vec<Face> = (0..)
-            .zip(&mesh.faces)
-            .map(|(i, f)| Face::new(f.vertices, f.edges, i))
-            .collect();
-        rivers::find_nearest(&scale, &mut vertices, &edges, &faces);
-        let (starts, around) = incidence(vertices.len(), &faces);
-        let index = FaceIndex::new(&vertices, &faces);
-=======
         // Two halves that read the mesh alone; neither changes a bit of the other.
         let (ground, lookup) = std::thread::scope(|scope| {
             let lookup = scope.spawn(|| Lookup::new(mesh));
             (Ground::new(mesh), check::joined(lookup.join()))
         });
->>>>>>> s-views
         Ok(Self {
             scale: ground.scale,
             vertices: ground.vertices,
@@ -109,6 +91,8 @@ impl Ground {
         let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();
         rivers::settle_water(&mut vertices);
         rivers::accumulate(mesh, &mut vertices);
+        rivers::find_headings(mesh, &mut vertices);
+        estuary::flood(&scale, mesh, &mut vertices);
         let mut edges = rivers::edges(mesh, &vertices);
         rivers::add_gullies(&mut vertices, &mut edges);
         let faces: Vec<Face> = (0..)
