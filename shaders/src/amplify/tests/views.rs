@@ -110,7 +110,7 @@ fn a_cap_makes_all_ground_of_a_camera_coarser() {
         assert!(ground.vertices.len() > caps.vertices / 3, "too coarse");
         // As a camera of the lower sharpness has it; the halves of the caps are met again.
         assert!(
-            (12 << 8..23 << 8).contains(&ground.sharpness),
+            (11 << 8..23 << 8).contains(&ground.sharpness),
             "{}",
             ground.sharpness
         );

@@ -188,7 +188,10 @@ fn the_share_of_water_is_that_of_any_level() {
         sites.iter().map(share).sum::<f64>() / 5.0
     });
     let [least, most] = [f64::min, f64::max].map(|pick| shares.into_iter().reduce(pick).unwrap());
-    assert!(most > 0.008 && least > 0.8 * most, "{shares:?}");
+    assert!(most > 0.008 && least > 0.7 * most, "{shares:?}");
+    // Meanders come with the levels down to the tenth, and make rivers longer.
+    let fine = &shares[2..];
+    assert!(fine.iter().all(|&share| share > 0.9 * most), "{shares:?}");
 }
 
 /// Share of wet points in a square of 12 km around a direction.
