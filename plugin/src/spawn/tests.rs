@@ -273,12 +273,8 @@ fn a_recipe_is_spawned_by_its_reflection() {
 #[test]
 fn a_recipe_is_spawned_by_a_scene_in_code() {
     let mut app = app();
-    // `bsn!` patches the default of a component's template with the fields that a scene names,
-    // and builds the component of it.
-    let mut template = <PlanetRecipe as FromTemplate>::Template::default();
-    template.seed = 14;
-    template.samples = 500;
-    template.plate_count = 8;
+    // `bsn!` patches a component's template, and builds the component of it.
+    let template: <PlanetRecipe as FromTemplate>::Template = recipe(14);
     let mut entity = app.world_mut().spawn_empty();
     let built = entity.build_template(&template).unwrap();
     let planet = entity.insert(built).id();
