@@ -5,8 +5,7 @@
 //! unfinished, and ends the program.
 
 use crate::error::CliError;
-use crate::output::say;
-use std::io::{self, PipeReader, PipeWriter, Read};
+use std::io::{self, PipeReader, PipeWriter, Read, Write};
 use std::os::fd::AsRawFd;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
@@ -25,7 +24,7 @@ static CODE: AtomicI32 = AtomicI32::new(0);
 /// Whether the thread is at its work.
 static IS_ENDING: AtomicBool = AtomicBool::new(false);
 
-/// What wakes the thread.
+/// The end of the pipe that wakes the thread.
 static WAKER: OnceLock<PipeWriter> = OnceLock::new();
 
 /// Starts the thread. `clean` removes what is unfinished, and says whether nothing was written.
@@ -83,7 +82,7 @@ fn wait(mut reader: PipeReader, clean: fn() -> bool) {
         }
         // A command whose files have their names ends by itself.
         if is_nothing_written {
-            say("error: interrupted; nothing is written");
+            let _ = writeln!(io::stderr(), "error: interrupted; nothing is written");
             exit(code);
         }
     }

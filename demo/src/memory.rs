@@ -1,6 +1,6 @@
 //! The end of memory: one line and exit code 1, and nothing left behind.
 //!
-//! What asks whether there is room is told that there is none, and says so. Where nobody asks, no
+//! Code that asks whether there is room is told that there is none, and says so. Where none asks, no
 //! answer can help: the thread waits until the program is cleaned up and ended.
 
 use crate::ending;

@@ -166,7 +166,7 @@ pub(crate) fn worn(age: f32) -> f32 {
     smoothstep(age / WORN_AGE_MY)
 }
 
-/// What ice, landslides and the strength of rock leave of summits that would stand so high, km.
+/// The height of summits, km, that would stand so high without ice, landslides and broken rock.
 /// Denudation grows with the height above the snow line, and holds ranges to about that height
 /// whatever lifts them (Brozović et al. 1997; Egholm et al. 2009).
 pub(super) fn lowered_summits(km: f32) -> f32 {

@@ -1,4 +1,4 @@
-//! What a picture, a collider or an export asks for: which ground is refined, and how finely.
+//! The ground that a picture, a collider or an export asks for, and how finely.
 
 use super::arith::mul_q16;
 use super::fixed::{difference, mul_shift, q16};

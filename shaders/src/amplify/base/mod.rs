@@ -53,7 +53,7 @@ impl Base {
         // Two halves that read the mesh alone; neither changes a bit of the other.
         let (ground, lookup) = std::thread::scope(|scope| {
             let lookup = scope.spawn(|| Lookup::new(mesh));
-            (Ground::new(mesh), check::joined(lookup.join()))
+            (BaseGround::new(mesh), check::joined(lookup.join()))
         });
         Ok(Self {
             scale: ground.scale,
@@ -79,13 +79,13 @@ impl Base {
 }
 
 /// The part of level 0 that the passes read.
-struct Ground {
+struct BaseGround {
     scale: PlanetScale,
     vertices: Vec<Vertex>,
     level: Level,
 }
 
-impl Ground {
+impl BaseGround {
     fn new(mesh: &ControlMesh) -> Self {
         let scale = PlanetScale::new(mesh);
         let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();

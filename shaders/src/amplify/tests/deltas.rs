@@ -65,7 +65,7 @@ fn reached(mesh: &ControlMesh, v: u32) -> bool {
     rivers.any(|e| e.vertices.contains(&v))
 }
 
-/// What the rivers of a level carry away from every vertex, and how many there are.
+/// The discharge that rivers of a level carry away from every vertex, and how many there are.
 fn leaving(ground: &RefinedGround, level: &Level) -> BTreeMap<u32, (u64, usize)> {
     let mut sums = BTreeMap::new();
     for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River) {

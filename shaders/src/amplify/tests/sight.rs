@@ -1,4 +1,4 @@
-//! What a camera sees of the ground, against reals; and meshes of cameras that look one way.
+//! The ground that a camera sees, against reals; and meshes of cameras that look one way.
 
 use super::topology::{check_closed, uses};
 use super::views::{by_path, tangents};

@@ -1,9 +1,9 @@
 //! Transverse valleys and river beds, carved once the subdivision is done (paper 002 §6, Fig. 17).
 //!
 //! A vertex knows the nearest piece of river, its distance d and where along it lies. There water
-//! and flow φ are read off, and from the flow the river's width and depth ([`reach`]). From the
-//! middle outwards come the bed, the bank, the levee and the flood plain ([`plain`]), and the
-//! valley's side, which rises to half-width D along the archetype e_r's curve ([`section`]).
+//! and flow φ are read off, and from the flow the river's width and depth (`reach.rs`). From the
+//! middle outwards come the bed, the bank, the levee and the flood plain (`plain.rs`), and the
+//! valley's side, which rises to half-width D along the archetype e_r's curve (`section.rs`).
 //!
 //! The water keeps its level under its banks ([`Carved`]): where it ends follows from the ground.
 
