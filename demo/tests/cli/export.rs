@@ -82,7 +82,11 @@ fn a_sidecar_replaces_only_a_sidecar_of_ours() {
     let theirs = r#"{"min": -40, "max": 30}"#;
     fs::write(&path, theirs).unwrap();
     let args = export("planet.pangaea", &["--pixels", "8", "--out", "a.png"]);
-    assert_refused_in(folder.path(), &args, &["a.json", "Pangaea did not make"]);
+    assert_refused_in(
+        folder.path(),
+        &args,
+        &["a.json", "does not say that Pangaea made it"],
+    );
     assert_eq!(fs::read_to_string(&path).unwrap(), theirs);
 }
 
@@ -168,7 +172,7 @@ fn exported_tiles(folder: &Path, out: &str) -> serde_json::Value {
     let square = ["export", "planet.pangaea", "--region=60,20,60"];
     let tiles = ["--pixels", "9", "--tiles", "2x1", "--out", out];
     succeed(folder, &[&square[..], &tiles].concat());
-    read_json(&folder.join("t.json"))
+    read_json(&folder.join(out).with_extension("json"))
 }
 
 #[test]
@@ -178,9 +182,9 @@ fn tiles_are_written_with_a_manifest() {
     assert_eq!(manifest["spacing_m"], 7500.0);
     assert_eq!(manifest["files"][1]["file"], "t_1_0.tif");
     assert_eq!(manifest["files"][1]["west_m"], 0.0);
-    let manifest = exported_tiles(folder.path(), "t.r16");
+    let manifest = exported_tiles(folder.path(), "u.r16");
     assert!(manifest["engines"]["unity"]["heightmap_resolution"] == 9);
-    let greys = fs::read(folder.path().join("t_1_0.r16")).unwrap();
+    let greys = fs::read(folder.path().join("u_1_0.r16")).unwrap();
     assert_eq!(greys.len(), 2 * 9 * 9);
 }
 

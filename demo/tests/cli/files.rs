@@ -58,7 +58,11 @@ fn a_file_that_pangaea_did_not_make_stops_all_of_them_before_the_planet_grows() 
         let file = folder.path().join("out").join(name);
         fs::create_dir(folder.path().join("out")).unwrap();
         fs::write(&file, "{}").unwrap();
-        assert_refused_in(folder.path(), args, &[name, "Pangaea did not make"]);
+        assert_refused_in(
+            folder.path(),
+            args,
+            &[name, "does not say that Pangaea made it"],
+        );
         assert_eq!(fs::read_to_string(&file).unwrap(), "{}");
     }
 }

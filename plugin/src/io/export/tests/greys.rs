@@ -125,7 +125,13 @@ fn raw_files_and_pictures_have_the_same_greys() {
     let (_a, pictures) = exported("a.png", 50);
     let (_b, raws) = exported("b.raw", 50);
     assert_eq!(png(&pictures[0]), raw(&raws[0]));
-    assert_eq!(json(&pictures[1]), json(&raws[1]));
+    // Each tells of its own file, and of the same ground.
+    let [mut picture, mut bytes] = [&pictures[1], &raws[1]].map(|path| json(path));
+    assert_eq!(
+        [picture["file"].take(), bytes["file"].take()],
+        ["a.png", "b.raw"]
+    );
+    assert_eq!(picture, bytes);
 }
 
 #[test]
