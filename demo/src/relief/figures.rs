@@ -60,6 +60,7 @@ impl ReliefFigures {
         distances.min_by(|a, b| a.distance.total_cmp(&b.distance))
     }
 
+    /// Its numbers, or null.
     fn json(&self) -> Value {
         json!({
             "sites": self.sites,
@@ -70,8 +71,6 @@ impl ReliefFigures {
             "coherence_p90": self.coherence_p90,
             "slope_area_exponent": self.slope_area_exponent,
             "pits_percent": self.pits_percent,
-            "geomorphons": self.geomorphons,
-            "nearest_tile": self.nearest.as_ref().map(|nearest| &nearest.name),
             "geomorphon_distance": self.nearest.as_ref().map(|nearest| nearest.distance),
         })
     }
@@ -87,16 +86,25 @@ pub(super) fn compare(classes: &mut [ReliefFigures], tiles: &mut [ReliefFigures]
     }
 }
 
-/// The figures of classes by their names, and those of tiles by theirs under `tiles`.
+/// The figures of classes by their names, and those of tiles by theirs under `tiles`; the shares of
+/// geomorphons and the nearest tiles of both under `geomorphons` and `nearest_tile`.
 pub(super) fn all_figures(classes: &[ReliefFigures], tiles: &[ReliefFigures]) -> Value {
-    let mut all = by_name(classes);
-    all.insert("tiles".into(), Value::Object(by_name(tiles)));
+    let both = || classes.iter().chain(tiles);
+    let nearest = |figures: &ReliefFigures| json!(figures.nearest.as_ref().map(|tile| &tile.name));
+    let mut all = by_name(classes, ReliefFigures::json);
+    let parts = [
+        ("tiles", by_name(tiles, ReliefFigures::json)),
+        ("geomorphons", by_name(both(), |of| json!(of.geomorphons))),
+        ("nearest_tile", by_name(both(), nearest)),
+    ];
+    all.extend(parts.map(|(name, part)| (name.to_string(), Value::Object(part))));
     Value::Object(all)
 }
 
-fn by_name(figures: &[ReliefFigures]) -> Map<String, Value> {
-    figures
-        .iter()
-        .map(|figures| (figures.name.clone(), figures.json()))
-        .collect()
+fn by_name<'a>(
+    figures: impl IntoIterator<Item = &'a ReliefFigures>,
+    value: impl Fn(&ReliefFigures) -> Value,
+) -> Map<String, Value> {
+    let figures = figures.into_iter();
+    figures.map(|of| (of.name.clone(), value(of))).collect()
 }
