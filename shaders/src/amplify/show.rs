@@ -52,11 +52,7 @@ fn between_levels(
 ) -> Carved {
     let edge = scale.edge_grains(0);
     let ground = carved.ground + coarse::lift(rules, vertex, carved.ground, edge, level);
-    Carved {
-        ground,
-        // A river that is narrower than the level's edges lies under the land beside it.
-        water: carved.water,
-    }
+    Carved { ground, ..carved }
 }
 
 /// Ground and water that a view shows of a column of vertices and their final ground.

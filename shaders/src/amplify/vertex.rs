@@ -236,6 +236,16 @@ impl Vertex {
         isqrt(self.discharge) as i32
     }
 
+    /// Height of its ground, or of the water that covers it; grains.
+    #[inline]
+    pub fn surface(&self) -> i32 {
+        if self.is_wet() {
+            self.water
+        } else {
+            self.height
+        }
+    }
+
     /// Whether water stands or runs here on land.
     #[inline]
     pub fn is_wet(&self) -> bool {

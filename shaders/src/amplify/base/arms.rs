@@ -41,6 +41,19 @@ impl Below {
     }
 }
 
+/// The largest river that arrives at each vertex, by its vertex upstream.
+pub(super) fn largest_arriving(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Option<usize>> {
+    // Of equal rivers the seed decides, not the number of a vertex.
+    let rank = |v: usize| (vertices[v].discharge, vertices[v].seed);
+    let mut largest: Vec<Option<usize>> = vec![None; vertices.len()];
+    for [up, down] in river_edges(mesh) {
+        if largest[down].is_none_or(|other| rank(up) > rank(other)) {
+            largest[down] = Some(up);
+        }
+    }
+    largest
+}
+
 /// A discharge as its arms share it: in proportion to those that they came with. The parts make
 /// the whole to the unit.
 pub(super) fn parts(vertices: &[Vertex], whole: u32, arms: &[usize]) -> Vec<u32> {

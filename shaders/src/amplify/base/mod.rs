@@ -13,6 +13,7 @@ use super::locate::FaceIndex;
 use super::scale::PlanetScale;
 use super::topology::{Face, Level};
 use super::vertex::Vertex;
+use arms::{Below, largest_arriving};
 pub use check::{BadMesh, RADII_M};
 
 /// Level 0 of the ground.
@@ -90,10 +91,12 @@ impl BaseGround {
         let scale = PlanetScale::new(mesh);
         let mut vertices: Vec<Vertex> = mesh.vertices.iter().map(Vertex::from_control).collect();
         rivers::settle_water(&mut vertices);
-        rivers::accumulate(mesh, &mut vertices);
-        rivers::find_headings(mesh, &mut vertices);
-        estuary::flood(&scale, mesh, &mut vertices);
-        let mut edges = rivers::edges(mesh, &vertices);
+        let below = Below::new(mesh);
+        rivers::accumulate(mesh, &below, &mut vertices);
+        let largest = largest_arriving(mesh, &vertices);
+        rivers::find_headings(&below, &largest, &mut vertices);
+        estuary::flood(&scale, &below, &largest, &mut vertices);
+        let mut edges = rivers::edges(mesh, &below, &vertices);
         rivers::add_gullies(&mut vertices, &mut edges);
         let faces: Vec<Face> = (0..)
             .zip(&mesh.faces)

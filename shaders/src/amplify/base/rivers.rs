@@ -23,8 +23,7 @@ pub(super) fn settle_water(vertices: &mut [Vertex]) {
 
 /// Raises discharges until every vertex carries at least what comes from upstream: squares of
 /// rounded flows need not.
-pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
-    let below = Below::new(mesh);
+pub(super) fn accumulate(mesh: &ControlMesh, below: &Below, vertices: &mut [Vertex]) {
     // How many rivers still have to arrive at each vertex.
     let mut waiting = vec![0_u32; vertices.len()];
     for [_, down] in river_edges(mesh) {
@@ -55,21 +54,12 @@ pub(super) fn accumulate(mesh: &ControlMesh, vertices: &mut [Vertex]) {
     }
 }
 
-/// Headings of rivers: from the larger river that arrives at a vertex to the one that leaves it.
-pub(super) fn find_headings(mesh: &ControlMesh, vertices: &mut [Vertex]) {
-    let mut largest: Vec<Option<usize>> = vec![None; vertices.len()];
-    let mut below: Vec<Option<usize>> = vec![None; vertices.len()];
-    // Of equal rivers the seed decides, not the number of a vertex.
-    let rank = |v: usize| (vertices[v].discharge, vertices[v].seed);
-    for [up, down] in river_edges(mesh) {
-        below[up] = Some(down);
-        if largest[down].is_none_or(|other| rank(up) > rank(other)) {
-            largest[down] = Some(up);
-        }
-    }
+/// Headings of rivers: from the largest river that arrives at a vertex to the one that leaves it.
+pub(super) fn find_headings(below: &Below, largest: &[Option<usize>], vertices: &mut [Vertex]) {
     for v in 0..vertices.len() {
         let arrives = largest[v].map_or([0; 3], |up| way(vertices, up, v));
-        let leaves = below[v].map_or([0; 3], |down| way(vertices, v, down));
+        let next = below.of(v).last();
+        let leaves = next.map_or([0; 3], |&down| way(vertices, v, down));
         vertices[v].heading = heading_of([0, 1, 2].map(|i| arrives[i] + leaves[i]));
     }
 }
@@ -94,9 +84,8 @@ struct Confluence {
 /// Edges, with the discharge that arrives at each river edge's lower end: what leaves the upper
 /// end, and an equal part of what the lower vertex gains by itself, so that all that arrives there
 /// makes its discharge.
-pub(super) fn edges(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Edge> {
+pub(super) fn edges(mesh: &ControlMesh, below: &Below, vertices: &[Vertex]) -> Vec<Edge> {
     let mut confluences = vec![Confluence::default(); vertices.len()];
-    let below = Below::new(mesh);
     for [up, down] in river_edges(mesh) {
         let carried = carried([&vertices[up], &vertices[down]], below.of(up).len());
         confluences[down].discharge += u64::from(carried);

@@ -38,23 +38,14 @@ fn known(level: u32, [a, b]: [&Vertex; 2]) -> (u32, i32) {
 /// Whether a lake that one end of an edge knows may reach the other, too: a corner of coarser
 /// levels knows none, and may lie at a shore nevertheless.
 fn goes_on(level: u32, end: &Vertex, other: &Vertex) -> bool {
-    level >= STRAIGHT_LEVEL && surface(other) >= end.lake_level
-}
-
-/// Height of the ground, or of the water over it; grains.
-fn surface(vertex: &Vertex) -> i32 {
-    if vertex.is_wet() {
-        vertex.water
-    } else {
-        vertex.height
-    }
+    level >= STRAIGHT_LEVEL && other.surface() >= end.lake_level
 }
 
 /// Whether the corners beyond an edge hold back water at the level of its wet ends.
 pub(super) fn is_dammed(ends: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> bool {
     let wet = ends.into_iter().filter(|v| v.is_wet());
     let level = wet.map(|v| v.water).max().unwrap_or(i32::MIN);
-    let holds = |corner: Option<&Vertex>| corner.is_some_and(|v| surface(v) >= level);
+    let holds = |corner: Option<&Vertex>| corner.is_some_and(|v| v.surface() >= level);
     opposite.into_iter().all(holds)
 }
 

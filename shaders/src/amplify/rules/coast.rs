@@ -10,7 +10,7 @@
 //! beyond their reach it is land or sea, and stays so. Print and release know coasts at 0 only.
 
 use super::VertexGround;
-use super::noise::{CornerCache, gradient};
+use super::noise::{CornerCache, EDGE_BITS, gradient};
 use super::preset::Rules;
 use crate::amplify::arith::{mix, mul_q16, ordered, ratio, smoothstep, square};
 use crate::amplify::control::VertexKind;
@@ -47,9 +47,6 @@ const LEAST_SIDE: i32 = q16(0.06);
 /// heights: the sea floor falls more steeply than the land rises, and the mean of heights alone
 /// would let the sea win.
 const EVEN: i32 = q16(0.5);
-
-/// Binary logarithm of an edge of level 0, about 2²⁴ direction units.
-const EDGE_BITS: u32 = 24;
 
 /// Seed of the shore's noise; each level adds its number.
 const SHORE_SEED: u32 = 0x0c0a_5700;
@@ -135,7 +132,7 @@ impl Relief {
     /// How much farther from the shore the mean of an edge's ends is, by their distance, than the
     /// mean of their heights.
     fn bend(&self, context: &EdgeContext) -> i32 {
-        let [a, b] = [context.a, context.b].map(level);
+        let [a, b] = [context.a, context.b].map(Vertex::surface);
         let places = (self.away(a) + self.away(b)) / 2;
         places - self.away(a + (b - a) / 2)
     }
@@ -151,18 +148,9 @@ impl Relief {
 fn level_between(context: &EdgeContext) -> i32 {
     let (a, b) = (context.a, context.b);
     if a.is_wet() || b.is_wet() {
-        level(a) + (level(b) - level(a)) / 2
+        a.surface() + (b.surface() - a.surface()) / 2
     } else {
         context.face
-    }
-}
-
-/// Height of a vertex, or of the water that covers it; grains.
-fn level(vertex: &Vertex) -> i32 {
-    if vertex.is_wet() {
-        vertex.water
-    } else {
-        vertex.height
     }
 }
 

@@ -1,8 +1,8 @@
 //! The finest levels, edges of 50 m and less: rock and soil (release, level >= 10).
 
 use super::VertexGround;
-use super::landform::steepness;
-use super::noise::{CornerCache, gradient};
+use super::landform::uneven_steepness;
+use super::noise::{CornerCache, EDGE_BITS, gradient};
 use super::preset::Rules;
 use crate::amplify::arith::{mix, mul_q16, ordered};
 use crate::amplify::control::VertexKind;
@@ -18,13 +18,6 @@ const MOST_DRAWN_UP: i32 = q16(0.146_628);
 
 /// How far fine ground leaves the face beside it, as a share of the difference of its ends.
 const FACE_SPREAD: i32 = q16(0.09155);
-
-/// Added to the steepness of the land before its roughness is drawn, the tangent of 1.1°: level
-/// soil is uneven too.
-const SOIL_SLOPE: i32 = q16(0.02);
-
-/// Binary logarithm of an edge of level 0, about 2²⁴ direction units.
-const EDGE_BITS: u32 = 24;
 
 /// Seed of the roughness noise; each level adds its number.
 const ROUGHNESS_SEED: u32 = 0x0f1e_0000;
@@ -68,6 +61,6 @@ pub fn rough(rules: &Rules, context: &EdgeContext) -> i32 {
         ROUGHNESS_SEED + context.level,
     );
     // `span`, not `length`: long edges of thin faces are no rougher than others.
-    let slope = steepness(rules, context.new) + SOIL_SLOPE;
+    let slope = uneven_steepness(rules, context.new);
     mul_q16(mul_q16(context.span, slope), noise) / 3
 }

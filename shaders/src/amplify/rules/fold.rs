@@ -8,9 +8,9 @@
 //! An axis has no sign: which flank of a fold is the steeper (vergence) would need the side of the
 //! belt's front, which the control mesh does not carry.
 
-use super::ocean::across;
 use super::ocean::phasor::{PacketCache, StripeNoise};
-use crate::amplify::arith::{length, mix, mul_q16, smoothstep};
+use super::ocean::{across, unit_axis};
+use crate::amplify::arith::{mix, mul_q16, smoothstep};
 use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{EdgeContext, Vertex};
@@ -76,10 +76,8 @@ struct Fold {
 
 impl Fold {
     fn at(vertex: &Vertex) -> Self {
-        let [x, y, z] = vertex.fold.map(i32::from);
-        let agreement = length(x, y, z).min(32_767);
-        // Means of axes that differ are short: scaled, or folds would widen there.
-        let unit = [x, y, z].map(|c| (c * 32_767 / agreement.max(1)).clamp(-32_767, 32_767) as i16);
+        // Scaled, or folds would widen where axes differ.
+        let (unit, agreement) = unit_axis(vertex.fold);
         let axis = across(vertex.direction, unit);
         let stripes = FOLDS.at(&mut PacketCache::default(), vertex.direction, axis);
         let [onset, full] = FOLD_PRESENCE;

@@ -20,6 +20,10 @@ const AGE_OF_DRYNESS: i32 = q16(0.38);
 /// 1.5 km.
 const HALF_RELIEF_CRUST: i32 = metres(1_000);
 
+/// Added to the steepness of the land where its own roughness is drawn, the tangent of 1.1°: level
+/// soil is uneven too.
+const SOIL_SLOPE: i32 = q16(0.02);
+
 /// Character of the land at a vertex; shares and tangents in Q16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Landform {
@@ -48,6 +52,11 @@ impl Landform {
             steep: steepness(rules, vertex),
         }
     }
+}
+
+/// Tangent of the land's slopes with the unevenness of its soil, Q16.
+pub fn uneven_steepness(rules: &Rules, vertex: &Vertex) -> i32 {
+    steepness(rules, vertex) + SOIL_SLOPE
 }
 
 /// Tangent of the land's slopes, Q16.

@@ -9,6 +9,9 @@
 use crate::amplify::arith::{mix, mul_q16};
 use crate::amplify::fixed::Q16;
 
+/// Binary logarithm of an edge of level 0, about 2²⁴ direction units.
+pub(super) const EDGE_BITS: u32 = 24;
+
 /// One step of the linear congruential generator of Numerical Recipes.
 #[inline]
 const fn congruential(x: u32) -> u32 {

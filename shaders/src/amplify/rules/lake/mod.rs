@@ -128,7 +128,7 @@ fn under(bed: i32, water: i32) -> VertexGround {
 /// Ground and water beside a lake: the lake's level goes on under its shore, and no valley is cut
 /// below it.
 pub fn held(vertex: &Vertex, carved: Carved) -> Carved {
-    let is_river = carved.water > carved.ground || vertex.is_wet();
+    let is_river = carved.is_wet() || vertex.is_wet();
     if vertex.lake == 0 || is_river || vertex.kind == VertexKind::Sea {
         return carved;
     }

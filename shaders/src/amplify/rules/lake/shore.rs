@@ -10,8 +10,8 @@ use crate::amplify::arith::{linear_step, mix, mul_q16, pow_1_5, ratio, sqrt_q16}
 use crate::amplify::control::VertexKind;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::{Q16, metres, q16};
-use crate::amplify::rules::landform::steepness;
-use crate::amplify::rules::noise::{CornerCache, gradient};
+use crate::amplify::rules::landform::uneven_steepness;
+use crate::amplify::rules::noise::{CornerCache, EDGE_BITS, gradient};
 use crate::amplify::rules::{EdgeKind, Rules, VertexGround, rise};
 use crate::amplify::vertex::{EdgeContext, Vertex};
 
@@ -39,12 +39,6 @@ const CALM_LEVELS: [i32; 2] = [6, 13];
 
 /// How much the noise is stretched, so that it often has its full height.
 const STRETCH: i32 = q16(1.8);
-
-/// Added to the steepness of the land: the tangent of 1.1°, as level soil is uneven too.
-const SOIL_SLOPE: i32 = q16(0.02);
-
-/// Binary logarithm of an edge of level 0, about 2²⁴ direction units.
-const EDGE_BITS: u32 = 24;
 
 /// Seed of the noise; each level adds its number.
 const SHORE_SEED: u32 = 0x1a4e_0000;
@@ -105,13 +99,8 @@ fn hollow(rules: &Rules, context: &EdgeContext, fall: i32) -> i32 {
     let [most, loss] = HOLLOW;
     let drawn = most - loss * context.level.min(16) as i32;
     // Halves, so that no edge of any planet is too long.
-    let steep = mul_q16(context.length / 2, slope(rules, context));
+    let steep = mul_q16(context.length / 2, uneven_steepness(rules, context.new));
     mul_q16(drawn.max(0), ratio(steep, (fall / 2).max(1)))
-}
-
-/// Tangent of the land's slopes, with the unevenness of its soil; Q16.
-fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
-    steepness(rules, context.new) + SOIL_SLOPE
 }
 
 /// Relief of the ground in and beside a lake, at most `most` grains high or deep: of the steepness
@@ -131,7 +120,10 @@ fn relief(rules: &Rules, context: &EdgeContext, most: i32, wave: u32) -> i32 {
 
 /// Relief of the land over an edge, grains.
 fn full_relief(rules: &Rules, context: &EdgeContext) -> i32 {
-    mul_q16(context.span, mul_q16(slope(rules, context), ROUGHNESS))
+    mul_q16(
+        context.span,
+        mul_q16(uneven_steepness(rules, context.new), ROUGHNESS),
+    )
 }
 
 /// Depth where the even slope from the shore down to a `depth` has that of `even`: floors are

@@ -122,9 +122,7 @@ pub fn relief(cache: &mut OceanCache, vertex: &Vertex, edge: i32) -> i32 {
 /// The ridge's direction, of unit length, and how far the directions around agree, 0..1 in Q16. Mean
 /// directions of places that disagree are short, and have no direction where they are opposed.
 fn ridge(vertex: &Vertex) -> ([i16; 3], i32) {
-    let [x, y, z] = vertex.ridge.map(i32::from);
-    let size = length(x, y, z).max(1);
-    let unit = [x, y, z].map(|c| (c * 32_767 / size).clamp(-32_767, 32_767) as i16);
+    let (unit, size) = unit_axis(vertex.ridge);
     let [none, full] = AGREEMENT;
     (unit, smoothstep(none, full, 2 * size))
 }
@@ -165,6 +163,15 @@ fn hills(cache: &mut PacketCache, vertex: &Vertex, ridge: [i16; 3], uneven: i32)
     let stripes = HILLS.at(cache, vertex.direction, spreading);
     let wave = mul_q16(mul_q16(HILL_HEIGHT, uneven), stripes.cosine);
     mul_q16(wave, stripes.presence)
+}
+
+/// A mean of axes at unit length, and how long it is, at least 1; both times 32767. Means of axes
+/// that differ are short.
+pub(super) fn unit_axis(axis: [i16; 3]) -> ([i16; 3], i32) {
+    let [x, y, z] = axis.map(i32::from);
+    let size = length(x, y, z).clamp(1, 32_767);
+    let unit = [x, y, z].map(|c| (c * 32_767 / size).clamp(-32_767, 32_767) as i16);
+    (unit, size)
 }
 
 /// The direction along the ground at a place that is perpendicular to an axis; components times
