@@ -1,14 +1,11 @@
 //! The ground of a grown planet: its belts and plains have the relief of real ones.
 
-use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::math::lat_lon;
-use bevy_pangaea::prelude::*;
-use bevy_pangaea::query::{AzimuthalEquidistant, Ground, MapSquare, PlanetGround, Rules};
+use bevy_pangaea::query::{AzimuthalEquidistant, Ground, MapSquare, PlanetGround};
 use bevy_pangaea::relief_stats::{
     CLASSES, ReliefClass, ReliefStats, SiteInput, TILE_M, TILE_PIXELS, medians, sites,
 };
-use pangaea_tests::shape::small;
-use pangaea_tests::world::{get, planet_app, steps, surface};
+use pangaea_tests::grown::GrownPlanet;
 
 /// Sites of a class: as many as a test has time for.
 const SITES: usize = 6;
@@ -35,22 +32,11 @@ fn middle(ground: &PlanetGround, (lat, lon): (f64, f64)) -> ReliefStats {
 
 #[test]
 fn a_grown_planet_has_the_relief_of_real_belts_and_plains() {
-    let (mut app, planet) = planet_app(&small(1, 60_000));
-    steps(&mut app, planet, 125);
-    let surface = surface(&mut app, planet);
-    bake_now(app.world_mut(), planet).unwrap();
-    let ground = PlanetGround::of_bake(get::<PlanetBake>(&app, planet), Rules::default()).unwrap();
-    let elevation: Vec<f32> = (0..surface.len()).map(|i| surface.elevation(i)).collect();
-    let input = SiteInput {
-        mesh: get::<Lattice>(&app, planet),
-        elevation: &elevation,
-        orogeny: &surface.crust.orogeny,
-        orogeny_age: &surface.crust.orogeny_age,
-        seed: 1,
-    };
+    let planet = GrownPlanet::new(1, 60_000, 125);
+    let input = planet.site_input();
     let wrong: Vec<String> = CLASSES
         .into_iter()
-        .flat_map(|class| wrong_figures(&ground, &input, class))
+        .flat_map(|class| wrong_figures(&planet.ground, &input, class))
         .collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }

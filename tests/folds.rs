@@ -1,13 +1,10 @@
 //! The ranges of a grown planet's belts run along the axes of their folds.
 
 use bevy::math::{DVec2, DVec3};
-use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::math::{acos, atan2, east_north, lat_lon};
-use bevy_pangaea::prelude::*;
-use bevy_pangaea::query::{AzimuthalEquidistant, HeightGrid, MapSquare, PlanetGround, Rules};
-use bevy_pangaea::relief_stats::{ReliefClass, SiteInput, sites};
-use pangaea_tests::shape::small;
-use pangaea_tests::world::{get, planet_app, steps, surface};
+use bevy_pangaea::query::{AzimuthalEquidistant, Ground, HeightGrid, MapSquare, PlanetGround};
+use bevy_pangaea::relief_stats::{ReliefClass, sites};
+use pangaea_tests::grown::GrownPlanet;
 
 /// Side of a window in m, and its pixels to a side: of ranges 10 to 40 km apart.
 const WINDOW: (f64, usize) = (40_000.0, 64);
@@ -50,19 +47,8 @@ fn deviation(ground: &PlanetGround, at: DVec3, fold: DVec3) -> f64 {
 
 #[test]
 fn ranges_of_young_and_old_belts_run_along_their_folds() {
-    let (mut app, planet) = planet_app(&small(1, 60_000));
-    steps(&mut app, planet, 125);
-    let surface = surface(&mut app, planet);
-    bake_now(app.world_mut(), planet).unwrap();
-    let ground = PlanetGround::of_bake(get::<PlanetBake>(&app, planet), Rules::default()).unwrap();
-    let elevation: Vec<f32> = (0..surface.len()).map(|i| surface.elevation(i)).collect();
-    let input = SiteInput {
-        mesh: get::<Lattice>(&app, planet),
-        elevation: &elevation,
-        orogeny: &surface.crust.orogeny,
-        orogeny_age: &surface.crust.orogeny_age,
-        seed: 1,
-    };
+    let planet = GrownPlanet::new(1, 60_000, 125);
+    let input = planet.site_input();
     let mut angles: Vec<f64> = [
         ReliefClass::YoungHimalayan,
         ReliefClass::YoungAndean,
@@ -73,11 +59,11 @@ fn ranges_of_young_and_old_belts_run_along_their_folds() {
     .map(|site| {
         (
             input.mesh.point(site),
-            surface.crust.fold[site as usize].as_dvec3(),
+            planet.surface.crust.fold[site as usize].as_dvec3(),
         )
     })
     .filter(|(_, fold)| fold.length() > 0.1)
-    .map(|(at, fold)| deviation(&ground, at, fold))
+    .map(|(at, fold)| deviation(&planet.ground, at, fold))
     .collect();
     assert!(angles.len() >= 30, "{} sites with folds", angles.len());
     angles.sort_by(f64::total_cmp);

@@ -4,6 +4,7 @@
 //! ```text
 //! world      apps, steps, digests, commands, snapshots of the state
 //! shape      planets whose plates and coasts are known to the kilometre
+//! grown      planets that have grown and were amplified
 //! order      commands in few words
 //! measure    areas, volumes, hypsometry, coverage, by brute force
 //! probe      what every stage of a step does to the state
@@ -14,6 +15,7 @@
 
 pub mod earth;
 pub mod fuzz;
+pub mod grown;
 pub mod measure;
 pub mod order;
 pub mod probe;

@@ -2,62 +2,49 @@
 //! every level, and no summit that no planet has.
 
 use bevy::math::DVec3;
-use bevy_pangaea::control::{PlanetBake, bake_now};
 use bevy_pangaea::math::{self, angle_between, lat_lon};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::query::{AzimuthalEquidistant, CoarseGround, MapSquare};
 use bevy_pangaea::sphere::SphereMesh;
-use pangaea_tests::shape::small;
-use pangaea_tests::world::{get, planet_app, steps, surface};
+use pangaea_tests::grown::GrownPlanet;
 
-/// A grown planet: the land of its simulation, and the ground that was amplified from it.
-struct Grown {
-    /// Share of the sphere whose samples stand above the sea.
-    land: f64,
-    crust: CoarseGround,
-    ground: PlanetGround,
+/// Share of the sphere whose samples stand above the sea.
+fn land_of_samples(planet: &GrownPlanet) -> f64 {
+    let is_land = |i: &usize| planet.elevation[*i] > 0.0;
+    let samples = (0..planet.mesh.len()).filter(is_land);
+    let area: f64 = samples.map(|i| planet.mesh.area(i as u32)).sum();
+    area / (4.0 * math::PI)
 }
 
-impl Grown {
-    fn new(seed: u64, count: u64) -> Self {
-        let (mut app, planet) = planet_app(&small(seed, 20_000));
-        steps(&mut app, planet, count);
-        let surface = surface(&mut app, planet);
-        bake_now(app.world_mut(), planet).expect("a bake");
-        let mesh = get::<Lattice>(&app, planet).0.clone();
-        let is_land = |i: &usize| surface.elevation(*i) > 0.0;
-        let area: f64 = (0..mesh.len())
-            .filter(is_land)
-            .map(|i| mesh.area(i as u32))
-            .sum();
-        let heights = (0..mesh.len()).map(|i| 1000.0 * surface.elevation(i));
-        let crust = CoarseGround::new(mesh.clone(), heights.collect(), 6_370_000.0);
-        let ground = PlanetGround::of_bake(&get::<PlanetBake>(&app, planet).0, Rules::default());
-        Self {
-            land: area / (4.0 * math::PI),
-            crust: crust.expect("a crust"),
-            ground: ground.expect("a ground"),
-        }
-    }
+/// The crust alone, with straight slopes from sample to sample.
+fn sloping(planet: &GrownPlanet) -> CoarseGround {
+    let heights = planet.elevation.iter().map(|km| 1000.0 * km).collect();
+    CoarseGround::new(planet.mesh.clone(), heights, 6_370_000.0).expect("a crust")
+}
 
+/// A grown planet whose laws are checked.
+struct Amplified(GrownPlanet);
+
+impl Amplified {
     /// The shore runs somewhere between samples of land and of sea: the land's share lies between
     /// that of a crust with straight slopes from sample to sample, where it drowns beside deep sea,
     /// and that of the samples. No level has another share.
     fn assert_the_land_keeps_its_area(&self) {
         let spread = SphereMesh::fibonacci(100_000).expect("a mesh");
         let directions = spread.points();
-        let sloping = land(&self.crust, directions, 0);
-        let shares = [5, 6, 7, 8].map(|level| land(&self.ground, directions, level));
-        eprintln!("{shares:.4?} between {sloping:.4} and {:.4}", self.land);
+        let sloping = land(&sloping(&self.0), directions, 0);
+        let samples = land_of_samples(&self.0);
+        let shares = [5, 6, 7, 8].map(|level| land(&self.0.ground, directions, level));
+        eprintln!("{shares:.4?} between {sloping:.4} and {samples:.4}");
         for share in shares {
-            assert!((sloping..self.land).contains(&share), "{shares:?}");
+            assert!((sloping..samples).contains(&share), "{shares:?}");
             assert!((share - shares[0]).abs() < 0.002, "{shares:?}");
         }
     }
 
     /// Places of the highest summits that control vertices allow, far from each other.
     fn highest(&self, count: usize) -> Vec<DVec3> {
-        let mut vertices: Vec<_> = self.ground.base().vertices.iter().collect();
+        let mut vertices: Vec<_> = self.0.ground.base().vertices.iter().collect();
         vertices.sort_by_key(|v| -v.crust);
         let mut places: Vec<DVec3> = Vec::new();
         for vertex in vertices {
@@ -102,7 +89,7 @@ impl Grown {
         let (lat, lon) = lat_lon(place);
         let about = AzimuthalEquidistant::new(lat, lon, 6_370_000.0).expect("a projection");
         let square = MapSquare::new(about, side_m, pixels).expect("a square");
-        let grid = square.heights(&self.ground, level).expect("heights");
+        let grid = square.heights(&self.0.ground, level).expect("heights");
         let mean =
             grid.values.iter().map(|&z| f64::from(z)).sum::<f64>() / grid.values.len() as f64;
         let [_, top] = grid.range().expect("pixels");
@@ -120,7 +107,7 @@ fn land(ground: &impl Ground, directions: &[DVec3], level: u8) -> f64 {
 }
 
 fn assert_laws(seed: u64, count: u64) {
-    let grown = Grown::new(seed, count);
+    let grown = Amplified(GrownPlanet::new(seed, 20_000, count));
     grown.assert_every_level_has_the_same_height();
     grown.assert_no_summit_is_too_high();
     grown.assert_the_land_keeps_its_area();

@@ -65,9 +65,9 @@ pub(super) fn regularise(mesh: &SphereMesh, ground: &mut [i32]) -> Vec<ShoreClas
     shore
 }
 
-/// How much higher than the terrain the ground stands at coasts, grains. Terrain is the level of the
-/// valleys, with a noise that is stronger on land than under the sea: its own contour would drown a
-/// twentieth of the land. Fitted to three grown planets: their share of land, within 0.003.
+/// How much higher than the terrain the ground stands at coasts, grains. Between a sample of land
+/// and one of deep sea the terrain's own contour lies nearer to the land, and would drown a
+/// twentieth of it. Fitted to three grown planets: their share of land, within 0.003.
 const COAST_LIFT: i32 = metres(280);
 
 /// Height of the ground at coast vertex `i`, grains: that of the terrain, lifted. An islet without

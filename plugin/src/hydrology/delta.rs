@@ -87,20 +87,35 @@ fn delta_at(mesh: &SphereMesh, drainage: &Drainage, mouth: u32, taken: &[bool]) 
     if !runs_in(mesh, drainage, mouth) || shelf_fall(mesh, drainage, mouth, &shore) > most_fall {
         return None;
     }
-    // An arm needs sea before it.
-    let stays_sea = |j: &u32| drainage.shore[*j as usize] == ShoreClass::Sea && !shore.contains(j);
     let old_coast = around(ShoreClass::Coast).filter(|s| !is_taken(s));
-    let ends = shore.iter().copied().chain(old_coast);
-    let mut arms: Vec<u32> = ends
-        .filter(|&s| mesh.ring(s).iter().any(stays_sea))
-        .collect();
-    arms.sort_unstable_by_key(|&s| (!shore.contains(&s), pcg(mouth ^ pcg(s))));
+    let mut arms = ends_of_arms(mesh, drainage, mouth, &shore, old_coast);
     arms.truncate(2 + MORE_ARMS.iter().filter(|&&least| discharge > least).count());
     (arms.len() > 1).then(|| Delta {
         apex: mouth,
         arms: shares(mouth, &arms),
         shore,
     })
+}
+
+/// Where arms of a mouth may end: on its new shore, or on the old coast beside it, with sea before
+/// them. In the order of their draw, those of the shore first.
+fn ends_of_arms(
+    mesh: &SphereMesh,
+    drainage: &Drainage,
+    mouth: u32,
+    shore: &[u32],
+    old_coast: impl Iterator<Item = u32>,
+) -> Vec<u32> {
+    let stays_sea = |j: &u32| drainage.shore[*j as usize] == ShoreClass::Sea && !shore.contains(j);
+    let has_sea = |&s: &u32| mesh.ring(s).iter().any(stays_sea);
+    let mut ends: Vec<u32> = shore
+        .iter()
+        .copied()
+        .chain(old_coast)
+        .filter(has_sea)
+        .collect();
+    ends.sort_unstable_by_key(|&s| (!shore.contains(&s), pcg(mouth ^ pcg(s))));
+    ends
 }
 
 /// Whether all rivers that end at a mouth come from so high that their water runs on over a delta.

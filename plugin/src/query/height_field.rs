@@ -136,15 +136,6 @@ impl<G: Ground> FieldGround<G> {
     pub fn new(ground: G, field: HeightField) -> Self {
         Self { ground, field }
     }
-
-    /// Height in m at a unit direction where the ground alone has `own` at a level, and `rough` of
-    /// it beyond the level of the field.
-    fn blended(&self, direction: DVec3, own: f32, rough: f32) -> f32 {
-        self.field.at(direction).map_or(own, |(height, weight)| {
-            let given = height + f64::from(rough);
-            (f64::from(own) + weight * (given - f64::from(own))) as f32
-        })
-    }
 }
 
 impl<G: Ground> Ground for FieldGround<G> {
@@ -169,16 +160,16 @@ impl<G: Ground> Ground for FieldGround<G> {
         let (mut places, mut inside) = (Vec::new(), Vec::new());
         for (i, direction) in directions.iter().enumerate() {
             let unit = checked(*direction, level)?;
-            if self.field.at(unit).is_some() {
-                places.push(i);
+            if let Some(given) = self.field.at(unit) {
+                places.push((i, given));
                 inside.push(unit);
             }
         }
         let mut coarse = vec![0.0; inside.len()];
         let field_level = self.field.level().min(level);
         self.ground.heights(&inside, field_level, &mut coarse)?;
-        for ((&i, &unit), &coarse) in places.iter().zip(&inside).zip(&coarse) {
-            heights[i] = self.blended(unit, heights[i], heights[i] - coarse);
+        for (&(i, given), &coarse) in places.iter().zip(&coarse) {
+            heights[i] = blended(given, heights[i], heights[i] - coarse);
         }
         Ok(())
     }
@@ -202,6 +193,13 @@ impl<G: Ground> Ground for FieldGround<G> {
         let [least, most] = self.field.grid.range().unwrap_or([0.0; 2]).map(f64::from);
         [low.min(least - ROUGHNESS_M), high.max(most + ROUGHNESS_M)]
     }
+}
+
+/// Height in m where a field has a height that counts so much, the ground alone has `own` at a
+/// level, and `rough` of it beyond the level of the field.
+fn blended((height, weight): (f64, f64), own: f32, rough: f32) -> f32 {
+    let given = height + f64::from(rough);
+    (f64::from(own) + weight * (given - f64::from(own))) as f32
 }
 
 #[cfg(test)]

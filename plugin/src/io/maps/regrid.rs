@@ -56,36 +56,20 @@ impl Regrid {
     }
 
     fn of([west, east, south, north]: [f64; 4], size: [u32; 2], is_turned: [bool; 2]) -> Self {
-        let [across, down] = [
-            (east - west) / f64::from(size[0]),
-            (north - south) / f64::from(size[1]),
-        ];
+        let across = (east - west) / f64::from(size[0]);
+        let down = (north - south) / f64::from(size[1]);
         // The nearest map of square pixels that are not smaller than those of the raster.
         let finest = (180.0 / across.max(down) + 1e-6).floor().max(1.0) as u32;
         let height = shrunk(finest);
-        let width = 2 * height;
-        let cell = 180.0 / f64::from(height);
-        let mut columns: Vec<_> = (0..size[0])
-            .map(|k| cells((west + 180.0 + (f64::from(k) + 0.5) * across) / cell))
-            .map(|pair| pair.map(|column| column.rem_euclid(i64::from(width)) as u32))
-            .collect();
-        // The last column of nodes is the first one again.
-        let surplus = ((f64::from(size[0]) * across - 360.0) / across)
-            .round()
-            .max(0.0) as usize;
-        let kept = columns.len() - surplus.min(columns.len());
-        columns[kept..].fill([NOWHERE; 2]);
-        let in_map = |row: i64| u32::try_from(row).ok().filter(|row| *row < height);
-        let mut rows: Vec<_> = (0..size[1])
-            .map(|k| cells((90.0 - north + (f64::from(k) + 0.5) * down) / cell))
-            .map(|pair| pair.map(|row| in_map(row).unwrap_or(NOWHERE)))
-            .collect();
+        let mut columns = columns(west, across, size[0], height);
+        let mut rows = rows(north, down, size[1], height);
         if is_turned[0] {
             columns.reverse();
         }
         if is_turned[1] {
             rows.reverse();
         }
+        let width = 2 * height;
         let is_single = |pairs: &[[u32; 2]]| pairs.iter().all(|[a, b]| a == b);
         let is_one_to_one =
             size[0] <= width && size[1] <= height && is_single(&columns) && is_single(&rows);
@@ -114,6 +98,34 @@ impl Regrid {
         means.counts.resize(counts, 0);
         Ok(means)
     }
+}
+
+/// The columns of a map of so many rows in which `count` columns of a raster count, `across` degrees
+/// wide from `west` on.
+fn columns(west: f64, across: f64, count: u32, map_rows: u32) -> Vec<[u32; 2]> {
+    let cell = 180.0 / f64::from(map_rows);
+    let around = |column: i64| column.rem_euclid(2 * i64::from(map_rows)) as u32;
+    let mut columns: Vec<_> = (0..count)
+        .map(|k| cells((west + 180.0 + (f64::from(k) + 0.5) * across) / cell))
+        .map(|pair| pair.map(around))
+        .collect();
+    // The last column of nodes is the first one again.
+    let surplus = ((f64::from(count) * across - 360.0) / across)
+        .round()
+        .max(0.0) as usize;
+    let kept = columns.len() - surplus.min(columns.len());
+    columns[kept..].fill([NOWHERE; 2]);
+    columns
+}
+
+/// The same of rows, `down` degrees high from `north` on; those beyond a pole count nowhere.
+fn rows(north: f64, down: f64, count: u32, map_rows: u32) -> Vec<[u32; 2]> {
+    let cell = 180.0 / f64::from(map_rows);
+    let in_map = |row: i64| u32::try_from(row).ok().filter(|row| *row < map_rows);
+    (0..count)
+        .map(|k| cells((90.0 - north + (f64::from(k) + 0.5) * down) / cell))
+        .map(|pair| pair.map(|row| in_map(row).unwrap_or(NOWHERE)))
+        .collect()
 }
 
 /// The degrees of a raster around the planet, set right where a pixel is missing or too much: files

@@ -43,13 +43,7 @@ pub fn split(
     };
     new.direction = placed.direction;
     if edge.kind == EdgeKind::River {
-        let way = |curve: Curve| curve.quarter_tangent(Q16 / 2);
-        let chord = difference(b.direction, a.direction);
-        new.heading = heading_of(course.map_or(chord, way));
-        new.tide = mean(a.tide, b.tide);
-        if meander::is_bent(ends) {
-            new.bend = Bend::LIMB;
-        }
+        lead_river(&mut new, course.as_ref(), ends);
     }
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
@@ -88,6 +82,18 @@ fn range([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> [i32; 2] {
         range = [range[0].min(corner.height), range[1].max(corner.height)];
     }
     range
+}
+
+/// Leads a river through the vertex that halves its edge: its heading there, its tide, its meander.
+fn lead_river(new: &mut Vertex, course: Option<&Curve>, ends: [&Vertex; 2]) {
+    let [a, b] = ends;
+    let chord = difference(b.direction, a.direction);
+    let way = course.map_or(chord, |curve| curve.quarter_tangent(Q16 / 2));
+    new.heading = heading_of(way);
+    new.tide = mean(a.tide, b.tide);
+    if meander::is_bent(ends) {
+        new.bend = Bend::LIMB;
+    }
 }
 
 /// The course that a river keeps on an edge: round a meander, and where its edges are too short to
