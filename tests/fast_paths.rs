@@ -286,10 +286,10 @@ fn leaves_around(ground: &PlanetGround, direction: DVec3, level: u8) -> Vec<[Ver
     let radius_m = (200_000 >> level).max(2);
     let view = View::disc(at, radius_m, u32::from(level));
     let refined = refine(ground.base(), ground.rules(), &view, &Caps::default());
-    let faces = refined.levels[usize::from(level)].faces.iter();
+    let faces = refined.levels[usize::from(level)].faces();
     faces
-        .filter(|face| face.mark != SplitMark::Split)
-        .map(|face| face.vertices.map(|v| refined.vertices[v as usize]))
+        .filter(|(_, split)| split.mark != SplitMark::Split)
+        .map(|(face, _)| face.vertices.map(|v| refined.vertices[v as usize]))
         .collect()
 }
 

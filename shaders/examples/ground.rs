@@ -178,7 +178,7 @@ fn patches(planet: &TimedPlanet) {
         let view = View::disc(planet.on_land(k + 7), 46, FINEST);
         let watch = Watch::start();
         let ground = refine(&planet.base, &planet.rules, &view, &Caps::default());
-        let vertices = carve_all(&ground.scale, &planet.rules, &ground.vertices).len();
+        let vertices = carve_all(&ground.scale, &planet.rules, ground.vertices.grown()).len();
         let millis = watch.millis();
         let faces = ground.levels.last().map_or(0, |l| l.faces.len());
         println!("patch: {faces} finest faces, {vertices} vertices, {millis:.1} ms");
@@ -197,7 +197,7 @@ fn view(planet: &TimedPlanet, local: &mut LocalGround<&Base>, altitude_m: i32, s
     let watch = Watch::start();
     let ground = refine(&planet.base, &planet.rules, &view, &Caps::default());
     let refined = watch.millis();
-    let vertices = carve_all(&ground.scale, &planet.rules, &ground.vertices).len();
+    let vertices = carve_all(&ground.scale, &planet.rules, ground.vertices.grown()).len();
     let triangles = ground.triangles().len();
     let all = watch.millis();
     let rate = triangles as f64 / all / 1e3;

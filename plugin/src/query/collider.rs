@@ -14,7 +14,7 @@ use pangaea_shaders::amplify::ground::{Caps, RefinedGround, refine_faces};
 use pangaea_shaders::amplify::mark::View;
 use pangaea_shaders::amplify::rules::Rules;
 use pangaea_shaders::amplify::show::show;
-use pangaea_shaders::amplify::topology::{Face, SplitMark};
+use pangaea_shaders::amplify::topology::{Face, Level, SplitMark};
 
 /// Most edges of a level along the side of a collider: two and a half million triangles, or eight
 /// times as many where they are small.
@@ -95,30 +95,54 @@ impl PlanetGround {
     /// The finest triangles of a refinement that reach into a square, with the corners they use;
     /// `None` if a part of the square was not refined so far.
     fn cut(&self, refined: &RefinedGround, square: &TangentSquare, level: u8) -> Option<Patch> {
-        let places: Vec<Option<DVec2>> = refined
-            .vertices
-            .iter()
-            .map(|vertex| square.place(vertex.direction))
-            .collect();
-        let meets = |face: &&Face| square.meets(face.vertices.map(|v| places[v as usize]));
+        let places = Places::new(refined, square);
+        let meets = |face: &Face| square.meets(face.vertices.map(|v| places.of(v)));
         let levels = refined.levels.get(..=usize::from(level))?;
         let (finest, coarser) = levels.split_last()?;
         // Where a coarser triangle was not split the finest ones do not cover the square.
         let mut unsplit = coarser
             .iter()
-            .flat_map(|level| &level.faces)
-            .filter(|face| face.mark != SplitMark::Split);
-        if unsplit.any(|face| meets(&face)) {
+            .flat_map(Level::faces)
+            .filter(|(_, split)| split.mark != SplitMark::Split);
+        if unsplit.any(|(face, _)| meets(face)) {
             return None;
         }
         let at = quantised(square.up);
         let height = self.leaf_at(at, level).height_m(at);
         let origin = square.up * (square.radius + height);
         let mut builder = PatchBuilder::new(refined, self.rules(), square.radius, origin);
-        for face in finest.faces.iter().filter(meets) {
+        for (face, _) in finest.faces().filter(|(face, _)| meets(face)) {
             builder.push(face);
         }
         Some(builder.patch)
+    }
+}
+
+/// Places in a square's plane of the vertices of a refinement, as [`TangentSquare::place`] has them.
+struct Places<'a> {
+    refined: &'a RefinedGround,
+    square: &'a TangentSquare,
+    /// Of the vertices that the refinement made. Those of the control mesh are many, and few are
+    /// asked for.
+    grown: Vec<Option<DVec2>>,
+}
+
+impl<'a> Places<'a> {
+    fn new(refined: &'a RefinedGround, square: &'a TangentSquare) -> Self {
+        let grown = refined.vertices.grown().iter();
+        Self {
+            refined,
+            square,
+            grown: grown.map(|v| square.place(v.direction)).collect(),
+        }
+    }
+
+    fn of(&self, vertex: u32) -> Option<DVec2> {
+        let base = self.refined.vertices.base();
+        match base.get(vertex as usize) {
+            Some(vertex) => self.square.place(vertex.direction),
+            None => self.grown[vertex as usize - base.len()],
+        }
     }
 }
 

@@ -21,12 +21,16 @@ pub fn carve(
 }
 
 /// Final ground and water of a column of vertices.
-pub fn carve_all(scale: &PlanetScale, rules: &Rules, vertices: &[Vertex]) -> Vec<Carved> {
+pub fn carve_all<'a>(
+    scale: &PlanetScale,
+    rules: &Rules,
+    vertices: impl IntoIterator<Item = &'a Vertex>,
+) -> Vec<Carved> {
     let mut cache = CarveCache::default();
-    vertices
-        .iter()
-        .map(|vertex| carve(&mut cache, scale, rules, vertex))
-        .collect()
+    let carved = vertices
+        .into_iter()
+        .map(|vertex| carve(&mut cache, scale, rules, vertex));
+    carved.collect()
 }
 
 /// Heights of the water's surface over the corners of a triangle, grains; `None` where none of them

@@ -10,8 +10,9 @@ use super::ground::RefinedGround;
 use super::rules::Rules;
 use super::rules::valley::Reach;
 use super::scale::PlanetScale;
-use super::topology::{Face, Level, NONE, SplitMark};
+use super::topology::{Level, NONE, SplitMark};
 use super::vertex::Vertex;
+use super::vertices::VertexView;
 
 /// A triangle of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,8 +25,9 @@ pub struct Triangle {
     pub face: u32,
 }
 
-/// Up to four triangles of a leaf face; returns how many.
-pub fn emit(face: &Face, level: &Level, vertices: &[Vertex], out: &mut [[u32; 3]; 4]) -> usize {
+/// Up to four triangles of a level's leaf; returns how many.
+pub fn emit(level: &Level, leaf: u32, vertices: VertexView, out: &mut [[u32; 3]; 4]) -> usize {
+    let face = &level.mesh.faces[leaf as usize];
     let mid = face.edges.map(|e| match level.edges.get(e as usize) {
         // Edges of the halo have a middle too, but no triangle ends there.
         Some(edge) if edge.mark == SplitMark::Split => edge.mid,
@@ -86,9 +88,9 @@ impl Turned {
     /// The triangles where ab and bc are split. The quadrilateral a, ab, bc, c is cut so that the
     /// lesser of its triangles is as large as can be, which no view changes: along one diagonal a
     /// middle that was moved sideways may turn a triangle over, along both it cannot.
-    fn thirds(&self, vertices: &[Vertex]) -> [[u32; 3]; 3] {
+    fn thirds(&self, vertices: VertexView) -> [[u32; 3]; 3] {
         let ([a, b, c], [ab, bc, _]) = (self.corners, self.mids);
-        let corners = [a, ab, bc, c].map(|v| &vertices[v as usize]);
+        let corners = vertices.gather([a, ab, bc, c]);
         let [by_a, by_c] = least_areas(corners.map(|v| v.direction));
         // Seeds, not indices: those hang on the view.
         let is_drawn = corners[1].seed > corners[2].seed;
@@ -111,20 +113,35 @@ impl RefinedGround {
     pub fn triangles(&self) -> Vec<Triangle> {
         let mut triangles = Vec::new();
         for (index, level) in (0..).zip(&self.levels) {
-            for (f, face) in (0..).zip(&level.faces) {
-                if face.mark == SplitMark::Split {
-                    continue;
-                }
-                let mut out = [[0; 3]; 4];
-                let made = emit(face, level, &self.vertices, &mut out);
-                triangles.extend(out[..made].iter().map(|&vertices| Triangle {
-                    vertices,
-                    level: index,
-                    face: f,
-                }));
-            }
+            emit_leaves(
+                index,
+                level,
+                self.vertices.view(),
+                &level.items.faces,
+                &mut triangles,
+            );
         }
         triangles
+    }
+}
+
+/// Pass: the triangles of the leaves among some faces of a level.
+pub fn emit_leaves(
+    index: u32,
+    level: &Level,
+    vertices: VertexView,
+    items: &[u32],
+    triangles: &mut Vec<Triangle>,
+) {
+    let is_leaf = |f: &&u32| level.faces[**f as usize].mark != SplitMark::Split;
+    for &face in items.iter().filter(is_leaf) {
+        let mut out = [[0; 3]; 4];
+        let made = emit(level, face, vertices, &mut out);
+        triangles.extend(out[..made].iter().map(|&vertices| Triangle {
+            vertices,
+            level: index,
+            face,
+        }));
     }
 }
 

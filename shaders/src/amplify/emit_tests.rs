@@ -62,7 +62,7 @@ fn no_fan_of_two_middles_turns_over() {
     let mut saved = [0; 2];
     for k in 0..100_000 {
         let vertices = leaf(k);
-        let fan = LEAF.thirds(&vertices);
+        let fan = LEAF.thirds(VertexView::of(&vertices));
         assert!(least(&vertices, &fan) > 0.0, "{k}: {vertices:?}");
         let is_by_c = fan[1] == [0, 3, 2];
         let other = if is_by_c {

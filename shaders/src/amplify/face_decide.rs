@@ -13,8 +13,10 @@ use super::geometry::dot;
 use super::rules::{EdgeKind, Rules, gully, meander};
 use super::scale::PlanetScale;
 use super::seed::pcg;
-use super::topology::{Edge, Inner};
+use super::topology::{Edge, EdgeSplit, FaceSplit, Inner, LevelMesh, gather};
+use super::uniform::LevelUniform;
 use super::vertex::Vertex;
+use super::vertices::VertexView;
 
 /// The neighbourhood that a face's decision depends on.
 pub struct FaceContext<'a> {
@@ -30,6 +32,51 @@ pub struct FaceContext<'a> {
     pub kinds: [VertexKind; 3],
     /// The corners beyond the edges.
     pub beyond: [Option<&'a Vertex>; 3],
+}
+
+/// Pass: the inner edges of faces of a level.
+pub fn face_decide(
+    uniform: LevelUniform,
+    mesh: &LevelMesh,
+    edges: &[EdgeSplit],
+    vertices: VertexView,
+    decided: &[u32],
+    faces: &mut [FaceSplit],
+) {
+    if uniform.level >= STRAIGHT_LEVEL {
+        return;
+    }
+    for &f in decided {
+        faces[f as usize].inner = inner_of(uniform, mesh, edges, vertices, f);
+    }
+}
+
+/// The inner edges of one face.
+fn inner_of(
+    uniform: LevelUniform,
+    mesh: &LevelMesh,
+    splits: &[EdgeSplit],
+    vertices: VertexView,
+    f: u32,
+) -> [Inner; 3] {
+    let face = &mesh.faces[f as usize];
+    let edges = gather(&mesh.edges, face.edges);
+    // Most faces have no drainage: then nothing is to be decided.
+    if edges.iter().all(|e| e.kind == EdgeKind::Terrain) {
+        return [Inner::Terrain; 3];
+    }
+    let mids = vertices.gather(gather(splits, face.edges).map(|e| e.mid));
+    let context = FaceContext {
+        corners: face.vertices,
+        vertices: vertices.gather(face.vertices),
+        edges,
+        mids,
+        kinds: mids.map(|mid| mid.kind),
+        beyond: face
+            .edges
+            .map(|e| mesh.beyond(e, f).map(|v| vertices.get(v))),
+    };
+    decide(uniform.scale, uniform.rules, uniform.level, &context)
 }
 
 /// Decides the three inner edges of a face of a level.

@@ -4,24 +4,50 @@
 //! neighbours alone.
 
 use super::rules::{EdgeKind, Rules, gully, meander};
-use super::topology::{Edge, Face, NONE, SplitMark, gather};
+use super::topology::{Edge, Face, FaceSplit, Level, NONE, SplitMark, gather};
+use super::uniform::LevelUniform;
 use super::vertex::{Bend, Vertex};
 use super::vertex_resolve::tributary;
+use super::vertices::VertexView;
 
-/// The two halves of a split edge of a level. New dry land drains along one of them.
-pub fn halve(
-    rules: &Rules,
-    level: u32,
+/// Pass: the two halves of every split edge. New dry land drains along one of them.
+pub fn grow_halves(
+    uniform: LevelUniform,
+    level: &Level,
+    vertices: VertexView,
+    halved: &[u32],
+    finer: &mut [Edge],
+) {
+    for &e in halved {
+        let (edge, split) = (&level.mesh.edges[e as usize], &level.edges[e as usize]);
+        if split.mark == SplitMark::Split {
+            let child = split.child as usize;
+            let halves = halve(
+                uniform,
+                level,
+                [edge.vertices[0], split.mid],
+                edge,
+                vertices,
+            );
+            finer[child..child + 2].copy_from_slice(&halves);
+        }
+    }
+}
+
+/// The two halves of a split edge.
+fn halve(
+    LevelUniform { rules, level, .. }: LevelUniform,
+    of: &Level,
+    [a, m]: [u32; 2],
     edge: &Edge,
-    faces: &[Face],
-    vertices: &[Vertex],
+    vertices: VertexView,
 ) -> [Edge; 2] {
-    let [a, b] = edge.vertices;
-    let [up, mid, down] = gather(vertices, [a, edge.mid, b]);
+    let b = edge.vertices[1];
+    let [up, mid, down] = vertices.gather([a, m, b]);
     [0, 1].map(|slot| {
         let (kind, reversed) = half_kind(rules, level, edge.kind, slot, [up, mid, down]);
-        let (end, ends) = [(a, [a, edge.mid]), (b, [edge.mid, b])][slot];
-        let mut half = Edge::new(kind, ends, children_at(end, edge, faces));
+        let (end, ends) = [(a, [a, m]), (b, [m, b])][slot];
+        let mut half = Edge::new(kind, ends, children_at(end, edge, of));
         if reversed {
             half.reverse();
         }
@@ -39,10 +65,12 @@ pub fn halve(
 }
 
 /// The children that an edge's faces have at one of its ends, or [`NONE`].
-fn children_at(end: u32, edge: &Edge, faces: &[Face]) -> [u32; 2] {
-    edge.faces.map(|f| match faces.get(f as usize) {
+fn children_at(end: u32, edge: &Edge, level: &Level) -> [u32; 2] {
+    edge.faces.map(|f| match level.faces.get(f as usize) {
         // Child k keeps corner k. A face of the halo has no children.
-        Some(face) if face.mark == SplitMark::Split => face.child + face.corner(end) as u32,
+        Some(face) if face.mark == SplitMark::Split => {
+            face.child + level.mesh.faces[f as usize].corner(end) as u32
+        }
         _ => NONE,
     })
 }
@@ -86,52 +114,105 @@ pub fn arriving_at(mid: &Vertex, up: &Vertex) -> u32 {
     mid.discharge - if mid.branched { tributary(mid, up) } else { 0 }
 }
 
-/// The inner edge of a split face at a corner. `first` is the index of the face's first inner edge.
-pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &[Vertex]) -> Edge {
-    let [first, second] = gather(edges, [face.edges[k], face.edges[(k + 2) % 3]]);
-    let [corner, middle] = [face.child + k as u32, face.child + 3];
-    let (kind, reversed) = face.inner[k].edge();
+/// Number of the first inner edge of a split face among the next level's edges: they follow the
+/// halves, three a face.
+const fn first_inner(face: &FaceSplit, halves: u32) -> u32 {
+    halves + face.child / 4 * 3
+}
+
+/// Pass: the three inner edges of every split face. `halves` is the number of halves before them.
+pub fn grow_inner(
+    uniform: LevelUniform,
+    level: &Level,
+    vertices: VertexView,
+    decided: &[u32],
+    halves: u32,
+    finer: &mut [Edge],
+) {
+    for &f in decided {
+        let (face, split) = (&level.mesh.faces[f as usize], &level.faces[f as usize]);
+        if split.mark == SplitMark::Split {
+            let first = first_inner(split, halves) as usize;
+            for k in 0..3 {
+                finer[first + k] = inner_edge(uniform.level, level, face, split, k, vertices);
+            }
+        }
+    }
+}
+
+/// The inner edge of a split face at a corner.
+fn inner_edge(
+    index: u32,
+    level: &Level,
+    face: &Face,
+    split: &FaceSplit,
+    k: usize,
+    vertices: VertexView,
+) -> Edge {
+    let beside = [face.edges[k], face.edges[(k + 2) % 3]];
+    let [first, second] = gather(&level.mesh.edges, beside);
+    let mids = gather(&level.edges, beside).map(|e| e.mid);
+    let (kind, reversed) = split.inner[k].edge();
     // iₖ runs mₖ, mₖ₋₁ as the corner child winds, which is therefore the first of its faces.
-    let mut edge = Edge::new(kind, [first.mid, second.mid], [corner, middle]);
+    let mut edge = Edge::new(kind, mids, [split.child + k as u32, split.child + 3]);
     if reversed {
         edge.reverse();
     }
-    if face.inner[k].is_bend() {
+    if split.inner[k].is_bend() {
+        let [down, upstream] = vertices.gather([edge.vertices[1], first.vertices[0]]);
         edge.birth = first.birth;
-        edge.arriving = bend_arriving(first, &vertices[edge.vertices[1] as usize], vertices);
+        edge.arriving = bend_arriving(down, upstream);
     } else if kind == EdgeKind::River {
         // A tributary joins the river at its second end.
-        let river = if reversed { first } else { second };
-        let [junction, upstream] = gather(vertices, [river.mid, river.vertices[0]]);
-        edge.birth = level as u8 + 1;
+        let (river, junction) = [(second, mids[1]), (first, mids[0])][usize::from(reversed)];
+        let [junction, upstream] = vertices.gather([junction, river.vertices[0]]);
+        edge.birth = index as u8 + 1;
         edge.arriving = tributary(junction, upstream);
     }
     edge
 }
 
-/// Discharge that arrives along the inner edge of a meander of a river at its lower end, which is
-/// the middle of the river's edge or an apex.
-fn bend_arriving(river: &Edge, down: &Vertex, vertices: &[Vertex]) -> u32 {
+/// Discharge that arrives along the inner edge of a meander at its lower end, which is the middle of
+/// the river's edge below `upstream`, or an apex.
+fn bend_arriving(down: &Vertex, upstream: &Vertex) -> u32 {
     if down.bend.is_apex() {
         down.discharge
     } else {
-        arriving_at(down, &vertices[river.vertices[0] as usize])
+        arriving_at(down, upstream)
     }
 }
 
-/// The four children of a split face. `first_inner` is the index of its first inner edge in the
-/// next level.
-pub fn quarter(face: &Face, index: u32, first_inner: u32, edges: &[Edge]) -> [Face; 4] {
-    let along = gather(edges, face.edges);
-    let mids = along.map(|e| e.mid);
+/// Pass: the four children of every split face. `halves` is the number of halves before the inner
+/// edges.
+pub fn grow_faces(level: &Level, decided: &[u32], halves: u32, finer: &mut [Face]) {
+    for &f in decided {
+        let (face, split) = (&level.mesh.faces[f as usize], &level.faces[f as usize]);
+        if split.mark == SplitMark::Split {
+            let child = split.child as usize;
+            let children = quarter(level, face, first_inner(split, halves));
+            finer[child..child + 4].copy_from_slice(&children);
+        }
+    }
+}
+
+/// The four children of a split face, whose first inner edge is given.
+fn quarter(level: &Level, face: &Face, first_inner: u32) -> [Face; 4] {
+    let along = gather(&level.mesh.edges, face.edges);
+    let splits = gather(&level.edges, face.edges);
+    let mids = splits.map(|e| e.mid);
     // The half of edge e that ends at a corner.
-    let half = |e: usize, corner: u32| along[e].child + u32::from(along[e].vertices[0] != corner);
+    let half = |e: usize, corner| splits[e].child + u32::from(along[e].vertices[0] != corner);
     let [c0, c1, c2] = [0, 1, 2].map(|k| {
         let (other, v) = ((k + 2) % 3, face.vertices[k]);
-        let edges = [half(k, v), first_inner + k as u32, half(other, v)];
-        Face::new([v, mids[k], mids[other]], edges, index)
+        Face {
+            vertices: [v, mids[k], mids[other]],
+            edges: [half(k, v), first_inner + k as u32, half(other, v)],
+        }
     });
-    // The middle winds m₀, m₁, m₂; mₖmₖ₊₁ is the inner edge that cuts corner k + 1 off.
-    let inner = [first_inner + 1, first_inner + 2, first_inner];
-    [c0, c1, c2, Face::new(mids, inner, index)]
+    let middle = Face {
+        vertices: mids,
+        // The middle winds m₀, m₁, m₂; mₖmₖ₊₁ is the inner edge that cuts corner k + 1 off.
+        edges: [first_inner + 1, first_inner + 2, first_inner],
+    };
+    [c0, c1, c2, middle]
 }

@@ -2,15 +2,16 @@
 
 use super::arith::{mul_q16, ratio, sqrt_q16};
 use super::base::Base;
-use super::cull::cull;
 use super::fixed::{Q16, q16};
-use super::mark::{SHARPNESS, View, halo};
+use super::mark::{SHARPNESS, View};
+use super::reach;
 use super::rules::Rules;
 use super::scale::PlanetScale;
 use super::sight::Sight;
-use super::step::step;
-use super::topology::{Level, NONE, SplitMark, gather};
-use super::vertex::Vertex;
+use super::step::{self, LevelPlan};
+use super::topology::{Level, SplitMark};
+use super::uniform::LevelUniform;
+use super::vertices::Vertices;
 
 /// The finest level: edges of 0.4 m on an Earth-sized planet.
 pub const FINEST: u32 = 17;
@@ -44,9 +45,8 @@ pub struct RefinedGround {
     /// The planet's constants.
     pub scale: PlanetScale,
     /// Vertices of all levels.
-    pub vertices: Vec<Vertex>,
-    /// The edge that each vertex halves, in the level before its own; [`NONE`] for a vertex of the
-    /// control mesh.
+    pub vertices: Vertices,
+    /// The edge, in the level before its own, that each vertex of the run halves.
     pub origins: Vec<u32>,
     /// Edges and faces level by level. A face of any level that is not [`SplitMark::Split`] is a
     /// leaf.
@@ -58,12 +58,19 @@ pub struct RefinedGround {
 }
 
 impl RefinedGround {
+    /// The edge that a vertex halves, in the level before its own; `None` for a vertex of the control
+    /// mesh.
+    pub fn origin(&self, vertex: u32) -> Option<u32> {
+        let place = (vertex as usize).checked_sub(self.vertices.base().len())?;
+        Some(self.origins[place])
+    }
+
     /// The ends of the edge that a vertex halves; `None` for a vertex of the control mesh.
     pub fn parents(&self, vertex: u32) -> Option<[u32; 2]> {
-        let origin = self.origins[vertex as usize];
-        let above = self.vertices[vertex as usize].level.checked_sub(1)?;
-        let edge = &self.levels[usize::from(above)].edges[origin as usize];
-        Some(edge.vertices)
+        let origin = self.origin(vertex)?;
+        let above = self.vertices[vertex as usize].level - 1;
+        let mesh = &self.levels[usize::from(above)].mesh;
+        Some(mesh.edges[origin as usize].vertices)
     }
 }
 
@@ -138,11 +145,12 @@ impl Refinement<'_> {
         let finest = self.view.level.min(FINEST);
         for index in 0..finest {
             let level = &mut ground.levels[index as usize];
-            let (vertices, faces) = mark_faces(&sight, index, level, &ground.vertices);
-            if faces == 0 {
+            let plan = step::mark(&sight, index, level, &ground.vertices);
+            if plan.total.children == 0 {
                 break;
             }
-            let kept = self.kept(ground.vertices.len() + vertices, 4 * faces);
+            let vertices = ground.vertices.len() + plan.total.mids as usize;
+            let kept = self.kept(vertices, plan.total.children as usize);
             if kept < Q16 {
                 if let Some(sharpness) = self.lowered(kept) {
                     return Err(sharpness);
@@ -153,34 +161,34 @@ impl Refinement<'_> {
             }
             // Without edges nothing can be split further, so only the last level may lack them.
             let edges = self.finest_edges || index + 1 < finest;
-            self.step(index, &mut ground, edges);
+            self.grow(index, &plan, &mut ground, edges);
         }
         Ok(ground)
     }
 
     /// Level 0.
     fn start(&self) -> RefinedGround {
-        let (vertices, level) = cull(self.base, &self.view);
+        let items = reach::items(self.base, &self.view);
         RefinedGround {
             scale: self.base.scale,
-            origins: vec![NONE; vertices.len()],
-            vertices,
-            levels: vec![level],
+            vertices: Vertices::new(self.base.vertices.clone()),
+            origins: Vec::new(),
+            levels: vec![Level::new(self.base.level.clone(), items)],
             sharpness: self.view.sharpness,
             capped: None,
         }
     }
 
     /// Adds the level after a marked one.
-    fn step(&self, index: u32, ground: &mut RefinedGround, edges: bool) {
+    fn grow(&self, index: u32, plan: &LevelPlan, ground: &mut RefinedGround, edges: bool) {
+        let uniform = LevelUniform {
+            scale: &self.base.scale,
+            rules: self.rules,
+            level: index,
+        };
         let level = &mut ground.levels[index as usize];
-        let (scale, vertices) = (&self.base.scale, &mut ground.vertices);
-        let next = step(scale, self.rules, index, level, vertices, edges);
-        // In the order of the edges, as their middles are.
-        let halved = (0..)
-            .zip(&level.edges)
-            .filter(|(_, e)| e.mark != SplitMark::Leaf);
-        ground.origins.extend(halved.map(|(edge, _)| edge));
+        let (next, halved) = step::grow(uniform, plan, level, &mut ground.vertices, edges);
+        ground.origins.extend(halved);
         ground.levels.push(next);
     }
 
@@ -209,29 +217,12 @@ fn share(part: usize, whole: usize) -> i32 {
     ratio(part, whole)
 }
 
-/// Makes all faces of a level leaves.
+/// Makes all faces and edges of a level leaves.
 fn unmark(level: &mut Level) {
     for face in &mut level.faces {
         face.mark = SplitMark::Leaf;
     }
-}
-
-/// Marks the faces of a level; returns bounds of the vertices made and the number of faces split.
-fn mark_faces(sight: &Sight, index: u32, level: &mut Level, vertices: &[Vertex]) -> (usize, usize) {
-    let splits: Vec<bool> = level
-        .faces
-        .iter()
-        .map(|face| sight.splits(index, gather(vertices, face.vertices)))
-        .collect();
-    let mut marked = 0;
-    for i in 0..level.faces.len() {
-        // All splits are known before the first mark: a mark reads its neighbours'.
-        let mark = halo(&level.faces[i], i as u32, &level.edges, |f| {
-            splits[f as usize]
-        });
-        level.faces[i].mark = mark;
-        marked += usize::from(mark != SplitMark::Leaf);
+    for edge in &mut level.edges {
+        edge.mark = SplitMark::Leaf;
     }
-    // At most a middle an edge; neighbours share theirs, so fewer are made.
-    (3 * marked, splits.iter().filter(|&&s| s).count())
 }

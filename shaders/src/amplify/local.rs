@@ -143,7 +143,7 @@ impl<B: Deref<Target = Base>> LocalGround<B> {
     /// The face of the control mesh that a face of a level descends from.
     fn base_face(&self, face: u32, level: usize) -> u32 {
         // Past level 0 the parent is the number in the control mesh.
-        let parent = |at, level| self.lazy.face(level, at).parent;
+        let parent = |at, level| self.lazy.parent(level, at);
         (0..=level).rev().fold(face, parent)
     }
 

@@ -2,7 +2,7 @@
 //! bit of it.
 
 use super::control::ControlMesh;
-use super::topology::{Face, Level, NONE, gather};
+use super::topology::{Face, LevelMesh, NONE, gather};
 use super::vertex::Vertex;
 
 /// Cells along an edge of the cube: 24,576 in all, for about twenty faces each of a planet's
@@ -41,7 +41,7 @@ impl FaceIndex {
     /// The face of the indexed mesh that a direction lies in; `hint` is a face likely to be near.
     pub fn locate(
         &self,
-        level: &Level,
+        level: &LevelMesh,
         vertices: &[Vertex],
         direction: [i32; 3],
         hint: Option<u32>,
@@ -57,8 +57,7 @@ impl FaceIndex {
             if sides[worst] >= 0.0 {
                 return at;
             }
-            let [f, g] = level.edges[face.edges[worst] as usize].faces;
-            at = if f == at { g } else { f };
+            at = level.edges[face.edges[worst] as usize].beyond(at);
         }
         locate_slowly(&level.faces, vertices, direction)
     }

@@ -1,4 +1,4 @@
-//! Pass: a face decides whether it is split for a view.
+//! Passes: a face decides whether it is split for a view, then whether it lies beside a split one.
 //!
 //! A face of level L is split where its centre is nearer than c·ℓ_L to the camera or the disc, ℓ_L
 //! the theoretical edge; what a camera does not see counts as farther ([`sight`](super::sight)).
@@ -11,8 +11,9 @@ use super::arith::ratio;
 use super::fixed::{Q16, mul_shift};
 use super::scale::PlanetScale;
 use super::sight::{Sight, horizon};
-use super::topology::{Edge, Face, NONE, SplitMark};
+use super::topology::{FaceSplit, LevelMesh, SplitMark};
 use super::vertex::Vertex;
+use super::vertices::VertexView;
 pub use super::view::{SHARPNESS, View};
 
 impl View {
@@ -61,30 +62,42 @@ impl View {
     }
 }
 
-/// A face's mark once the splits are known: split, beside a split one, or neither.
-#[inline]
-pub fn halo(face: &Face, index: u32, edges: &[Edge], splits: impl Fn(u32) -> bool) -> SplitMark {
-    if splits(index) {
-        return SplitMark::Split;
-    }
-    // A face beside a split one is halo.
-    let beside = face.edges.iter().any(|&e| {
-        let [f, g] = edges[e as usize].faces;
-        let other = if f == index { g } else { f };
-        other != NONE && splits(other)
-    });
-    if beside {
-        SplitMark::Halo
-    } else {
-        SplitMark::Leaf
+/// Marks the faces of a level that are split; all others become leaves.
+pub fn mark_split(
+    sight: &Sight,
+    level: u32,
+    mesh: &LevelMesh,
+    vertices: VertexView,
+    items: &[u32],
+    faces: &mut [FaceSplit],
+) {
+    for &f in items {
+        let corners = vertices.gather(mesh.faces[f as usize].vertices);
+        faces[f as usize].mark = if sight.splits(level, corners) {
+            SplitMark::Split
+        } else {
+            SplitMark::Leaf
+        };
     }
 }
 
-/// An edge's mark: the greater of its faces'.
-#[inline]
-pub fn edge_mark(edge: &Edge, faces: &[Face]) -> SplitMark {
-    let [left, right] = edge
-        .faces
-        .map(|f| faces.get(f as usize).map_or(SplitMark::Leaf, |f| f.mark));
-    left.max(right)
+/// Marks the faces beside a split one as halo. It reads which faces are split and writes the others,
+/// so no item sees what another writes.
+pub fn mark_halo(mesh: &LevelMesh, items: &[u32], faces: &mut [FaceSplit]) {
+    for &f in items {
+        if faces[f as usize].mark != SplitMark::Split && is_beside_split(mesh, f, faces) {
+            faces[f as usize].mark = SplitMark::Halo;
+        }
+    }
+}
+
+/// Whether one of a face's neighbours is split.
+fn is_beside_split(mesh: &LevelMesh, face: u32, faces: &[FaceSplit]) -> bool {
+    let neighbours = mesh.faces[face as usize]
+        .edges
+        .map(|e| faces.get(mesh.edges[e as usize].beyond(face) as usize));
+    neighbours
+        .into_iter()
+        .flatten()
+        .any(|face| face.mark == SplitMark::Split)
 }

@@ -7,28 +7,39 @@
 //!
 //! # The passes
 //!
-//! One file is one pass: a function of one item that reads what it needs and writes that item
-//! alone, so any number of items can be done at once and in any order. All of them run on the CPU.
-//! They use no operation that WGSL's 32-bit integers lack (products of 64 bits are built from
-//! halves, see [`fixed`]), so a compute pass can have the same bits.
+//! One file is one pass: columns in, columns out, and a list of items, each of which reads what it
+//! needs and writes itself alone, so any number of items can be done at once and in any order. All of
+//! them run on the CPU. They use no operation that WGSL's 32-bit integers lack (products of 64 bits
+//! are built from halves, see [`fixed`]), so a compute pass can have the same bits.
 //!
 //! | pass | once per | reads | writes |
 //! |---|---|---|---|
-//! | [`cull`] | base face | view, control mesh | level 0 of the ground |
-//! | [`mark`] | face | view ([`sight`]), corners; then its neighbours | split, halo or leaf |
-//! | [`mark::edge_mark`] | edge | its faces' marks | the same |
-//! | [`scan`] | edge, face | counts | places of vertices, halves, children |
+//! | [`mark::mark_split`] | face | view ([`sight`]), corners | split or leaf |
+//! | [`mark::mark_halo`] | face | which neighbours are split | halo |
+//! | [`count`] | edge, face | its faces' marks; its own | its mark; sums of 256 items |
+//! | [`scan`] | sum | the sums before it | what is made before its items |
+//! | [`place`] | edge, face | its sum | places of vertices, halves, children; lists of items |
 //! | [`edge_split`] | edge | ends, opposite corners | the new vertex: place, heading of its river, kind, ground, water (R1 to R5, lakes) |
 //! | [`face_decide`] | face | corners, new vertices, corners beyond | its inner edges (Ia to Ic, meanders) |
 //! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river |
-//! | [`face_split`] | edge, face | the same level | halves, inner edges, children |
+//! | [`face_split::grow_halves`] | edge | ends, new vertex, its faces' children | its halves |
+//! | [`face_split::grow_inner`] | face | its edges and new vertices | its inner edges |
+//! | [`face_split::grow_faces`] | face | its edges' halves | its children |
 //! | [`carve`] | vertex | itself | final ground and water |
 //! | [`show`] | vertex | itself, view | ground and water that a level shows of it |
 //! | [`emit`] | leaf, triangle | split edges; water of its corners | triangles of ground and of water |
 //!
-//! [`step`] runs the passes of one level, [`ground::refine`] all levels of a view. [`local`]
-//! answers for a single direction: [`lazy`] calls the same functions for no more vertices than the
-//! answer depends on.
+//! [`step`] runs the passes of one level, [`ground::refine`] all levels of a view. Level 0 is the
+//! control mesh itself ([`base`]), which no run copies or renumbers; where most of it is out of sight
+//! the CPU runs over what a view may [`reach`]. A run keeps apart what a level *is* ([`LevelMesh`],
+//! written once by the level above) and what becomes of it ([`EdgeSplit`], [`FaceSplit`]).
+//!
+//! [`local`] answers for a single direction: [`lazy`] calls the same functions for no more vertices
+//! than the answer depends on.
+//!
+//! [`LevelMesh`]: topology::LevelMesh
+//! [`EdgeSplit`]: topology::EdgeSplit
+//! [`FaceSplit`]: topology::FaceSplit
 //!
 //! ```
 //! use pangaea_shaders::amplify::base::Base;
@@ -91,10 +102,12 @@ pub mod control;
 pub mod scale;
 pub mod topology;
 pub mod vertex;
+pub mod vertices;
 
 pub mod segment;
 
 pub mod rules;
+pub mod uniform;
 
 mod sparse;
 
@@ -105,9 +118,14 @@ pub mod view;
 
 pub mod sight;
 
-pub mod cull;
+pub mod reach;
+
 pub mod mark;
+
+pub mod count;
 pub mod scan;
+
+pub mod place;
 
 pub mod edge_split;
 pub mod face_decide;

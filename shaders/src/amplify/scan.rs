@@ -1,23 +1,16 @@
-//! Pass: exclusive prefix sums, which give every item that makes others its place among them.
+//! Pass: exclusive prefix sums over blocks, which give every block its place among what all make.
 
-use super::topology::NONE;
+use super::count::LevelCounts;
 
-/// Gives each item that makes `count` others the place of the first, from `start` on; [`NONE`] to
-/// one that makes none. Returns how many are made.
-#[inline]
-pub fn scan<T>(
-    items: &mut [T],
-    start: u32,
-    count: impl Fn(&T) -> u32,
-    place: impl Fn(&mut T, u32),
-) -> u32 {
-    let mut next = start;
-    for item in items {
-        let made = count(item);
-        place(item, if made == 0 { NONE } else { next });
-        next += made;
+/// Replaces the counts of every block by those of all blocks before it; returns the sum of all.
+pub fn scan(blocks: &mut [LevelCounts]) -> LevelCounts {
+    let mut before = LevelCounts::default();
+    for block in blocks {
+        let counts = *block;
+        *block = before;
+        before = before.and(counts);
     }
-    next - start
+    before
 }
 
 #[cfg(test)]
@@ -26,8 +19,14 @@ mod tests {
 
     #[test]
     fn places_follow_one_another() {
-        let mut items = [(2, 0), (0, 0), (1, 0), (4, 0)];
-        assert_eq!(scan(&mut items, 10, |i| i.0, |i, place| i.1 = place), 7);
-        assert_eq!(items.map(|i| i.1), [10, NONE, 12, 13]);
+        let counts = |[mids, halves]: [u32; 2]| LevelCounts {
+            mids,
+            halves,
+            ..LevelCounts::default()
+        };
+        let mut blocks = [[2, 4], [0, 0], [1, 0], [4, 6]].map(counts);
+        assert_eq!(scan(&mut blocks), counts([7, 10]));
+        let wanted = [[0, 0], [2, 4], [2, 4], [3, 4]].map(counts);
+        assert_eq!(blocks, wanted);
     }
 }

@@ -56,14 +56,14 @@ fn between_levels(
 }
 
 /// Ground and water that a view shows of a column of vertices and their final ground.
-pub fn show_all(
+pub fn show_all<'a>(
     scale: &PlanetScale,
     rules: &Rules,
     view: &View,
-    vertices: &[Vertex],
+    vertices: impl IntoIterator<Item = &'a Vertex>,
     carved: &[Carved],
 ) -> Vec<Carved> {
-    let shown = vertices.iter().zip(carved).map(|(vertex, &carved)| {
+    let shown = vertices.into_iter().zip(carved).map(|(vertex, &carved)| {
         let level = view.shown_level(scale, vertex);
         between_levels(scale, rules, vertex, carved, level)
     });

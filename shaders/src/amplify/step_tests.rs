@@ -4,6 +4,7 @@ use super::*;
 use crate::amplify::base::Base;
 use crate::amplify::ground::{Caps, refine};
 use crate::amplify::mark::View;
+use crate::amplify::rules::Rules;
 use crate::amplify::seed::pcg;
 use crate::amplify::synthetic::control_mesh;
 
@@ -14,71 +15,100 @@ fn shuffled(count: usize, seed: u32) -> Vec<u32> {
     order
 }
 
-/// Does the items of every pass of a level in a random order.
-fn redo(passes: &LevelPasses, level: &Level, vertices: &mut [Vertex]) {
-    let edges = shuffled(level.edges.len(), passes.index);
-    for &i in &edges {
-        let edge = &level.edges[i as usize];
-        if edge.mark != SplitMark::Leaf {
-            vertices[edge.mid as usize] = passes.split_edge(level, vertices, i);
-        }
-    }
-    for f in shuffled(level.faces.len(), passes.index) {
-        let face = &level.faces[f as usize];
-        if face.mark != SplitMark::Leaf && passes.index < STRAIGHT_LEVEL {
-            assert_eq!(passes.decide_face(level, vertices, f), face.inner);
-        }
-    }
-    for &i in &edges {
-        let edge = &level.edges[i as usize];
-        if edge.mark == SplitMark::Split {
-            let settled = passes.resolve_vertex(level, vertices, i);
-            settled.write(&mut vertices[edge.mid as usize]);
-        }
+/// A pass as it runs, but on single items in a random order.
+fn one_by_one(items: &[u32], seed: u32, mut pass: impl FnMut(usize, &[u32])) {
+    for i in shuffled(items.len(), seed) {
+        let i = i as usize;
+        pass(i, &items[i..=i]);
     }
 }
 
-/// An edge as it was made, before its own level split it.
-fn new_edge(edge: &Edge) -> Edge {
-    Edge {
-        birth: edge.birth,
-        arriving: edge.arriving,
-        ..Edge::new(edge.kind, edge.vertices, edge.faces)
+/// Blocks in a random order, each with its items and what the blocks before it make.
+fn blocks_one_by_one(
+    items: &[u32],
+    before: &[LevelCounts],
+    mut pass: impl FnMut(&[u32], LevelCounts),
+) {
+    for i in shuffled(before.len(), 5) {
+        let start = i as usize * BLOCK;
+        let end = items.len().min(start + BLOCK);
+        pass(&items[start..end], before[i as usize]);
     }
 }
 
-/// A face as it was made, before its own level split it.
-fn new_face(face: &Face) -> Face {
-    Face::new(face.vertices, face.edges, face.parent)
+/// The lists and places of a level, block by block in a random order.
+fn placed_again(plan: &LevelPlan, level: &mut Level, first_vertex: u32) -> [Vec<u32>; 2] {
+    let Level {
+        items,
+        edges,
+        faces,
+        ..
+    } = level;
+    let mut halved = vec![0; plan.total.mids as usize];
+    let mut decided = vec![0; plan.total.decided as usize];
+    blocks_one_by_one(&items.edges, &plan.edges, |block, before| {
+        place_edges(block, before, first_vertex, edges, &mut halved);
+    });
+    blocks_one_by_one(&items.faces, &plan.faces, |block, before| {
+        place_faces(block, before, faces, &mut decided);
+    });
+    [halved, decided]
 }
 
-/// Makes the children of the edges and faces of a level in a random order.
-fn redo_children(passes: &LevelPasses, [level, next]: [&Level; 2], vertices: &[Vertex]) {
-    let is_split = |e: &&Edge| e.mark == SplitMark::Split;
-    let halves = 2 * level.edges.iter().filter(is_split).count() as u32;
-    for i in shuffled(level.edges.len(), passes.index) {
-        let edge = &level.edges[i as usize];
-        if edge.mark == SplitMark::Split {
-            let want = [0, 1].map(|slot| new_edge(&next.edges[edge.child as usize + slot]));
-            let made = face_split::halve(passes.rules, passes.index, edge, &level.faces, vertices);
-            assert_eq!(made, want);
-        }
-    }
-    for f in shuffled(level.faces.len(), passes.index) {
-        let face = &level.faces[f as usize];
-        if face.mark != SplitMark::Split {
-            continue;
-        }
-        let inner = halves + face.child / 4 * 3;
-        let want = [0, 1, 2, 3].map(|k| new_face(&next.faces[face.child as usize + k]));
-        assert_eq!(face_split::quarter(face, f, inner, &level.edges), want);
-        for k in 0..3 {
-            let made = face_split::inner_edge(face, passes.index, k, &level.edges, vertices);
-            assert_eq!(made, new_edge(&next.edges[inner as usize + k]));
-        }
-    }
+/// Grows a level by single items in random orders; `vertices` are those of coarser levels.
+fn grown_again(
+    uniform: LevelUniform,
+    plan: &LevelPlan,
+    level: &mut Level,
+    vertices: &mut Vertices,
+) -> LevelMesh {
+    let total = &plan.total;
+    let [halved, decided] = placed_again(plan, level, vertices.len() as u32);
+    let (coarser, new) = vertices.append(total.mids as usize);
+    one_by_one(&halved, 1, |i, e| {
+        edge_split(uniform, &level.mesh, coarser, e, &mut new[i..=i]);
+    });
+    let view = vertices.view();
+    one_by_one(&decided, 2, |_, f| {
+        face_decide(
+            uniform,
+            &level.mesh,
+            &level.edges,
+            view,
+            f,
+            &mut level.faces,
+        );
+    });
+    one_by_one(&halved, 3, |_, e| {
+        vertex_resolve(uniform, level, e, vertices)
+    });
+    finer_again(uniform, total, level, vertices, [&halved, &decided])
 }
 
+/// The mesh of the next level, by single items in random orders.
+fn finer_again(
+    uniform: LevelUniform,
+    total: &LevelCounts,
+    level: &Level,
+    vertices: &Vertices,
+    [halved, decided]: [&[u32]; 2],
+) -> LevelMesh {
+    let blank = Edge::new(EdgeKind::Terrain, [NONE; 2], [NONE; 2]);
+    let mut edges = vec![blank; total.edges() as usize];
+    let mut faces = vec![Face::default(); total.children as usize];
+    let view = vertices.view();
+    one_by_one(halved, 4, |_, e| {
+        grow_halves(uniform, level, view, e, &mut edges)
+    });
+    one_by_one(decided, 5, |_, f| {
+        grow_inner(uniform, level, view, f, total.halves, &mut edges);
+        grow_faces(level, f, total.halves, &mut faces);
+    });
+    LevelMesh { edges, faces }
+}
+
+/// Every pass of every level on single items, and blocks, in a random order; level 0 over the whole
+/// planet instead of what the view reaches.
 #[test]
 fn items_are_done_in_any_order() {
     let base = Base::new(&control_mesh(300_000, 3, 7)).unwrap();
@@ -86,17 +116,22 @@ fn items_are_done_in_any_order() {
     let river = base.vertices.iter().find(|v| v.is_wet()).unwrap();
     let view = View::disc(river.direction, 2_000, 13);
     let want = refine(&base, &rules, &view, &Caps::default());
-    let mut vertices = want.vertices.clone();
-    for (index, level) in (0..).zip(&want.levels) {
-        let passes = LevelPasses {
+    let sight = Sight::new(&base.scale, &view);
+    let mut vertices = Vertices::new(base.vertices.clone());
+    let mut level = Level::new(base.level.clone(), Items::all(&base.level));
+    for (index, next) in (0..).zip(&want.levels[1..]) {
+        let uniform = LevelUniform {
             scale: &base.scale,
             rules: &rules,
-            index,
+            level: index,
         };
-        redo(&passes, level, &mut vertices);
-        if let Some(next) = want.levels.get(index as usize + 1) {
-            redo_children(&passes, [level, next], &vertices);
-        }
+        let plan = mark(&sight, index, &mut level, &vertices);
+        let mesh = grown_again(uniform, &plan, &mut level, &mut vertices);
+        let done = &want.levels[index as usize];
+        assert!(level.edges == done.edges && level.faces == done.faces);
+        assert_eq!(mesh, *next.mesh);
+        let items = Items::all(&mesh);
+        level = Level::new(Arc::new(mesh), items);
     }
     assert!(vertices.len() > 10_000 && vertices == want.vertices);
 }

@@ -4,6 +4,7 @@
 //! mₖ₋₁) and the middle c₃ = (m₀, m₁, m₂). Its inner edge iₖ = (mₖ, mₖ₋₁) cuts the corner k off.
 
 use super::rules::EdgeKind;
+use std::sync::Arc;
 
 /// No vertex, edge or face.
 pub const NONE: u32 = u32::MAX;
@@ -28,7 +29,7 @@ pub enum SplitMark {
     Split = 2,
 }
 
-/// One edge, 32 bytes.
+/// One edge as the level above made it, 24 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct Edge {
@@ -37,10 +38,6 @@ pub struct Edge {
     /// The faces of its level on both sides, or [`NONE`]; the first has the edge in its winding
     /// direction.
     pub faces: [u32; 2],
-    /// The vertex that halves it, or [`NONE`].
-    pub mid: u32,
-    /// Its first half in the next level, or [`NONE`]; the second follows.
-    pub child: u32,
     /// Discharge that arrives at the second vertex of a river edge, as
     /// [`Vertex::discharge`](super::vertex::Vertex::discharge).
     pub arriving: u32,
@@ -48,26 +45,27 @@ pub struct Edge {
     pub kind: EdgeKind,
     /// Level at which its river was born; 0 for a river of the control mesh.
     pub birth: u8,
-    /// Whether it is split.
-    pub mark: SplitMark,
 }
 
-const _: () = assert!(size_of::<Edge>() == 32);
+const _: () = assert!(size_of::<Edge>() == 24);
 
 impl Edge {
-    /// An edge that is not split yet.
+    /// An edge without a river's discharge.
     #[inline]
     pub const fn new(kind: EdgeKind, vertices: [u32; 2], faces: [u32; 2]) -> Self {
         Self {
             vertices,
             faces,
-            mid: NONE,
-            child: NONE,
             arriving: 0,
             kind,
             birth: 0,
-            mark: SplitMark::Leaf,
         }
+    }
+
+    /// The face on the other side of one of its faces, or [`NONE`].
+    #[inline]
+    pub const fn beyond(&self, face: u32) -> u32 {
+        self.faces[(self.faces[0] == face) as usize]
     }
 
     /// Turns it around: ends and faces change sides.
@@ -76,6 +74,18 @@ impl Edge {
         self.vertices.swap(0, 1);
         self.faces.swap(0, 1);
     }
+}
+
+/// A run's part in an edge. Zeros are those of an edge that takes no part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(C)]
+pub struct EdgeSplit {
+    /// The vertex that halves it, where it is no leaf.
+    pub mid: u32,
+    /// Its first half in the next level, where it is split; the second follows.
+    pub child: u32,
+    /// Whether it is split: the greater of its faces' marks.
+    pub mark: SplitMark,
 }
 
 /// Drainage that a face lays along one of its inner edges (rules Ia to Ic, and meanders).
@@ -118,40 +128,19 @@ impl Inner {
     }
 }
 
-/// One face, 36 bytes, counter-clockwise from outside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// One face as the level above made it, 24 bytes; counter-clockwise from outside.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct Face {
     /// Its corners.
     pub vertices: [u32; 3],
     /// Its edges; `edges[i]` joins `vertices[i]` and `vertices[(i + 1) % 3]`.
     pub edges: [u32; 3],
-    /// Its first child in the next level, or [`NONE`]: corners 0, 1, 2, then the middle.
-    pub child: u32,
-    /// The face of the level above; of level 0, the face of the control mesh.
-    pub parent: u32,
-    /// Drainage along its inner edges.
-    pub inner: [Inner; 3],
-    /// Whether it is split.
-    pub mark: SplitMark,
 }
 
-const _: () = assert!(size_of::<Face>() == 36);
+const _: () = assert!(size_of::<Face>() == 24);
 
 impl Face {
-    /// A face that is not split yet.
-    #[inline]
-    pub const fn new(vertices: [u32; 3], edges: [u32; 3], parent: u32) -> Self {
-        Self {
-            vertices,
-            edges,
-            child: NONE,
-            parent,
-            inner: [Inner::Terrain; 3],
-            mark: SplitMark::Leaf,
-        }
-    }
-
     /// The number of the corner that is a vertex; 3 without one.
     #[inline]
     pub const fn corner(&self, vertex: u32) -> usize {
@@ -173,12 +162,101 @@ impl Face {
     }
 }
 
-/// Edges and faces of one level. A finest level may lack its edges; its faces name them all the
-/// same.
+/// A run's part in a face. Zeros are those of a leaf.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(C)]
+pub struct FaceSplit {
+    /// Its first child in the next level, where it is split: corners 0, 1, 2, then the middle.
+    pub child: u32,
+    /// Drainage along its inner edges.
+    pub inner: [Inner; 3],
+    /// Whether it is split.
+    pub mark: SplitMark,
+}
+
+const _: () = assert!(size_of::<FaceSplit>() == 8);
+
+/// Edges and faces of one level as the level above made them: nothing changes them any more. A
+/// finest level may lack its edges; its faces name them all the same.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Level {
+pub struct LevelMesh {
     /// Edges.
     pub edges: Vec<Edge>,
     /// Faces.
     pub faces: Vec<Face>,
+}
+
+impl LevelMesh {
+    /// The corner of a face of an edge that the edge does not touch; `None` beyond the rim.
+    #[inline]
+    pub fn opposite(&self, edge: u32, side: usize) -> Option<u32> {
+        self.corner_off(self.edges[edge as usize].faces[side], edge)
+    }
+
+    /// The corner beyond an edge of a face; `None` beyond the rim.
+    #[inline]
+    pub fn beyond(&self, edge: u32, face: u32) -> Option<u32> {
+        self.corner_off(self.edges[edge as usize].beyond(face), edge)
+    }
+
+    #[inline]
+    fn corner_off(&self, face: u32, edge: u32) -> Option<u32> {
+        Some(self.faces.get(face as usize)?.opposite(edge))
+    }
+}
+
+/// Numbers of the edges and faces of a level that its passes run over, ascending.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Items {
+    /// Edges.
+    pub edges: Vec<u32>,
+    /// Faces.
+    pub faces: Vec<u32>,
+}
+
+impl Items {
+    /// All of a level.
+    pub fn all(mesh: &LevelMesh) -> Self {
+        let [edges, faces] = [mesh.edges.len(), mesh.faces.len()].map(|n| (0..n as u32).collect());
+        Self { edges, faces }
+    }
+}
+
+/// One level of a run: its mesh, which level 0 shares with all runs of a planet, and the run's part
+/// in it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Level {
+    /// What the level above made.
+    pub mesh: Arc<LevelMesh>,
+    /// The edges' and faces' numbers that the passes run over: all, but of the control mesh those
+    /// that the view reaches.
+    pub items: Items,
+    /// The run's part in each edge of the mesh.
+    pub edges: Vec<EdgeSplit>,
+    /// The run's part in each face of the mesh.
+    pub faces: Vec<FaceSplit>,
+}
+
+impl Level {
+    /// A level whose faces are leaves.
+    pub fn new(mesh: Arc<LevelMesh>, items: Items) -> Self {
+        Self {
+            edges: vec![EdgeSplit::default(); mesh.edges.len()],
+            faces: vec![FaceSplit::default(); mesh.faces.len()],
+            items,
+            mesh,
+        }
+    }
+
+    /// The edges that the passes run over.
+    pub fn edges(&self) -> impl Iterator<Item = (&Edge, &EdgeSplit)> {
+        let edges = self.items.edges.iter().map(|&e| e as usize);
+        edges.map(|e| (&self.mesh.edges[e], &self.edges[e]))
+    }
+
+    /// The faces that the passes run over.
+    pub fn faces(&self) -> impl Iterator<Item = (&Face, &FaceSplit)> {
+        let faces = self.items.faces.iter().map(|&f| f as usize);
+        faces.map(|f| (&self.mesh.faces[f], &self.faces[f]))
+    }
 }

@@ -11,20 +11,22 @@ mod rivers;
 use super::control::{ControlFace, ControlMesh};
 use super::locate::FaceIndex;
 use super::scale::PlanetScale;
-use super::topology::{Face, Level};
+use super::topology::{Face, LevelMesh};
 use super::vertex::Vertex;
 use arms::{Below, largest_arriving};
 pub use check::{BadMesh, RADII_M};
+use std::sync::Arc;
 
-/// Level 0 of the ground.
+/// Level 0 of the ground. All runs of a planet share its vertices, edges and faces, which nothing
+/// changes.
 #[derive(Clone, Debug)]
 pub struct Base {
     /// The planet's constants.
     pub scale: PlanetScale,
     /// Vertices of the control mesh.
-    pub vertices: Vec<Vertex>,
+    pub vertices: Arc<Vec<Vertex>>,
     /// Its edges and faces.
-    pub level: Level,
+    pub level: Arc<LevelMesh>,
     /// Faces around vertex v: `around[starts[v]..starts[v + 1]]`.
     pub starts: Vec<u32>,
     /// Faces around all vertices, vertex after vertex; see `starts`.
@@ -58,8 +60,8 @@ impl Base {
         });
         Ok(Self {
             scale: ground.scale,
-            vertices: ground.vertices,
-            level: ground.level,
+            vertices: Arc::new(ground.vertices),
+            level: Arc::new(ground.level),
             starts: lookup.starts,
             around: lookup.around,
             index: lookup.index,
@@ -83,7 +85,7 @@ impl Base {
 struct BaseGround {
     scale: PlanetScale,
     vertices: Vec<Vertex>,
-    level: Level,
+    level: LevelMesh,
 }
 
 impl BaseGround {
@@ -98,15 +100,16 @@ impl BaseGround {
         estuary::flood(&scale, &below, &largest, &mut vertices);
         let mut edges = rivers::edges(mesh, &below, &vertices);
         rivers::add_gullies(&mut vertices, &mut edges);
-        let faces: Vec<Face> = (0..)
-            .zip(&mesh.faces)
-            .map(|(i, f)| Face::new(f.vertices, f.edges, i))
-            .collect();
+        let faces = mesh.faces.iter().map(|f| Face {
+            vertices: f.vertices,
+            edges: f.edges,
+        });
+        let faces: Vec<Face> = faces.collect();
         rivers::find_nearest(&scale, &mut vertices, &edges, &faces);
         Self {
             scale,
             vertices,
-            level: Level { edges, faces },
+            level: LevelMesh { edges, faces },
         }
     }
 }

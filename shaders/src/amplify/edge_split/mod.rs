@@ -15,14 +15,43 @@ use super::fixed::{Q16, difference};
 use super::rules::{self, EdgeKind, Rules, meander, valley};
 use super::scale::PlanetScale;
 use super::seed::between;
-use super::topology::Edge;
+use super::topology::{Edge, LevelMesh};
+use super::uniform::LevelUniform;
 use super::vertex::{Bend, EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
+use super::vertices::VertexView;
 use course::on_course;
 use place::place;
 
 /// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
 /// its parents alone, but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
 pub const STRAIGHT_LEVEL: u32 = 11;
+
+/// Pass: the vertices that halve edges of a level, in the order of the list; `vertices` are those of
+/// coarser levels.
+pub fn edge_split(
+    uniform: LevelUniform,
+    mesh: &LevelMesh,
+    vertices: VertexView,
+    halved: &[u32],
+    new: &mut [Vertex],
+) {
+    let LevelUniform {
+        scale,
+        rules,
+        level,
+    } = uniform;
+    for (&e, new) in halved.iter().zip(new) {
+        let edge = &mesh.edges[e as usize];
+        let ends = vertices.gather(edge.vertices);
+        // Straight edges do not move sideways and need no corners; rivers keep their course.
+        let opposite = if level < STRAIGHT_LEVEL || edge.kind == EdgeKind::River {
+            [0, 1].map(|side| mesh.opposite(e, side).map(|v| vertices.get(v)))
+        } else {
+            [None; 2]
+        };
+        *new = split(scale, rules, edge, level, ends, opposite);
+    }
+}
 
 /// The vertex that halves an edge of a level. `ends` are those of the edge, in its order.
 pub fn split(

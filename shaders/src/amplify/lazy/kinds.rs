@@ -1,10 +1,11 @@
 //! Kinds of edges, the discharge that arrives along them, and where no river or gully ever comes.
 
-use super::{EdgeOrigin, LazyGround};
+use super::{EdgeOrigin, LazyEdge, LazyGround};
 use crate::amplify::base::Base;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::face_split::{arriving_at, half_kind};
 use crate::amplify::rules::EdgeKind;
+use crate::amplify::topology::Inner;
 use crate::amplify::vertex_resolve::tributary;
 use core::ops::Deref;
 
@@ -45,11 +46,18 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         kind
     }
 
+    /// The inner edges of a face that has decided.
+    fn inner(&self, level: usize, face: u32) -> [Inner; 3] {
+        self.levels[level].faces[face as usize].inner
+    }
+
     /// The kind of a half of an edge, and whether it runs against the edge.
     fn half_kind(&mut self, level: usize, edge: u32, slot: u8) -> (EdgeKind, bool) {
-        let parent = self.edge(level, edge).edge;
+        let LazyEdge {
+            edge: parent, mid, ..
+        } = *self.edge(level, edge);
         let [up, down] = parent.vertices;
-        let along = [up, parent.mid, down];
+        let along = [up, mid, down];
         // Only here does the kind of a half depend on vertices.
         if parent.kind == EdgeKind::River || (level as u32) < self.rules.gully_levels {
             for v in along {
@@ -67,11 +75,11 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
 
     /// Level at which the river along a half of an edge was born.
     fn birth_of_half(&self, level: usize, parent: u32) -> u8 {
-        let edge = &self.edge(level, parent).edge;
+        let LazyEdge { edge, mid, .. } = self.edge(level, parent);
         match edge.kind {
             EdgeKind::River => edge.birth,
             // Of a meander, if it is one, which its apex knows.
-            _ => self.vertex(edge.mid).birth,
+            _ => self.vertex(*mid).birth,
         }
     }
 
@@ -87,7 +95,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
                 if self.edge(level - 1, parent).edge.kind != EdgeKind::River =>
             {
                 // A meander gains nothing between its river and its apex.
-                self.vertex(self.edge(level - 1, parent).edge.mid).discharge
+                self.vertex(self.edge(level - 1, parent).mid).discharge
             }
             EdgeOrigin::Half(parent, 0) => self.arriving_at_middle(level - 1, parent),
             // The second half ends where the whole edge ends.
@@ -96,7 +104,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
                 self.edge(level - 1, parent).edge.arriving
             }
             EdgeOrigin::Inner(face, corner)
-                if self.face(level - 1, face).inner[usize::from(corner)].is_bend() =>
+                if self.inner(level - 1, face)[usize::from(corner)].is_bend() =>
             {
                 let river = self.face(level - 1, face).edges[usize::from(corner)];
                 self.bend_arriving(level - 1, river, known.edge.vertices[1])
@@ -113,7 +121,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
 
     /// Discharge that a meander of the river along an edge brings to its middle or to an apex.
     fn bend_arriving(&mut self, level: usize, river: u32, down: u32) -> u32 {
-        if down == self.edge(level, river).edge.mid {
+        if down == self.edge(level, river).mid {
             return self.arriving_at_middle(level, river);
         }
         self.ensure(down);
@@ -122,9 +130,9 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
 
     /// Discharge that arrives at the middle of a river edge, where a tributary may join.
     fn arriving_at_middle(&mut self, level: usize, edge: u32) -> u32 {
-        let edge = self.edge(level, edge).edge;
-        self.ensure(edge.mid);
-        arriving_at(self.vertex(edge.mid), self.vertex(edge.vertices[0]))
+        let LazyEdge { edge, mid, .. } = *self.edge(level, edge);
+        self.ensure(mid);
+        arriving_at(self.vertex(mid), self.vertex(edge.vertices[0]))
     }
 
     /// Discharge that a tributary brings to a junction.
@@ -132,8 +140,8 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         let (level, river) = self.origins[junction as usize];
         // A vertex that is split has its discharge; the faces do not change it.
         self.split(usize::from(level), river);
-        let river = self.edge(usize::from(level), river).edge;
-        tributary(self.vertex(river.mid), self.vertex(river.vertices[0]))
+        let LazyEdge { edge, mid, .. } = *self.edge(usize::from(level), river);
+        tributary(self.vertex(mid), self.vertex(edge.vertices[0]))
     }
 
     /// Whether no river or gully runs beside an edge of a straight level, nor ever will.
@@ -174,7 +182,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
                 .into_iter()
                 .all(|e| self.settle_kind(level, e) == EdgeKind::Terrain)
         } else {
-            self.is_dry_face(level - 1, known.face.parent)
+            self.is_dry_face(level - 1, known.parent)
         };
         self.levels[level].faces[face as usize].dry = Some(dry);
         dry

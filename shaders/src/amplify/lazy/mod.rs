@@ -14,7 +14,7 @@ use super::control::VertexKind;
 use super::ground::FINEST;
 use super::rules::Rules;
 use super::sparse::Places;
-use super::topology::{Edge, Face, NONE};
+use super::topology::{Edge, Face, Inner, NONE};
 use super::vertex::Vertex;
 use core::ops::Deref;
 
@@ -44,6 +44,10 @@ enum EdgeOrigin {
 #[derive(Clone, Copy, Debug)]
 struct LazyEdge {
     edge: Edge,
+    /// The vertex that halves it, or [`NONE`].
+    mid: u32,
+    /// Its first half, or [`NONE`].
+    child: u32,
     origin: EdgeOrigin,
     /// Whether the edge's kind, birth and direction are known.
     has_kind: bool,
@@ -63,6 +67,8 @@ impl LazyEdge {
     const fn new(edge: Edge, origin: EdgeOrigin) -> Self {
         Self {
             edge,
+            mid: NONE,
+            child: NONE,
             origin,
             has_kind: false,
             reversed: false,
@@ -78,6 +84,11 @@ impl LazyEdge {
 #[derive(Clone, Copy, Debug)]
 struct LazyFace {
     face: Face,
+    /// The face of the level above; of level 0, the face of the control mesh.
+    parent: u32,
+    /// Its first child, or [`NONE`].
+    child: u32,
+    inner: [Inner; 3],
     /// Whether its inner edges are decided.
     decided: bool,
     /// From the straight levels on: whether none of its edges is a river or gully.
@@ -86,9 +97,12 @@ struct LazyFace {
 
 impl LazyFace {
     #[inline]
-    const fn new(face: Face) -> Self {
+    const fn new(face: Face, parent: u32) -> Self {
         Self {
             face,
+            parent,
+            child: NONE,
+            inner: [Inner::Terrain; 3],
             decided: false,
             dry: None,
         }
@@ -159,7 +173,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
     pub fn counts(&self) -> [usize; 3] {
         let mut counts = [0; 3];
         for edge in self.levels.iter().flat_map(|l| &l.edges) {
-            if edge.edge.mid != NONE {
+            if edge.mid != NONE {
                 counts[edge.progress as usize] += 1;
             }
         }
@@ -183,6 +197,13 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
     #[inline]
     pub fn face(&self, level: usize, face: u32) -> &Face {
         &self.levels[level].faces[face as usize].face
+    }
+
+    /// The face of the level above that a face is a child of; of level 0, the face of the control
+    /// mesh.
+    #[inline]
+    pub fn parent(&self, level: usize, face: u32) -> u32 {
+        self.levels[level].faces[face as usize].parent
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! The passes of vertices and faces, each run once everything that it reads has come far enough.
 
-use super::{LazyGround, VertexProgress};
+use super::{LazyEdge, LazyGround, VertexProgress};
 use crate::amplify::base::Base;
 use crate::amplify::edge_split::{self, STRAIGHT_LEVEL};
 use crate::amplify::face_decide::{self, FaceContext};
@@ -63,7 +63,11 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         if is_river {
             self.settle_arriving(level, edge);
         }
-        let edge_now = self.edge(level, edge).edge;
+        let LazyEdge {
+            edge: edge_now,
+            mid,
+            ..
+        } = *self.edge(level, edge);
         let new = edge_split::split(
             &self.base.scale,
             &self.rules,
@@ -72,7 +76,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             ends.map(|v| self.vertex(v)),
             opposite.map(|v| self.vertex_at(v)),
         );
-        self.vertices[edge_now.mid as usize] = new;
+        self.vertices[mid as usize] = new;
         let known = self.edge_mut(level, edge);
         // Faces read the kind that the edge gave, whichever of them settles the vertex first.
         known.split_kind = new.kind;
@@ -93,7 +97,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
     pub(super) fn decide(&mut self, level: usize, face: u32) -> [Inner; 3] {
         let known = self.levels[level].faces[face as usize];
         if known.decided || level as u32 >= STRAIGHT_LEVEL {
-            return known.face.inner;
+            return known.inner;
         }
         // A face without drainage decides nothing, and asks for no vertex.
         let kinds = known.face.edges.map(|e| self.settle_kind(level, e));
@@ -103,7 +107,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             self.decide_drained(level, face, kinds)
         };
         let known = &mut self.levels[level].faces[face as usize];
-        known.face.inner = inner;
+        known.inner = inner;
         known.decided = true;
         inner
     }
@@ -125,7 +129,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             corners: made.vertices,
             vertices: made.vertices.map(|v| self.vertex(v)),
             edges: edges.map(|e| &e.edge),
-            mids: edges.map(|e| self.vertex(e.edge.mid)),
+            mids: edges.map(|e| self.vertex(e.mid)),
             kinds: edges.map(|e| e.split_kind),
             beyond: beyond.map(|v| self.vertex_at(v)),
         };
@@ -134,8 +138,8 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
 
     /// The corner beyond an edge of a face, final.
     fn ensure_beyond(&mut self, level: usize, face: u32, edge: u32) -> u32 {
-        let [f, g] = self.faces(level, edge);
-        let neighbour = if f == face { g } else { f };
+        self.faces(level, edge);
+        let neighbour = self.edge(level, edge).edge.beyond(face);
         let corner = self.face(level, neighbour).opposite(edge);
         self.ensure(corner);
         corner
@@ -148,7 +152,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         }
         self.split(level, edge);
         let around = self.ensure_around(level, edge);
-        let mid = self.edge(level, edge).edge.mid;
+        let mid = self.edge(level, edge).mid;
         let settled = self.settled(level, edge, &around);
         settled.write(&mut self.vertices[mid as usize]);
         self.edge_mut(level, edge).progress = VertexProgress::Resolved;
@@ -207,7 +211,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
 
     /// Runs `vertex_resolve` on surroundings that have come far enough.
     fn settled(&self, level: usize, edge: u32, around: &AroundEdge) -> Settled {
-        let edge = &self.edge(level, edge).edge;
+        let LazyEdge { edge, mid, .. } = self.edge(level, edge);
         let context = VertexContext {
             edge,
             ends: edge.vertices.map(|v| self.vertex(v)),
@@ -215,19 +219,19 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             requests: around.requests,
             beside: around.drains.map(|e| self.drain_beside(level, e)),
         };
-        let new = self.vertex(edge.mid);
+        let new = self.vertex(*mid);
         resolve(&self.base.scale, &self.rules, level as u32, new, &context)
     }
 
     fn drain_beside(&self, level: usize, edge: u32) -> Option<DrainBeside<'_>> {
-        let edge = &self.levels[level].edges.get(edge as usize)?.edge;
+        let LazyEdge { edge, mid, .. } = self.levels[level].edges.get(edge as usize)?;
         let is_straight = level as u32 >= STRAIGHT_LEVEL;
         Some(DrainBeside {
             edge,
             ends: edge.vertices.map(|v| self.vertex(v)),
             // In straight levels the whole edge serves, whether another query made its middle or
             // not.
-            mid: self.vertex_at(edge.mid).filter(|_| !is_straight),
+            mid: self.vertex_at(*mid).filter(|_| !is_straight),
         })
     }
 

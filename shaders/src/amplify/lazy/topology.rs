@@ -14,14 +14,12 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         if let Some(&place) = self.placed.faces.get(&face) {
             return place;
         }
-        let Face {
-            vertices, edges, ..
-        } = self.base.level.faces[face as usize];
+        let Face { vertices, edges } = self.base.level.faces[face as usize];
         let vertices = vertices.map(|v| self.base_vertex(v));
         let edges = edges.map(|e| self.base_edge(e));
         let faces = &mut self.levels[0].faces;
         let place = faces.len() as u32;
-        faces.push(LazyFace::new(Face::new(vertices, edges, face)));
+        faces.push(LazyFace::new(Face { vertices, edges }, face));
         self.placed.faces.insert(face, place);
         place
     }
@@ -83,7 +81,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
 
     /// Makes the halves of an edge, and returns the first; their middle may stay pending.
     pub(super) fn halve(&mut self, level: usize, edge: u32) -> u32 {
-        let made = self.edge(level, edge).edge.child;
+        let made = self.edge(level, edge).child;
         if made != NONE {
             return made;
         }
@@ -101,16 +99,20 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             halves.push(LazyEdge::new(half, EdgeOrigin::Half(edge, slot)));
         }
         let known = self.edge_mut(level, edge);
-        known.edge.mid = mid;
-        known.edge.child = child;
+        known.mid = mid;
+        known.child = child;
         child
     }
 
     /// Makes the children of a face; their vertices may stay pending. Returns the first.
     pub fn quarter(&mut self, level: usize, face: u32) -> u32 {
-        let made = *self.face(level, face);
-        if made.child != NONE {
-            return made.child;
+        let LazyFace {
+            face: made,
+            child: known,
+            ..
+        } = self.levels[level].faces[face as usize];
+        if known != NONE {
+            return known;
         }
         let child = self.levels[level + 1].faces.len() as u32;
         let sides = [0, 1, 2].map(|k| self.halve_side(level, &made, k, child));
@@ -120,14 +122,17 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             let other = (k + 2) % 3;
             let vertices = [made.vertices[k], mids[k], mids[other]];
             let edges = [sides[k].from_start, inner + k as u32, sides[other].from_end];
-            Face::new(vertices, edges, face)
+            Face { vertices, edges }
         });
-        let middle = Face::new(mids, [inner + 1, inner + 2, inner], face);
+        let middle = Face {
+            vertices: mids,
+            edges: [inner + 1, inner + 2, inner],
+        };
         let children = corners.into_iter().chain([middle]);
         self.levels[level + 1]
             .faces
-            .extend(children.map(LazyFace::new));
-        self.levels[level].faces[face as usize].face.child = child;
+            .extend(children.map(|child| LazyFace::new(child, face)));
+        self.levels[level].faces[face as usize].child = child;
         child
     }
 
@@ -149,11 +154,11 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
     /// is `child`.
     fn halve_side(&mut self, level: usize, face: &Face, k: usize, child: u32) -> HalvedSide {
         let first = self.halve(level, face.edges[k]);
-        let edge = self.edge(level, face.edges[k]).edge;
+        let LazyEdge { edge, mid, .. } = *self.edge(level, face.edges[k]);
         // 1 where the edge runs against the face's winding.
         let against = u32::from(edge.vertices[0] != face.vertices[k]);
         let side = HalvedSide {
-            mid: edge.mid,
+            mid,
             from_start: first + against,
             from_end: first + 1 - against,
         };

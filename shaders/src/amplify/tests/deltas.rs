@@ -3,7 +3,7 @@
 use super::*;
 use crate::amplify::control::ControlMesh;
 use crate::amplify::rules::EdgeKind;
-use crate::amplify::topology::{Edge, Level, NONE, gather};
+use crate::amplify::topology::{Edge, Level, NONE};
 use std::collections::BTreeMap;
 
 /// Flows of the arms, Q16: unequal, and their squares do not sum to any river's.
@@ -68,8 +68,13 @@ fn reached(mesh: &ControlMesh, v: u32) -> bool {
 /// The discharge that rivers of a level carry away from every vertex, and how many there are.
 fn leaving(ground: &RefinedGround, level: &Level) -> BTreeMap<u32, (u64, usize)> {
     let mut sums = BTreeMap::new();
-    for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River) {
-        let [up, _] = gather(&ground.vertices, edge.vertices);
+    for edge in level
+        .mesh
+        .edges
+        .iter()
+        .filter(|e| e.kind == EdgeKind::River)
+    {
+        let [up, _] = ground.vertices.gather(edge.vertices);
         let (sum, count) = sums.entry(edge.vertices[0]).or_insert((0, 0));
         *sum += u64::from(carried(up, edge));
         *count += 1;
@@ -98,7 +103,7 @@ fn arms_share_the_discharge_to_the_unit() {
             let whole = |e: &&Edge| !e.faces.contains(&NONE);
             for (v, (sum, arms)) in leaving(&ground, level) {
                 let vertex = &ground.vertices[v as usize];
-                let mut around = level.edges.iter().filter(|e| e.vertices.contains(&v));
+                let mut around = level.mesh.edges.iter().filter(|e| e.vertices.contains(&v));
                 if arms > 1 && around.all(|e| whole(&e)) {
                     assert_eq!(sum, u64::from(vertex.discharge), "{vertex:?}");
                     parted += 1;

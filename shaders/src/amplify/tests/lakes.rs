@@ -97,8 +97,8 @@ fn is_dry(vertex: &Vertex) -> bool {
 fn drawn(ground: &RefinedGround) -> impl Iterator<Item = (usize, &Edge)> {
     let levels = ground.levels.iter().enumerate();
     levels.flat_map(|(index, level)| {
-        let leaves = level.edges.iter().filter(|e| e.mark == SplitMark::Leaf);
-        leaves.map(move |edge| (index, edge))
+        let leaves = level.edges().filter(|(_, s)| s.mark == SplitMark::Leaf);
+        leaves.map(move |(edge, _)| (index, edge))
     })
 }
 
@@ -110,7 +110,7 @@ fn surfaces_are_level() {
     for ground in lake_views(&base) {
         let carved = carve_all(&ground.scale, &Rules::default(), &ground.vertices);
         for triangle in ground.triangles() {
-            let corners = gather(&ground.vertices, triangle.vertices);
+            let corners = ground.vertices.gather(triangle.vertices);
             let [ground, water] = columns(gather(&carved, triangle.vertices));
             let Some(k) = corners.iter().position(|v| is_lake(v)) else {
                 continue;
@@ -174,7 +174,7 @@ fn shores_hold_their_lake() {
     for ground in lake_views(&base) {
         let carved = carve_all(&ground.scale, &Rules::default(), &ground.vertices);
         for (level, edge) in drawn(&ground).filter(|(level, _)| *level > 0) {
-            let [a, b] = gather(&ground.vertices, edge.vertices);
+            let [a, b] = ground.vertices.gather(edge.vertices);
             if is_lake(a) && is_lake(b) {
                 assert_eq!((a.lake, a.water), (b.lake, b.water), "{level} {a:?} {b:?}");
                 inside += 1;
@@ -199,9 +199,9 @@ fn rivers_enter_and_leave_at_the_level() {
     let base = planet();
     let [mut into, mut out] = [0, 0];
     for ground in lake_views(&base) {
-        let edges = ground.levels.iter().flat_map(|level| &level.edges);
+        let edges = ground.levels.iter().flat_map(|level| &level.mesh.edges);
         for edge in edges.filter(|e| e.kind == EdgeKind::River) {
-            let [up, down] = gather(&ground.vertices, edge.vertices);
+            let [up, down] = ground.vertices.gather(edge.vertices);
             if up.is_wet() && is_lake(down) {
                 assert!(up.water >= down.water, "{up:?} {down:?}");
                 into += u32::from(!is_lake(up));
@@ -222,7 +222,7 @@ fn shores_have_no_steps() {
     for ground in lake_views(&base) {
         let carved = carve_all(&ground.scale, &Rules::default(), &ground.vertices);
         for (_, edge) in drawn(&ground).filter(|(level, _)| *level > 6) {
-            let [a, b] = gather(&ground.vertices, edge.vertices);
+            let [a, b] = ground.vertices.gather(edge.vertices);
             let [g, h] = gather(&carved, edge.vertices).map(|c| c.ground);
             let length = ground.scale.grains(difference(b.direction, a.direction));
             let slope = f64::from((g - h).abs()) / f64::from(length.max(1));

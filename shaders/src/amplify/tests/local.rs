@@ -3,7 +3,7 @@
 use super::*;
 use crate::amplify::local::{Leaf, LocalGround};
 use crate::amplify::locate::{depth, sides};
-use crate::amplify::topology::{SplitMark, gather};
+use crate::amplify::topology::SplitMark;
 
 /// Moves a direction by up to `range` units and back on the sphere.
 fn nearby(direction: [i32; 3], k: u32, range: i32) -> [i32; 3] {
@@ -16,9 +16,9 @@ fn brute(ground: &RefinedGround, level: u32, direction: [i32; 3]) -> Vec<[Vertex
     let Some(level) = ground.levels.get(level as usize) else {
         return Vec::new();
     };
-    let leaves = level.faces.iter().filter(|f| f.mark != SplitMark::Split);
+    let leaves = level.faces().filter(|(_, s)| s.mark != SplitMark::Split);
     leaves
-        .map(|f| gather(&ground.vertices, f.vertices))
+        .map(|(f, _)| ground.vertices.gather(f.vertices))
         .filter(|c| is_near(c[0], direction) && depth(sides(direction, *c)) >= 0.0)
         .map(|c| c.map(|v| *v))
         .collect()

@@ -34,9 +34,11 @@ fn width_m(vertex: &Vertex) -> f64 {
 
 /// The way of the water from a vertex on, as far as it is refined to a level.
 fn downstream(ground: &RefinedGround, from: [i32; 3], level: usize) -> Vec<u32> {
-    let edges = ground.levels[level].edges.iter();
-    let drawn = edges.filter(|e| e.kind == EdgeKind::River && e.mark != SplitMark::Split);
-    let next: BTreeMap<u32, u32> = drawn.map(|e| (e.vertices[0], e.vertices[1])).collect();
+    let rivers = ground.levels[level]
+        .edges()
+        .filter(|(e, _)| e.kind == EdgeKind::River);
+    let drawn = rivers.filter(|(_, s)| s.mark != SplitMark::Split);
+    let next: BTreeMap<u32, u32> = drawn.map(|(e, _)| (e.vertices[0], e.vertices[1])).collect();
     let is_start = |v: &Vertex| v.direction == from;
     let start = ground.vertices.iter().position(is_start);
     let start = start.map(|v| v as u32);
@@ -164,14 +166,19 @@ fn every_apex_lies_on_one_river() {
 
 /// Vertices at which faces are missing in a level.
 fn rim(level: &Level) -> BTreeSet<u32> {
-    let open = level.edges.iter().filter(|e| e.faces.contains(&NONE));
+    let open = level.mesh.edges.iter().filter(|e| e.faces.contains(&NONE));
     open.flat_map(|e| e.vertices).collect()
 }
 
 /// How many rivers of a level leave its vertices, and arrive there.
 fn rivers_at(level: &Level) -> BTreeMap<u32, [usize; 2]> {
     let mut rivers: BTreeMap<u32, [usize; 2]> = BTreeMap::new();
-    for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River) {
+    for edge in level
+        .mesh
+        .edges
+        .iter()
+        .filter(|e| e.kind == EdgeKind::River)
+    {
         for (end, v) in edge.vertices.into_iter().enumerate() {
             rivers.entry(v).or_default()[end] += 1;
         }

@@ -4,10 +4,11 @@ use super::views::by_path;
 use super::*;
 use crate::amplify::carve::{CarveCache, carve, carve_all};
 use crate::amplify::control::{ControlEdge, ControlFace, ControlMesh};
-use crate::amplify::emit::{Triangle, emit};
-use crate::amplify::mark::{edge_mark, halo};
+use crate::amplify::count::count_edges;
+use crate::amplify::emit::emit_leaves;
+use crate::amplify::mark::{mark_halo, mark_split};
 use crate::amplify::sight::Sight;
-use crate::amplify::topology::{SplitMark, gather};
+use crate::amplify::topology::{Items, Level, SplitMark};
 
 /// The numbers below `count` in a random order.
 fn shuffled(count: usize, seed: u32) -> Vec<u32> {
@@ -105,19 +106,27 @@ fn faces_and_edges_are_marked_in_any_order() {
         let sight = Sight::new(&base.scale, &view);
         let mut split = 0;
         for (index, level) in (0..10).zip(&ground.levels) {
-            let splits = |f: u32| {
-                let face = &level.faces[f as usize];
-                sight.splits(index, gather(&ground.vertices, face.vertices))
+            let mut again = Level::new(level.mesh.clone(), Items::all(&level.mesh));
+            let Level {
+                mesh, edges, faces, ..
+            } = &mut again;
+            let order = shuffled(faces.len(), k);
+            mark_split(&sight, index, mesh, ground.vertices.view(), &order, faces);
+            mark_halo(mesh, &shuffled(faces.len(), k + 1), faces);
+            let order = shuffled(mesh.edges.len(), k);
+            count_edges(mesh, &order, faces, edges);
+            let marks = |level: &Level| {
+                let edges: Vec<SplitMark> = level.edges.iter().map(|e| e.mark).collect();
+                let faces: Vec<SplitMark> = level.faces.iter().map(|f| f.mark).collect();
+                (edges, faces)
             };
-            for f in shuffled(level.faces.len(), k) {
-                let face = &level.faces[f as usize];
-                assert_eq!(halo(face, f, &level.edges, splits), face.mark);
-                split += u32::from(face.mark == SplitMark::Split);
-            }
-            for e in shuffled(level.edges.len(), k) {
-                let edge = &level.edges[e as usize];
-                assert_eq!(edge_mark(edge, &level.faces), edge.mark);
-            }
+            // Whatever the view reaches of level 0, the rest of the planet takes no part.
+            assert_eq!(marks(&again), marks(level));
+            split += marks(level)
+                .1
+                .iter()
+                .filter(|&&m| m == SplitMark::Split)
+                .count();
         }
         assert!(split > 1_000, "{split}");
     }
@@ -129,18 +138,13 @@ fn leaves_become_triangles_in_any_order() {
     let ground = refined(&base, &camera(on_river(&base, 4), 200, 10));
     let mut triangles = Vec::new();
     for (index, level) in ground.levels.iter().enumerate().rev() {
-        for f in shuffled(level.faces.len(), 9) {
-            let face = &level.faces[f as usize];
-            if face.mark != SplitMark::Split {
-                let mut out = [[0; 3]; 4];
-                let made = emit(face, level, &ground.vertices, &mut out);
-                triangles.extend(out[..made].iter().map(|&vertices| Triangle {
-                    vertices,
-                    level: index as u32,
-                    face: f,
-                }));
-            }
-        }
+        let order = shuffled(level.items.faces.len(), 9);
+        let items: Vec<u32> = order
+            .iter()
+            .map(|&i| level.items.faces[i as usize])
+            .collect();
+        let vertices = ground.vertices.view();
+        emit_leaves(index as u32, level, vertices, &items, &mut triangles);
     }
     // Back in the order of levels and leaves; the triangles of a leaf stay in theirs.
     triangles.sort_by_key(|t| (t.level, t.face));

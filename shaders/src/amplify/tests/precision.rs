@@ -14,12 +14,14 @@ fn halved<'a>(
     level: &'a Level,
 ) -> impl Iterator<Item = [Vector; 3]> + 'a {
     // Rivers keep their course, which need not run straight.
-    let halved = |e: &&Edge| e.mark == SplitMark::Split && e.kind != EdgeKind::River;
-    let split = level.edges.iter().filter(halved);
-    split.map(|edge| {
-        let [a, b] = edge.vertices;
-        [a, b, edge.mid].map(|v| ground.vertices[v as usize].direction.map(f64::from))
-    })
+    let is_straight = |e: &Edge| e.kind != EdgeKind::River;
+    let split = level.edges().filter(|(_, s)| s.mark == SplitMark::Split);
+    split
+        .filter(move |(e, _)| is_straight(e))
+        .map(|(edge, split)| {
+            let [a, b] = edge.vertices;
+            [a, b, split.mid].map(|v| ground.vertices[v as usize].direction.map(f64::from))
+        })
 }
 
 #[test]

@@ -102,7 +102,7 @@ fn check(base: &Base, rules: &Rules, seed: u32) {
         });
         let leaf = local.leaf([0, 1, 2].map(|i| v[i] + w[i] / 64), 17, None);
         assert!(leaf.carved.iter().all(|c| c.water >= NO_WATER));
-        assert!(leaf.carved.iter().zip(leaf.vertices).all(holds_water));
+        assert!(leaf.carved.iter().zip(&leaf.vertices).all(holds_water));
     }
     let at = base.vertices[seed as usize].direction;
     let view = View::disc(at, base.scale.radius_m / 500, 8);
@@ -110,10 +110,10 @@ fn check(base: &Base, rules: &Rules, seed: u32) {
     let carved = carve_all(&base.scale, rules, &ground.vertices);
     let water = emit::water(&ground, rules, &ground.triangles(), &carved);
     assert!(water.iter().flat_map(|t| t.water).all(|w| w > NO_WATER));
-    assert!(carved.iter().zip(ground.vertices).all(holds_water));
+    assert!(carved.iter().zip(&ground.vertices).all(holds_water));
 }
 
 /// Whether wet ground lies under water.
-fn holds_water((carved, vertex): (&Carved, Vertex)) -> bool {
+fn holds_water((carved, vertex): (&Carved, &Vertex)) -> bool {
     !vertex.is_wet() || carved.water >= carved.ground
 }

@@ -5,7 +5,7 @@ use super::views::{by_path, tangents};
 use super::*;
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::sight::{RINGS, Sight, horizon};
-use crate::amplify::topology::{NONE, SplitMark};
+use crate::amplify::topology::{Level, NONE, SplitMark};
 use std::collections::BTreeMap;
 
 /// A real camera over a planet, lengths in metres.
@@ -177,8 +177,8 @@ fn cameras_that_look_one_way_have_whole_meshes() {
 
 /// No edge that is split lacks a face, and with all ground kept the surface is closed.
 fn check_split_edges(ground: &RefinedGround) {
-    let edges = ground.levels.iter().flat_map(|level| &level.edges);
-    for edge in edges.filter(|e| e.mark == SplitMark::Split) {
+    let edges = ground.levels.iter().flat_map(Level::edges);
+    for (edge, _) in edges.filter(|(_, s)| s.mark == SplitMark::Split) {
         assert!(!edge.faces.contains(&NONE));
     }
 }

@@ -68,7 +68,7 @@ fn in_fans(ground: &RefinedGround) -> usize {
 fn check_facing(ground: &RefinedGround) {
     let faces = (0..)
         .zip(&ground.levels)
-        .flat_map(|(index, level)| level.faces.iter().map(move |face| (index, face.vertices)));
+        .flat_map(|(index, level)| level.faces().map(move |(face, _)| (index, face.vertices)));
     let leaves = ground.triangles();
     let triangles = leaves.iter().map(|t| (t.level, t.vertices));
     let mut least = f64::MAX;

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// All vertices by names of 128 bits, which follow from their paths from the control mesh.
 pub(super) fn by_path(ground: &RefinedGround) -> BTreeMap<u128, Vertex> {
     let mut names = vec![0_u128; ground.vertices.len()];
-    let base = ground.levels[0].edges.iter().flat_map(|e| e.vertices);
+    let base = ground.levels[0].edges().flat_map(|(e, _)| e.vertices);
     for v in base {
         let [x, y, z] = ground.vertices[v as usize]
             .direction
@@ -16,10 +16,10 @@ pub(super) fn by_path(ground: &RefinedGround) -> BTreeMap<u128, Vertex> {
         names[v as usize] = x | y << 32 | z << 64;
     }
     for (v, vertex) in (0..).zip(&ground.vertices) {
-        let Some(parents) = ground.parents(v) else {
+        let (Some(parents), Some(origin)) = (ground.parents(v), ground.origin(v)) else {
             continue;
         };
-        let [origin, above] = [ground.origins[v as usize], u32::from(vertex.level) - 1];
+        let above = vertex.level - 1;
         // The halo's middles are not settled: nothing is drawn with them.
         if ground.levels[above as usize].edges[origin as usize].mark == SplitMark::Split {
             let [a, b] = parents.map(|p| names[p as usize]);
@@ -171,7 +171,7 @@ impl Area {
     /// Faces of a level that reach into it.
     fn faces(&self, ground: &RefinedGround, level: usize) -> BTreeSet<[([i32; 3], i32, u32); 3]> {
         let corners = |f: &Face| f.vertices.map(|v| ground.vertices[v as usize]);
-        let faces = ground.levels[level].faces.iter().map(corners);
+        let faces = ground.levels[level].mesh.faces.iter().map(corners);
         faces
             .filter(|c| c.iter().any(|v| self.contains(v)))
             .map(|c| c.map(|v| (v.direction, v.height, v.seed)))
@@ -203,6 +203,6 @@ fn faces_alone_are_those_of_the_whole_refinement() {
     let want = refined(&base, &view);
     let got = refine_faces(&base, &Rules::default(), &view, &Caps::default());
     assert_eq!(got.vertices, want.vertices);
-    assert_eq!(got.levels[16].faces, want.levels[16].faces);
+    assert_eq!(got.levels[16].mesh.faces, want.levels[16].mesh.faces);
     assert!(got.levels[16].edges.is_empty() && !want.levels[16].edges.is_empty());
 }

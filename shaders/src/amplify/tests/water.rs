@@ -6,7 +6,7 @@ use crate::amplify::carve::carve_all;
 use crate::amplify::emit;
 use crate::amplify::local::LocalGround;
 use crate::amplify::rules::EdgeKind;
-use crate::amplify::topology::{Edge, Level, NONE, SplitMark, gather};
+use crate::amplify::topology::{Edge, EdgeSplit, Level, NONE, SplitMark, gather};
 use std::collections::BTreeMap;
 
 /// Views of rivers from 100 m, under all presets.
@@ -21,8 +21,8 @@ fn river_views() -> impl Iterator<Item = (Rules, RefinedGround)> {
         })
 }
 
-fn edges(ground: &RefinedGround) -> impl Iterator<Item = &Edge> {
-    ground.levels.iter().flat_map(|level| &level.edges)
+fn edges(ground: &RefinedGround) -> impl Iterator<Item = (&Edge, &EdgeSplit)> {
+    ground.levels.iter().flat_map(Level::edges)
 }
 
 fn is_river(vertex: &Vertex) -> bool {
@@ -34,8 +34,8 @@ fn water_runs_downhill() {
     let mut rivers = 0;
     for (_, ground) in river_views() {
         assert!(ground.vertices.iter().all(|v| v.water >= v.bed));
-        for edge in edges(&ground).filter(|e| e.kind == EdgeKind::River) {
-            let [up, down] = gather(&ground.vertices, edge.vertices);
+        for (edge, split) in edges(&ground).filter(|(e, _)| e.kind == EdgeKind::River) {
+            let [up, down] = ground.vertices.gather(edge.vertices);
             if !is_river(up) || !is_river(down) {
                 continue;
             }
@@ -44,8 +44,8 @@ fn water_runs_downhill() {
                 "{up:?} {down:?}"
             );
             rivers += 1;
-            if edge.mark == SplitMark::Split && up.bed >= down.bed + 2 {
-                let mid = &ground.vertices[edge.mid as usize];
+            if split.mark == SplitMark::Split && up.bed >= down.bed + 2 {
+                let mid = &ground.vertices[split.mid as usize];
                 let falls = up.bed > mid.bed && mid.bed > down.bed;
                 assert!(falls || !is_river(mid), "{up:?} {mid:?} {down:?}");
             }
@@ -62,9 +62,9 @@ fn carved_water_runs_downhill() {
     let [mut rivers, mut mouths] = [0; 2];
     for (rules, ground) in river_views() {
         let carved = carve_all(&ground.scale, &rules, &ground.vertices);
-        let drawn = edges(&ground).filter(|e| e.mark != SplitMark::Split);
-        for edge in drawn.filter(|e| e.kind == EdgeKind::River) {
-            let [up, down] = gather(&ground.vertices, edge.vertices);
+        let drawn = edges(&ground).filter(|(_, s)| s.mark != SplitMark::Split);
+        for (edge, _) in drawn.filter(|(e, _)| e.kind == EdgeKind::River) {
+            let [up, down] = ground.vertices.gather(edge.vertices);
             let [above, below] = gather(&carved, edge.vertices);
             // No water comes from beyond a spring.
             if !is_river(up) {
@@ -122,7 +122,12 @@ fn junctions_conserve_discharge() {
 /// have two rivers or more.
 fn check_junctions(ground: &RefinedGround, level: &Level) -> usize {
     let mut arriving: BTreeMap<u32, Vec<u64>> = BTreeMap::new();
-    for edge in level.edges.iter().filter(|e| e.kind == EdgeKind::River) {
+    for edge in level
+        .mesh
+        .edges
+        .iter()
+        .filter(|e| e.kind == EdgeKind::River)
+    {
         let [up, down] = edge.vertices;
         assert!(edge.arriving >= ground.vertices[up as usize].discharge);
         let into = arriving.entry(down).or_default();
@@ -142,7 +147,7 @@ fn check_junctions(ground: &RefinedGround, level: &Level) -> usize {
 
 /// Whether all faces around a vertex exist in a level.
 fn is_inside(level: &Level, v: u32) -> bool {
-    let mut around = level.edges.iter().filter(|e| e.vertices.contains(&v));
+    let mut around = level.mesh.edges.iter().filter(|e| e.vertices.contains(&v));
     around.all(|e| !e.faces.contains(&NONE))
 }
 
@@ -161,7 +166,7 @@ fn water_does_not_climb_its_banks() {
             for (corner, level) in corners.iter().zip(sheet.water) {
                 assert!(level <= highest && (corner.is_wet() || level <= corner.ground));
             }
-            let vertices = gather(&ground.vertices, sheet.ground.vertices);
+            let vertices = ground.vertices.gather(sheet.ground.vertices);
             let is_lake = |k: &usize| vertices[*k].kind == VertexKind::Lake;
             let is_bank = |k: &usize| corners[*k].ground > highest;
             let is_shore = (0..3).all(|k| is_lake(&k) || is_bank(&k));

@@ -10,10 +10,68 @@ mod river;
 use super::control::VertexKind;
 use super::rules::{EdgeKind, Rules, meander, valley};
 use super::scale::PlanetScale;
-use super::topology::{Edge, Inner};
+use super::topology::{Edge, EdgeSplit, Inner, Level, SplitMark};
+use super::uniform::LevelUniform;
 use super::vertex::{Bend, ValleySection, Vertex};
+use super::vertices::{VertexView, Vertices};
 use river::NearestRiver;
 pub use river::{most_move, tributary};
+
+/// Pass: the vertices of split edges settle. Each reads the middles of the edges beside its own, but
+/// of those only what no settling changes.
+pub fn vertex_resolve(
+    uniform: LevelUniform,
+    level: &Level,
+    halved: &[u32],
+    vertices: &mut Vertices,
+) {
+    for &e in halved {
+        let EdgeSplit { mid, mark, .. } = level.edges[e as usize];
+        if mark == SplitMark::Split {
+            let around = around_edge(level, vertices.view(), e);
+            let new = vertices.view().get(mid);
+            let settled = resolve(uniform.scale, uniform.rules, uniform.level, new, &around);
+            settled.write(vertices.grown_mut(mid));
+        }
+    }
+}
+
+/// The surroundings of the vertex that halves an edge.
+fn around_edge<'a>(level: &'a Level, vertices: VertexView<'a>, e: u32) -> VertexContext<'a> {
+    let mesh = &level.mesh;
+    let edge = &mesh.edges[e as usize];
+    let mut around = VertexContext {
+        edge,
+        ends: vertices.gather(edge.vertices),
+        opposite: [0, 1].map(|side| mesh.opposite(e, side).map(|v| vertices.get(v))),
+        requests: Requests::default(),
+        beside: [None; 4],
+    };
+    for side in 0..2 {
+        let Some(face) = mesh.faces.get(edge.faces[side] as usize) else {
+            continue;
+        };
+        let inner = &level.faces[edge.faces[side] as usize].inner;
+        let k = face.edges.iter().position(|&other| other == e).unwrap_or(0);
+        around.requests = around.requests.and(Requests::of(inner, k));
+        for j in 0..2 {
+            // The face's other two edges, in the order of its winding.
+            let other = face.edges[(k + 1 + j) % 3];
+            around.beside[side * 2 + j] = drain_beside(level, vertices, other);
+        }
+    }
+    around
+}
+
+/// An edge that runs along a river or a gully; `None` for another.
+fn drain_beside<'a>(level: &'a Level, vertices: VertexView<'a>, e: u32) -> Option<DrainBeside<'a>> {
+    let (edge, split) = (&level.mesh.edges[e as usize], &level.edges[e as usize]);
+    (edge.kind != EdgeKind::Terrain).then(|| DrainBeside {
+        edge,
+        ends: vertices.gather(edge.vertices),
+        mid: (split.mark != SplitMark::Leaf).then(|| vertices.get(split.mid)),
+    })
+}
 
 /// An edge beside a vertex that runs along a river or a gully.
 #[derive(Clone, Copy, Debug)]
