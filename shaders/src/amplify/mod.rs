@@ -10,7 +10,8 @@
 //! One file is one pass: a function of one item that reads what it needs and writes that item
 //! alone, so any number of items can be done at once and in any order. All of them run on the CPU.
 //! They use no operation that WGSL's 32-bit integers lack (products of 64 bits are built from
-//! halves, see [`fixed`]), so a compute pass can have the same bits.
+//! halves), so a compute pass can have the same bits: [`twins`] lists the modules that have theirs
+//! in WGSL beside them.
 //!
 //! | pass | once per | reads | writes |
 //! |---|---|---|---|
@@ -127,6 +128,8 @@ pub mod lazy;
 pub mod local;
 
 pub mod synthetic;
+
+pub mod twins;
 
 #[cfg(test)]
 mod tests;
