@@ -20,4 +20,6 @@ mod spectra;
 mod structure;
 
 #[cfg(feature = "render")]
+mod gpu;
+#[cfg(feature = "render")]
 mod shaders;

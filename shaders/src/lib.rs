@@ -2,12 +2,15 @@
 //!
 //! - [`amplify`] refines a control mesh of 52 km to ground of half a metre. It runs on the CPU, is
 //!   written pass by pass and in operations that WGSL's 32-bit integers have, so that compute
-//!   passes can have the same bits. There is no compute pass yet.
+//!   passes can have the same bits. Its arithmetic has twins in WGSL; there is no compute pass yet.
+//! - [`wgsl`] puts compute shaders together of such twins.
 //! - [`globe`] holds the WGSL that draws a planet from orbit, as constants: ground and sea, air,
 //!   lines.
 //!
-//! The crate has no dependencies and knows no renderer. A shader is written in the dialect of Bevy
-//! (`naga_oil`: `#import`, `#ifdef`, `#{NAME}`).
+//! The crate has no dependencies and knows no renderer. Compute shaders are plain WGSL; a shader that
+//! draws is written in the dialect of Bevy (`naga_oil`: `#import`, `#ifdef`, `#{NAME}`).
+
+pub mod wgsl;
 
 pub mod amplify;
 

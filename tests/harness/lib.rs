@@ -9,12 +9,15 @@
 //! measure    areas, volumes, hypsometry, coverage, by brute force
 //! probe      what every stage of a step does to the state
 //! fuzz       damaged inputs for readers
+//! gpu        functions in WGSL beside their twins in Rust (with the feature `render`)
 //! soak       long runs, and the memory that they take
 //! source     the code of the workspace: figures, imports, names
 //! ```
 
 pub mod earth;
 pub mod fuzz;
+#[cfg(feature = "render")]
+pub mod gpu;
 pub mod grown;
 pub mod measure;
 pub mod order;

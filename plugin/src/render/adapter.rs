@@ -28,13 +28,20 @@ pub const CURE: &str = if cfg!(target_os = "linux") {
 
 /// Opens the adapter that Bevy would open, without a window.
 ///
+/// # Errors
+/// As [`open_adapter_with`].
+pub fn open_adapter() -> Result<RenderCreation, NoAdapter> {
+    open_adapter_with(&WgpuSettings::default())
+}
+
+/// The same with features and limits of one's own.
+///
 /// Panics of the renderer are caught, and not printed while this runs: call it before other threads
 /// are busy.
 ///
 /// # Errors
 /// [`NoAdapter`], which names the reason and the cure.
-pub fn open_adapter() -> Result<RenderCreation, NoAdapter> {
-    let settings = WgpuSettings::default();
+pub fn open_adapter_with(settings: &WgpuSettings) -> Result<RenderCreation, NoAdapter> {
     let Some(backends) = settings.backends else {
         return Err(NoAdapter {
             reason: "all backends are switched off".into(),
@@ -43,7 +50,7 @@ pub fn open_adapter() -> Result<RenderCreation, NoAdapter> {
     let hook = take_hook();
     set_hook(Box::new(|_| {}));
     let opened = catch_unwind(AssertUnwindSafe(|| {
-        bevy::tasks::block_on(initialize_renderer(backends, None, &settings))
+        bevy::tasks::block_on(initialize_renderer(backends, None, settings))
     }));
     set_hook(hook);
     match opened {

@@ -1,8 +1,7 @@
 //! Integer arithmetic of the rules: products, ratios, roots and blends of Q16 shares and of grains.
 //!
-//! Products are taken in 64 bits; WGSL, which has 32, can build the same bits from halves (see the
-//! tests of [`fixed`](super::fixed)). Every other operation is one of 32 bits. Nothing wraps but
-//! hashes: a sum or product beyond 32 bits is a mistake, and debug assertions refuse it.
+//! Products are taken in 64 bits, as in [`fixed`](super::fixed); every other operation is one of 32
+//! bits. Nothing wraps but hashes: a sum or product beyond 32 bits is a mistake, and debug assertions refuse it.
 
 use super::fixed::{Q16, q16};
 
@@ -60,6 +59,18 @@ pub const fn ratio(a: i32, b: i32) -> i32 {
     (((first / b) << 8) + second / b) as i32
 }
 
+/// A ratio of -1..1 in Q16; `whole` is not negative, and nothing is a part of 0.
+#[inline]
+pub const fn signed_ratio(part: i32, whole: i32) -> i32 {
+    if part == 0 {
+        0
+    } else if part < 0 {
+        -ratio(-part, whole)
+    } else {
+        ratio(part, whole)
+    }
+}
+
 /// Where x stands between two edges, 0..1 in Q16, linear. `low` < `high`.
 #[inline]
 pub const fn linear_step(low: i32, high: i32, x: i32) -> i32 {
@@ -79,6 +90,12 @@ pub const fn smoothstep(low: i32, high: i32, x: i32) -> i32 {
     smooth(linear_step(low, high, x))
 }
 
+/// The parabola 0.51855 + 0.52601u - 0.03954u² is within 0.5 % of √u, u in 1..4. Its constant is in
+/// Q15, as the root, its factors of u and u² in Q16 and Q19.
+const ROOT_CONSTANT: u32 = 16_992;
+const ROOT_SLOPE: u32 = 34_473;
+const ROOT_SQUARE: u32 = 20_730;
+
 /// ⌊√x⌋, exact.
 ///
 /// ```
@@ -94,9 +111,10 @@ pub const fn isqrt(x: u32) -> u32 {
     // Shifted by pairs of bits, so that the root has sixteen bits.
     let shift = x.leading_zeros() & !1;
     let y = x << shift;
-    // The parabola 0.51855 + 0.52601u - 0.03954u² is within 0.5 % of √u, u = y / 2³⁰ in 1..4.
+    // u = y / 2³⁰ in 1..4, in Q14.
     let u = y >> 16;
-    let guess = 16_992 + ((u * 34_473) >> 15) - ((((u * u) >> 16) * 20_730) >> 16);
+    let bend = (((u * u) >> 16) * ROOT_SQUARE) >> 16;
+    let guess = ROOT_CONSTANT + ((u * ROOT_SLOPE) >> 15) - bend;
     // One step of Newton's never ends below the root, and at most one above: it halves the square
     // of the guess's error, which leaves less than one of 16 bits.
     let mut root = (guess + y / guess) >> 1;
@@ -142,6 +160,11 @@ pub const fn length(x: i32, y: i32, z: i32) -> i32 {
     (isqrt(x * x + y * y + z * z) << shift) as i32
 }
 
+/// Coefficients of u², u⁴ and u⁶ in the polynomial of cos(πu/2); a - b + c = 1.
+const COSINE_A: i32 = q16(1.23364);
+const COSINE_B: i32 = q16(0.25325);
+const COSINE_C: i32 = q16(0.0196);
+
 /// cos(2πt) of a phase whose whole turn is 2¹⁶, Q16. Error below 0.001; even and periodic to the
 /// last bit.
 #[inline]
@@ -154,16 +177,22 @@ pub const fn cos_turn(t: i32) -> i32 {
     } else {
         (half, 1)
     };
-    // cos(πu/2) with u = x / 2¹⁴: 1 - u²(a - u²(b - c·u²)), a - b + c = 1.
-    const A: i32 = q16(1.23364);
-    const B: i32 = q16(0.25325);
-    const C: i32 = q16(0.0196);
+    // cos(πu/2) with u = x / 2¹⁴: 1 - u²(a - u²(b - c·u²)).
     let u = x << 2;
     let u2 = square(u);
-    let inner = B - mul_q16(C, u2);
-    let outer = A - mul_q16(inner, u2);
+    let inner = COSINE_B - mul_q16(COSINE_C, u2);
+    let outer = COSINE_A - mul_q16(inner, u2);
     sign * (Q16 - mul_q16(outer, u2))
 }
+
+crate::wgsl::shared!(
+    ROOT_CONSTANT,
+    ROOT_SLOPE,
+    ROOT_SQUARE,
+    COSINE_A,
+    COSINE_B,
+    COSINE_C,
+);
 
 #[cfg(test)]
 #[path = "arith_tests.rs"]

@@ -12,6 +12,8 @@ const STEPS: u32 = 2;
 /// A unit tangent's length.
 const UNIT: i32 = 32_767;
 
+crate::wgsl::shared!(STEPS, UNIT);
+
 /// A piece of a river's course.
 #[derive(Clone, Copy, Debug)]
 pub struct Curve {

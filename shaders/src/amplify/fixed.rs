@@ -1,5 +1,5 @@
-//! Fixed-point numbers of the ground. Products are taken in 64 bits; WGSL, which has 32, can build
-//! the same bits from halves (see the tests).
+//! Fixed-point numbers of the ground. Products are taken in 64 bits; the twin in WGSL, which has 32,
+//! builds the same bits from halves.
 //!
 //! Directions are in units of 1 / [`ONE`] of the radius (3.1 mm on Earth), heights and lengths in
 //! grains of 1 / [`GRAINS`] m (range ±2097 km), shares in Q16 (65,536 is 1).
@@ -94,6 +94,8 @@ pub const fn difference(to: [i32; 3], from: [i32; 3]) -> [i32; 3] {
 
 /// Fraction of 2³² / [`ONE`] = 2 + 0.10526, in 2⁻³².
 const INVERSE_FRACTION: u32 = ((1_u128 << 64) / ONE as u128 - (1_u128 << 33)) as u32;
+
+crate::wgsl::shared!(ONE, GRAINS, Q16, INVERSE_FRACTION);
 
 /// Square of a difference of directions in 2⁻³² of the squared radius: below a quarter.
 #[inline]

@@ -3,7 +3,7 @@
 //! Vectors are shifted to a common scale of 14 bits before they are multiplied: dot products then
 //! fit an i32, and a share along a segment is right to 2⁻¹³ of it.
 
-use super::arith::{length, ratio};
+use super::arith::{length, mul_q16, ratio, signed_ratio};
 use super::fixed::{Q16, difference, weigh};
 
 /// Bits to shift right so that every component of both vectors is below 2¹⁴.
@@ -36,6 +36,12 @@ const fn product(u: [i32; 3], v: [i32; 3]) -> i32 {
 pub const fn dot(u: [i32; 3], v: [i32; 3]) -> i32 {
     let shift = common_shift(u, v);
     product(shifted(u, shift), shifted(v, shift))
+}
+
+/// Dot product of a vector and a unit vector in Q16.
+#[inline]
+pub const fn dot_q16(v: [i32; 3], unit: [i32; 3]) -> i32 {
+    mul_q16(v[0], unit[0]) + mul_q16(v[1], unit[1]) + mul_q16(v[2], unit[2])
 }
 
 /// The lesser triangle's area of a small quadrilateral cut along its diagonal 0-2, and along 1-3,
@@ -96,17 +102,6 @@ pub fn share_along(along: [i32; 3], v: [i32; 3]) -> i32 {
     signed_ratio(product(u, v), product(u, u))
 }
 
-/// A ratio of -1..1 in Q16; `whole` is not negative, and nothing is a part of 0.
-const fn signed_ratio(part: i32, whole: i32) -> i32 {
-    if part == 0 {
-        0
-    } else if part < 0 {
-        -ratio(-part, whole)
-    } else {
-        ratio(part, whole)
-    }
-}
-
 /// The share of `along` on which the foot of `v` lies, Q16, -1..1. The share is the smaller the
 /// farther `v` reaches: as a step towards the nearest point of a curve it then never overshoots.
 #[inline]
@@ -132,6 +127,8 @@ pub struct Stance {
 
 /// 1 in Q12.
 pub const Q12: i32 = 1 << 12;
+
+crate::wgsl::shared!(Q12);
 
 impl Stance {
     /// The stance of a corner, both vectors from the edge's start.

@@ -10,7 +10,8 @@
 //! One file is one pass: columns in, columns out, and a list of items, each of which reads what it
 //! needs and writes itself alone, so any number of items can be done at once and in any order. All of
 //! them run on the CPU. They use no operation that WGSL's 32-bit integers lack (products of 64 bits
-//! are built from halves, see [`fixed`]), so a compute pass can have the same bits.
+//! are built from halves), so a compute pass can have the same bits: [`twins`] lists the modules that
+//! have theirs in WGSL beside them.
 //!
 //! | pass | once per | reads | writes |
 //! |---|---|---|---|
@@ -145,6 +146,8 @@ pub mod lazy;
 pub mod local;
 
 pub mod synthetic;
+
+pub mod twins;
 
 #[cfg(test)]
 mod tests;

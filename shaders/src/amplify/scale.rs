@@ -47,6 +47,16 @@ impl PlanetScale {
         }
     }
 
+    /// It as a uniform: the words of its twin in WGSL.
+    pub const fn words(&self) -> [u32; 4] {
+        [
+            self.radius_m,
+            self.grains_per_unit,
+            self.sixteenths_per_four,
+            self.edge,
+        ]
+    }
+
     /// Length of a difference of directions, grains.
     #[inline]
     pub fn grains(&self, d: [i32; 3]) -> i32 {

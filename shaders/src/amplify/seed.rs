@@ -15,11 +15,24 @@
 
 use super::fixed::Q16;
 
+/// Factor and increment of PCG's state, and the factor of its output.
+const PCG_FACTOR: u32 = 747_796_405;
+const PCG_STEP: u32 = 2_891_336_453;
+const PCG_OUTPUT: u32 = 277_803_737;
+
+/// Added to one of the parents: an odd number near 2³² over the golden ratio.
+const PARENT_STEP: u32 = 0x9e37_79b9;
+
+/// From a seed's draw to its next: odd, so that no two draws are the same number of the sequence.
+const DRAW_STEP: u32 = 0x8549_1f4d;
+
+crate::wgsl::shared!(PCG_FACTOR, PCG_STEP, PCG_OUTPUT, PARENT_STEP, DRAW_STEP,);
+
 /// The PCG-RXS-M-XS permutation of 32 bits (M. O'Neill, PCG, 2014).
 #[inline]
 pub const fn pcg(value: u32) -> u32 {
-    let state = value.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    let state = value.wrapping_mul(PCG_FACTOR).wrapping_add(PCG_STEP);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(PCG_OUTPUT);
     (word >> 22) ^ word
 }
 
@@ -28,15 +41,13 @@ pub const fn pcg(value: u32) -> u32 {
 pub const fn between(a: u32, b: u32) -> u32 {
     let (low, high) = if a < b { (a, b) } else { (b, a) };
     // Without the inner permutation this would be linear in the seeds, as their sum is.
-    pcg(low ^ pcg(high.wrapping_add(0x9e37_79b9)))
+    pcg(low ^ pcg(high.wrapping_add(PARENT_STEP)))
 }
 
 /// The `k`th random number of a seed, 32 bits.
 #[inline]
 pub const fn draw(seed: u32, k: u32) -> u32 {
-    // An odd factor and a permutation: no two draws of a seed are the same number of the
-    // sequence.
-    pcg(seed.wrapping_add(k.wrapping_mul(0x8549_1f4d)))
+    pcg(seed.wrapping_add(k.wrapping_mul(DRAW_STEP)))
 }
 
 /// The `k`th random share ξ of a seed, Q16, 0..65,536 exclusive.

@@ -12,6 +12,7 @@
 
 use super::arith::{isqrt, length, linear_step, mul_q16, ratio, smooth};
 use super::fixed::{GRAINS, Q16, difference, mul_shift, q16};
+use super::geometry::dot_q16;
 use super::scale::PlanetScale;
 use super::vertex::Vertex;
 use super::view::View;
@@ -34,6 +35,8 @@ const MOST_ABOVE: i32 = (1 << 30) - 1;
 
 /// Grains in a sixteenth of a metre.
 const GRAINS_IN_SIXTEENTH: i32 = GRAINS / 16;
+
+crate::wgsl::shared!(BAND, MOST_ABOVE, GRAINS_IN_SIXTEENTH);
 
 /// A view of a planet with everything that its faces have in common, as a uniform holds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,6 +72,16 @@ impl Sight {
             excess: view.outside.saturating_sub(1 << 8).min(most),
             slope,
         }
+    }
+
+    /// It as a uniform: the words of its twin in WGSL.
+    pub fn words(&self) -> [u32; 28] {
+        let common = [self.stretch, self.upward as u32, self.excess, self.slope];
+        let mut words = [0; 28];
+        words[..4].copy_from_slice(&self.scale.words());
+        words[4..24].copy_from_slice(&self.view.words());
+        words[24..].copy_from_slice(&common);
+        words
     }
 
     /// Distance from the camera or the disc to a face's centre, sixteenths of a metre.
@@ -210,10 +223,4 @@ fn centre(corners: [&Vertex; 3]) -> [i32; 3] {
     let [a, b, c] = corners.map(|v| v.direction);
     let [ab, ac] = [b, c].map(|v| difference(v, a));
     [0, 1, 2].map(|i| a[i] + (ab[i] + ac[i]) / 3)
-}
-
-/// Dot product of a vector and a unit vector in Q16.
-#[inline]
-fn dot_q16(v: [i32; 3], unit: [i32; 3]) -> i32 {
-    mul_q16(v[0], unit[0]) + mul_q16(v[1], unit[1]) + mul_q16(v[2], unit[2])
 }

@@ -2,7 +2,9 @@
 
 use super::arith::mul_q16;
 use super::fixed::{difference, mul_shift, q16};
+use super::geometry::dot_q16;
 use super::scale::PlanetScale;
+use std::array;
 
 /// Least and greatest [`View::sharpness`] that keep neighbours within a level: 6 and 250, Q8.
 pub const SHARPNESS: (u32, u32) = (6 << 8, 250 << 8);
@@ -10,6 +12,16 @@ pub const SHARPNESS: (u32, u32) = (6 << 8, 250 << 8);
 /// Sharpness of a disc's finest level, 3 in Q8: nothing finer follows, so it needs no margin but a
 /// face's own size.
 const RIM_SHARPNESS: u32 = 3 << 8;
+
+/// Half a side of a square over half its diagonal, Q16.
+const HALF_SIDE: i32 = q16(core::f64::consts::FRAC_1_SQRT_2);
+
+crate::wgsl::shared!(
+    LEAST_SHARPNESS = SHARPNESS.0,
+    MOST_SHARPNESS = SHARPNESS.1,
+    RIM_SHARPNESS,
+    HALF_SIDE,
+);
 
 /// The part of the ground that is refined, and how finely: for a camera, or a disc or a square of
 /// ground.
@@ -98,6 +110,24 @@ impl View {
         }
     }
 
+    /// It as a uniform: the words of its twin in WGSL.
+    pub fn words(&self) -> [u32; 20] {
+        let row = |[x, y, z]: [i32; 3], w: i32| [x, y, z, w].map(|x| x as u32);
+        let rows = [
+            row(self.direction, self.altitude.unwrap_or(0)),
+            row(self.sides[0], self.radius),
+            row(self.sides[1], self.horizon),
+            row(self.forward, self.field),
+            [
+                u32::from(self.altitude.is_some()),
+                self.outside,
+                self.sharpness,
+                self.level,
+            ],
+        ];
+        array::from_fn(|i| rows[i / 4][i % 4])
+    }
+
     /// [`View::sharpness`] within its limits.
     #[inline]
     pub fn clamped_sharpness(&self) -> u32 {
@@ -126,11 +156,8 @@ impl View {
         }
         // Quarters of units, so that opposite sides of the planet keep 32 bits.
         let offset = difference(direction.map(|x| x >> 2), self.direction.map(|x| x >> 2));
-        let [x, y] = self.sides.map(|side| {
-            let along: i32 = (0..3).map(|i| mul_q16(offset[i], side[i])).sum();
-            along.unsigned_abs()
-        });
+        let [x, y] = self.sides.map(|side| dot_q16(offset, side).unsigned_abs());
         // Half a side is the radius over the root of two.
-        scale.sixteenths(x.max(y)) - mul_q16(self.radius, q16(core::f64::consts::FRAC_1_SQRT_2))
+        scale.sixteenths(x.max(y)) - mul_q16(self.radius, HALF_SIDE)
     }
 }

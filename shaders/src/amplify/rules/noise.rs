@@ -12,10 +12,30 @@ use crate::amplify::fixed::Q16;
 /// Binary logarithm of an edge of level 0, about 2²⁴ direction units.
 pub(super) const EDGE_BITS: u32 = 24;
 
-/// One step of the linear congruential generator of Numerical Recipes.
+/// Factor and increment of the linear congruential generator of Numerical Recipes.
+const CONGRUENTIAL_FACTOR: u32 = 1_664_525;
+const CONGRUENTIAL_STEP: u32 = 1_013_904_223;
+
+/// Draw the origin of a seed's lattice on an axis.
+const AXIS_FACTOR: u32 = 0x9e37_79b9;
+const ORIGIN_FACTOR: u32 = 0x85eb_ca6b;
+
+/// From an octave's seed to the next one's.
+const OCTAVE_STEP: u32 = 0x68bc_21eb;
+
+crate::wgsl::shared!(
+    CONGRUENTIAL_FACTOR,
+    CONGRUENTIAL_STEP,
+    AXIS_FACTOR,
+    ORIGIN_FACTOR,
+    OCTAVE_STEP,
+);
+
+/// One step of the generator.
 #[inline]
 const fn congruential(x: u32) -> u32 {
-    x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223)
+    x.wrapping_mul(CONGRUENTIAL_FACTOR)
+        .wrapping_add(CONGRUENTIAL_STEP)
 }
 
 /// A hash of a lattice cell, well mixed in all bits (three rounds in the manner of pcg3d, M.
@@ -156,7 +176,7 @@ pub fn gradient(cache: &mut CornerCache, point: [i32; 3], cell: u32, seed: u32) 
 /// Origin of a seed's lattice on an axis: octaves must not share the zeros of their lattices.
 #[inline]
 const fn origin(axis: u32, seed: u32) -> u32 {
-    (seed ^ axis.wrapping_mul(0x9e37_79b9)).wrapping_mul(0x85eb_ca6b)
+    (seed ^ axis.wrapping_mul(AXIS_FACTOR)).wrapping_mul(ORIGIN_FACTOR)
 }
 
 /// A sum of octaves of [`gradient`], each half the wavelength and `gain` (Q16) of the amplitude of
@@ -165,7 +185,7 @@ pub fn fbm(cache: &mut [CornerCache], point: [i32; 3], cell: u32, gain: i32, see
     let mut sum = 0;
     let mut weight = Q16;
     for (octave, cache) in (0..cell).zip(cache) {
-        let seed = seed.wrapping_add(octave.wrapping_mul(0x68bc_21eb));
+        let seed = seed.wrapping_add(octave.wrapping_mul(OCTAVE_STEP));
         sum += mul_q16(gradient(cache, point, cell - octave, seed), weight);
         weight = mul_q16(weight, gain);
     }

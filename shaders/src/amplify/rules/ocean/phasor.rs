@@ -7,7 +7,7 @@
 //! place drawn by hash. Its phase is 0 or ½, so the noise is the same for a direction and its
 //! opposite: ridge directions have no sign.
 
-use crate::amplify::arith::{cos_turn, isqrt, mul_q16, ratio};
+use crate::amplify::arith::{cos_turn, isqrt, mul_q16, ratio, signed_ratio};
 use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::rules::noise::cell_hash;
 
@@ -21,6 +21,8 @@ const FULL_WEIGHT: i32 = q16(0.35) << 4;
 
 /// Bits of a packet's phase and presence: two squares of them fit 32.
 const PHASE_BITS: u32 = 15;
+
+crate::wgsl::shared!(PITCH_SPREAD, FULL_WEIGHT, PHASE_BITS);
 
 /// Stripes of one direction and about one wavelength.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -175,15 +177,6 @@ const fn to_phase_bits(v: i32, bits: u32) -> i32 {
         v >> (bits - PHASE_BITS)
     } else {
         v << (PHASE_BITS - bits)
-    }
-}
-
-/// x / size in Q16, -1..1.
-const fn signed_ratio(x: i32, size: i32) -> i32 {
-    if x < 0 {
-        -ratio(-x, size)
-    } else {
-        ratio(x, size)
     }
 }
 
