@@ -77,6 +77,20 @@ pub fn exp_f32(x: f32) -> f32 {
     libm::expf(x)
 }
 
+/// The whole number nearest to `x`, halves away from zero, for |x| < 2⁶³; 0 for NaN. It is
+/// `x.round()`, which is a call on processors without SSE 4.1, as programs are compiled for them.
+///
+/// ```
+/// # use bevy_pangaea::math::nearest;
+/// assert_eq!([0.5, -0.5, 0.499_999_999_999_999_94, 2.5].map(nearest), [1, -1, 0, 3]);
+/// ```
+#[inline]
+pub fn nearest(x: f64) -> i64 {
+    let whole = x as i64;
+    let rest = x - whole as f64;
+    whole + i64::from(rest >= 0.5) - i64::from(rest <= -0.5)
+}
+
 /// The cubic 3x² - 2x³ that joins 0 and 1 with level ends; `x` is clamped to 0..1.
 #[inline]
 pub fn smoothstep(x: f64) -> f64 {

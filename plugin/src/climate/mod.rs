@@ -8,7 +8,8 @@
 //! map           equirectangular maps of a user, which replace any field
 //! temperature   latitude and altitude
 //! wetness       rain against the evaporation that the warmth allows; runoff
-//! wind          the prevailing winds of six belts, and the point upwind of each vertex
+//! sweep         the points upwind; a mesh laid out in the order of the wind
+//! wind          the prevailing winds of six belts, and the order in which they blow
 //! rain          moisture carried along the wind: distance to the sea, uplift, rain shadow
 //! fields        all of them together
 //! by_field      the maps of a user by the field that they replace
@@ -30,6 +31,8 @@ mod temperature;
 
 mod wetness;
 
+mod sweep;
+
 mod wind;
 
 mod rain;
@@ -42,5 +45,6 @@ pub use by_field::ClimateField;
 pub use fields::{Climate, ClimateMaps};
 pub use map::{EquirectMap, MapError};
 pub use scale::EARTH_RADIUS;
+pub use sweep::{SweepPath, Upwind};
 pub use temperature::{LAPSE_RATE_K_PER_KM, mean_temperature};
-pub use wind::{Upwind, WindBelts, Winds};
+pub use wind::{WindBelts, Winds};

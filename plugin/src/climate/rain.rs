@@ -18,8 +18,7 @@
 //! Lengths without a source are fitted to the same four figures and to the width of Earth's
 //! deserts.
 
-use super::scale::EARTH_RADIUS;
-use super::wind::{Upwind, WindBelts, Winds};
+use super::wind::{WindBelts, Winds};
 use crate::math;
 use crate::parallel;
 use crate::sphere::SphereMesh;
@@ -55,9 +54,6 @@ const SUMMER_WARMTH_C: [f32; 2] = [3.0, 9.0];
 
 /// Share of the water beyond the capacity of rising air that rains out within a vertex's width.
 const CONDENSATION: f32 = 0.3;
-
-/// Way within which eddies mix columns, km.
-const MIXING_KM: f32 = 300.0;
 
 /// From the model's units of water per km to mm per year.
 const MM_PER_YEAR: f32 = 7.4e6;
@@ -115,21 +111,23 @@ fn season(mesh: &SphereMesh, belts: &WindBelts, temperature: &[f32], height: &[f
         .iter()
         .map(|column| FIRST_HUMIDITY * column.capacity)
         .collect();
-    let mut rain = vec![0.0; mesh.len()];
-    for _ in 0..SWEEPS {
-        // In place and in the order of the wind: one sweep carries water around the planet.
-        for &i in &belts.order {
-            let k = i as usize;
-            // At least a kilometre: rain is divided by the way.
-            let way = (belts.upwind[k].distance * EARTH_RADIUS as f32).max(1.0);
-            let arriving = arriving(mesh, &water, i, belts.upwind[k], way);
-            (water[k], rain[k]) = columns[k].pass(arriving, way);
-        }
+    // The first sweeps only bring the water to where it rains in the last.
+    for _ in 1..SWEEPS {
+        let path = &belts.path;
+        path.sweep(&mut water, |k, arriving, way| {
+            columns[k].pass(arriving, way).0
+        });
     }
+    let mut rain = vec![0.0; mesh.len()];
+    belts.path.sweep(&mut water, |k, arriving, way| {
+        let (left, fallen) = columns[k].pass(arriving, way);
+        rain[belts.order[k] as usize] = fallen;
+        left
+    });
     rain
 }
 
-/// The columns of air over all vertices.
+/// The columns of air over all vertices, in the order of the wind.
 fn columns(
     mesh: &SphereMesh,
     belts: &WindBelts,
@@ -137,21 +135,13 @@ fn columns(
     height: &[f32],
 ) -> Vec<Column> {
     let zones = zones();
-    parallel::map(mesh.len(), |i| {
+    parallel::map(mesh.len(), |place| {
+        let i = belts.order[place as usize];
         let k = i as usize;
         let summer = mesh.point(i).z as f32 * belts.shift.signum() as f32;
         let zone = zone_at(&zones, belts.latitude[k]);
         Column::new(zone, summer, temperature[k], height[k] < 0.0)
     })
-}
-
-/// Water that arrives at vertex `i` after `way` km: from upwind, and the more from all around the
-/// longer eddies had time to mix.
-fn arriving(mesh: &SphereMesh, water: &[f32], i: u32, upwind: Upwind, way: f32) -> f32 {
-    let [a, b] = upwind.from.map(|j| water[j as usize]);
-    let around = ring_mean(mesh, water, i);
-    let carried = a + (b - a) * upwind.weight;
-    carried + (around - carried) * (way / (MIXING_KM + way))
 }
 
 /// Entries of the table of zones per degree.

@@ -7,6 +7,7 @@
 //! longitude, eastwards in the westerlies, westwards elsewhere. One sweep in that order carries
 //! moisture around the planet.
 
+use super::sweep::{SweepPath, Upwind};
 use crate::math;
 use crate::math::east_north;
 use crate::parallel;
@@ -39,17 +40,6 @@ const SEASONAL_SHIFT_DEG: f64 = 8.0;
 /// Square of a wind too weak to have a direction, at a pole; an easterly stands in for it.
 const CALM_SQUARED: f64 = 1e-12;
 
-/// The point upwind of a vertex, on the edge between two of its neighbours.
-#[derive(Clone, Copy, Debug, PartialEq, Reflect)]
-pub struct Upwind {
-    /// The edge's ends.
-    pub from: [u32; 2],
-    /// Weight of the second end.
-    pub weight: f32,
-    /// Distance in radians.
-    pub distance: f32,
-}
-
 /// Winds of one season on a mesh.
 #[derive(Clone, Debug, PartialEq, Reflect)]
 pub struct WindBelts {
@@ -61,6 +51,8 @@ pub struct WindBelts {
     pub upwind: Vec<Upwind>,
     /// The vertices, each after those upwind of it wherever that can be.
     pub order: Vec<u32>,
+    /// The mesh in that order.
+    pub path: SweepPath,
 }
 
 /// Winds on a mesh in the northern and in the southern summer.
@@ -114,33 +106,38 @@ impl Winds {
     /// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
     /// ```
     pub fn new(mesh: &SphereMesh) -> Self {
+        let places = parallel::map(mesh.len(), |i| math::lat_lon(mesh.point(i)));
         let shifts = [SEASONAL_SHIFT_DEG, -SEASONAL_SHIFT_DEG];
         Self {
-            seasons: shifts.map(|shift| WindBelts::new(mesh, shift)),
+            seasons: shifts.map(|shift| WindBelts::new(mesh, &places, shift)),
         }
     }
 }
 
 impl WindBelts {
-    fn new(mesh: &SphereMesh, shift: f64) -> Self {
+    /// The winds on a mesh whose vertices have these latitudes and longitudes.
+    fn new(mesh: &SphereMesh, places: &[(f64, f64)], shift: f64) -> Self {
+        let n = mesh.len();
+        let winds = parallel::map(n, |i| wind(places[i as usize].0 - shift));
+        let upwind = parallel::map(n, |i| upwind(mesh, i, winds[i as usize]));
+        let order = sweep_order(places, &winds);
         Self {
             shift,
-            latitude: parallel::map(mesh.len(), |i| {
-                (math::lat_lon(mesh.point(i)).0 - shift).abs() as f32
-            }),
-            upwind: parallel::map(mesh.len(), |i| upwind(mesh, i, shift)),
-            order: sweep_order(mesh, shift),
+            latitude: parallel::map(n, |i| (places[i as usize].0 - shift).abs() as f32),
+            path: SweepPath::new(mesh, &order, &upwind),
+            upwind,
+            order,
         }
     }
 }
 
 /// The vertices by longitude, in the direction in which the wind blows at each.
-fn sweep_order(mesh: &SphereMesh, shift: f64) -> Vec<u32> {
+fn sweep_order(places: &[(f64, f64)], winds: &[(f64, f64)]) -> Vec<u32> {
     // The way along the parallel in the upper half of a number, the vertex in the lower: numbers
     // sort fast, and ties go by vertex.
-    let mut keys: Vec<u64> = parallel::map(mesh.len(), |i| {
-        let (lat, lon) = math::lat_lon(mesh.point(i));
-        let blows_east = wind(lat - shift).0 >= 0.0;
+    let mut keys: Vec<u64> = parallel::map(places.len(), |i| {
+        let (_, lon) = places[i as usize];
+        let blows_east = winds[i as usize].0 >= 0.0;
         let along = if blows_east { lon } else { -lon };
         let turn = (along + 180.0) / 360.0;
         ((turn * f64::from(u32::MAX)) as u64) << 32 | u64::from(i)
@@ -149,11 +146,10 @@ fn sweep_order(mesh: &SphereMesh, shift: f64) -> Vec<u32> {
     keys.into_iter().map(|key| key as u32).collect()
 }
 
-/// The edge opposite to vertex `i` that the wind comes across.
-fn upwind(mesh: &SphereMesh, i: u32, shift: f64) -> Upwind {
+/// The edge opposite to vertex `i` that the wind, `u` eastward and `v` northward, comes across.
+fn upwind(mesh: &SphereMesh, i: u32, (u, v): (f64, f64)) -> Upwind {
     let p = mesh.point(i);
     let (east, north) = east_north(p);
-    let (u, v) = wind(math::lat_lon(p).0 - shift);
     let to = if u * u + v * v > CALM_SQUARED {
         east * u + north * v
     } else {

@@ -40,8 +40,10 @@ impl BakeFrame {
 
     /// The frame on a base mesh that was made with this spacing.
     pub fn with_base(base: BaseMesh, spacing: f64, lattice: Option<&SphereMesh>) -> Self {
-        let topology = Topology::new(&base.mesh, base.seed);
-        let transfer = lattice.map(|lattice| Transfer::new(lattice, &base.mesh));
+        let (topology, transfer) = rayon::join(
+            || Topology::new(&base.mesh, base.seed),
+            || lattice.map(|lattice| Transfer::new(lattice, &base.mesh)),
+        );
         Self {
             base,
             topology,

@@ -17,8 +17,8 @@ use super::rivers::{DeltaVertex, RiverEdges, RiverRule};
 use super::topology::Topology;
 use crate::climate::Climate;
 use crate::hydrology::{Drainage, MIN_FALL, NO_VERTEX, ShoreClass, Terrain, ground_of_coast, worn};
-use crate::parallel;
 use crate::sphere::SphereMesh;
+use crate::{math, parallel};
 use bevy::math::Vec3;
 use pangaea_shaders::amplify::control::{
     ControlEdge, ControlMesh, ControlVertex, ValleyShape, VertexKind,
@@ -61,11 +61,16 @@ pub(super) struct ControlInput<'a> {
 /// Packs the control mesh.
 pub(super) fn control_mesh(input: &ControlInput) -> ControlMesh {
     let rivers = RiverEdges::new(input.mesh, input.drainage, input.rule);
+    let vertex = |i: u32| vertex(input, &rivers, i as usize);
+    let (vertices, (edges, faces)) = rayon::join(
+        || parallel::map(input.mesh.len(), vertex),
+        || rayon::join(|| edges(input, &rivers), || input.topology.faces.clone()),
+    );
     ControlMesh {
         radius_m: (input.drainage.radius * 1000.0).round() as u32,
-        vertices: parallel::map(input.mesh.len(), |i| vertex(input, &rivers, i as usize)),
-        edges: edges(input, &rivers),
-        faces: input.topology.faces.clone(),
+        vertices,
+        edges,
+        faces,
     }
 }
 
@@ -261,26 +266,31 @@ fn valley_shape(terrain: &Terrain, climate: &Climate, i: usize) -> ValleyShape {
 /// Flow φ in Q16 of a discharge in m³/s, at most 1: widths and depths go by roots of the discharge.
 fn flow(discharge: f64) -> u32 {
     let phi = (discharge / FULL_FLOW_M3S).sqrt().min(1.0);
-    (phi * f64::from(Q16)).round() as u32
+    math::nearest(phi * f64::from(Q16)) as u32
 }
 
 /// A share in 65536ths, at most 65535 of them.
 fn q16(share: f32) -> u16 {
-    let units = (share.clamp(0.0, 1.0) * Q16 as f32).round() as u32;
-    units.min(u32::from(u16::MAX)) as u16
+    let units = nearest(share.clamp(0.0, 1.0) * Q16 as f32);
+    units.min(i64::from(u16::MAX)) as u16
 }
 
 /// An age in 64ths of a My; the oldest that 16 bits tell, 1024 My, stands for all that is older.
 fn age(my: f32) -> u16 {
-    let units = (my.max(0.0) * AGE_UNITS_PER_MY).round();
-    units.min(f32::from(u16::MAX)) as u16
+    let units = (my.max(0.0) * AGE_UNITS_PER_MY).min(f32::from(u16::MAX));
+    nearest(units) as u16
 }
 
 /// A unit vector in 32767ths.
 fn unit(v: Vec3) -> [i16; 3] {
     let one = f32::from(i16::MAX);
     v.to_array()
-        .map(|x| (x.clamp(-1.0, 1.0) * one).round() as i16)
+        .map(|x| nearest(x.clamp(-1.0, 1.0) * one) as i16)
+}
+
+/// The whole number nearest to a small one.
+fn nearest(x: f32) -> i64 {
+    math::nearest(f64::from(x))
 }
 
 #[cfg(test)]

@@ -35,11 +35,10 @@ impl Topology {
             first: Vec::with_capacity(mesh.len()),
         };
         topology.number_edges(mesh);
-        topology.faces = mesh
-            .triangles()
-            .iter()
-            .map(|&vertices| topology.face(mesh, vertices))
-            .collect();
+        let triangles = mesh.triangles();
+        topology.faces = parallel::map(triangles.len(), |k| {
+            topology.face(mesh, triangles[k as usize])
+        });
         topology.link_faces();
         topology
     }

@@ -8,7 +8,8 @@ use crate::climate::Winds;
 use crate::noise::Noise;
 use crate::parallel;
 use crate::random::Purpose;
-use crate::sphere::{SphereError, SphereMesh, poisson_disk, relaxed};
+use crate::sphere::{SphereError, SphereMesh, poisson_disk, relaxed_points};
+use bevy::math::DVec3;
 use bevy::reflect::Reflect;
 
 /// Smallest distance of vertices in radians that gives edges of 52 km in the mean on an Earth-sized
@@ -56,13 +57,14 @@ impl BaseMesh {
     /// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
     /// ```
     pub fn new(seed: u64, spacing: f64) -> Result<Self, SphereError> {
-        let random = SphereMesh::from_points(poisson_disk(seed, spacing))?;
-        let mesh = SphereMesh::from_points(relaxed(&random, RELAXATION_STEPS))?;
+        let points = relaxed_points(poisson_disk(seed, spacing), RELAXATION_STEPS)?;
+        // Triangulation has one thread; meanwhile another makes what needs the points alone.
+        let (mesh, noise) = rayon::join(
+            || SphereMesh::from_points(points.clone()),
+            || relief_noise(seed, &points),
+        );
+        let mesh = mesh?;
         let winds = Winds::new(&mesh);
-        let noise = Noise::new(seed, Purpose::BaseRelief, 0);
-        let noise = parallel::map(mesh.len(), |i| {
-            noise.fractal(mesh.point(i), RELIEF_FREQUENCY, RELIEF_OCTAVES) as f32
-        });
         Ok(Self {
             seed,
             mesh,
@@ -70,6 +72,14 @@ impl BaseMesh {
             noise,
         })
     }
+}
+
+/// Noise of the relief between samples at some directions.
+fn relief_noise(seed: u64, points: &[DVec3]) -> Vec<f32> {
+    let noise = Noise::new(seed, Purpose::BaseRelief, 0);
+    parallel::map(points.len(), |i| {
+        noise.fractal(points[i as usize], RELIEF_FREQUENCY, RELIEF_OCTAVES) as f32
+    })
 }
 
 /// Where each vertex of the base mesh lies between the samples of another mesh.

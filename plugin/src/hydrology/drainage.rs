@@ -8,7 +8,7 @@ use super::growth::grow;
 use super::network::RiverNetwork;
 use super::order;
 use super::profile::{Channels, NO_LAKE, Profile};
-use super::sinks::{ClosedLake, WaterBalance, close_basins};
+use super::sinks::{WaterBalance, close_basins};
 use super::terrain::Terrain;
 use crate::climate::Climate;
 use crate::parallel;
@@ -85,13 +85,27 @@ impl Drainage {
         // Vertices that a terrain lacks lie just under the sea.
         ground.resize(mesh.len(), -1);
         let shore = regularise(mesh, &mut ground);
-        let (routes, closed) = match network {
-            RiverNetwork::Drainage => drain(base, radius, &shore, &ground, climate),
-            RiverNetwork::Grown => (grow(base, &shore, &ground, terrain), Vec::new()),
+        let mut routes = match network {
+            RiverNetwork::Drainage => priority_flood(mesh, &shore, &ground),
+            RiverNetwork::Grown => grow(base, &shore, &ground, terrain),
         };
-        // Closed basins have turned receivers around: supply and discharge are those of the final
-        // routes.
         let supply = flow::supply(mesh, radius, climate, &routes);
+        let closed = match network {
+            RiverNetwork::Drainage => {
+                let loss = &flow::volumes(mesh, radius, &climate.open_water_loss);
+                let (ground, supply) = (&ground[..], &supply[..]);
+                let balance = WaterBalance {
+                    mesh,
+                    radius,
+                    ground,
+                    supply,
+                    loss,
+                };
+                close_basins(&balance, &mut routes)
+            }
+            RiverNetwork::Grown => Vec::new(),
+        };
+        // Closed basins have turned receivers around: the discharge is that of the final routes.
         let discharge = flow::accumulate(&routes, &supply);
         let earth_like = parallel::map(mesh.len(), |i| {
             flow::earth_like(discharge[i as usize], radius)
@@ -102,10 +116,11 @@ impl Drainage {
             discharge: &earth_like,
             network,
         };
-        let profile = channels.profile(&closed);
+        let orders = || rayon::join(|| order::strahler(&routes), || order::basins(&routes));
+        let (profile, (strahler, basin)) = rayon::join(|| channels.profile(&closed), orders);
         Self {
-            strahler: order::strahler(&routes),
-            basin: order::basins(&routes),
+            strahler,
+            basin,
             shore,
             ground,
             routes,
@@ -157,27 +172,6 @@ impl Drainage {
         let basin = self.basin[i];
         basin != NO_VERTEX && self.shore[basin as usize] == ShoreClass::Land
     }
-}
-
-/// Routes down the relief, and the basins that stay closed under the climate.
-fn drain(
-    base: &BaseMesh,
-    radius: f64,
-    shore: &[ShoreClass],
-    ground: &[i32],
-    climate: &Climate,
-) -> (Routes, Vec<ClosedLake>) {
-    let mesh = &base.mesh;
-    let mut routes = priority_flood(mesh, shore, ground);
-    let balance = WaterBalance {
-        mesh,
-        radius,
-        ground,
-        supply: &flow::supply(mesh, radius, climate, &routes),
-        loss: &flow::volumes(mesh, radius, &climate.open_water_loss),
-    };
-    let closed = close_basins(&balance, &mut routes);
-    (routes, closed)
 }
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 
 use super::flood::{NO_VERTEX, Routes};
 use crate::climate::{Climate, EARTH_RADIUS};
-use crate::parallel;
 use crate::sphere::SphereMesh;
+use crate::{math, parallel};
 
 /// Seconds in a Julian year of 365.25 days.
 const SECONDS_PER_YEAR: f64 = 31_557_600.0;
@@ -27,7 +27,7 @@ pub(super) fn volumes(mesh: &SphereMesh, radius: f64, depth: &[f32]) -> Vec<i64>
     let unit = 1000.0 * radius * radius;
     parallel::map(mesh.len(), |i| {
         let depth = depth.get(i as usize).copied().unwrap_or(0.0);
-        (f64::from(depth) * mesh.area(i) * unit).round() as i64
+        math::nearest(f64::from(depth) * mesh.area(i) * unit)
     })
 }
 

@@ -7,7 +7,7 @@ use super::landform::{CrustSample, RELIEF_BELOW_MEAN, lowered_summits};
 use super::terrain_maps::TerrainMaps;
 use crate::climate::{EARTH_RADIUS, EquirectMap};
 use crate::crust::Surface;
-use crate::parallel;
+use crate::{math, parallel};
 use bevy::math::Vec3;
 use bevy::reflect::Reflect;
 use pangaea_shaders::amplify::fixed::GRAINS;
@@ -113,10 +113,7 @@ impl Terrain {
 
     /// The base ground in km, as the climate sees it.
     pub fn elevation_km(&self) -> Vec<f32> {
-        self.ground
-            .iter()
-            .map(|&z| z as f32 / (1000.0 * GRAINS as f32))
-            .collect()
+        column(&self.ground, |&z| z as f32 / (1000.0 * GRAINS as f32))
     }
 }
 
@@ -165,8 +162,8 @@ impl VertexRelief {
 }
 
 /// One value of all vertices.
-fn column<V, T>(vertices: &[V], value: impl Fn(&V) -> T) -> Vec<T> {
-    vertices.iter().map(value).collect()
+fn column<V: Sync, T: Send>(vertices: &[V], value: impl Fn(&V) -> T + Sync + Send) -> Vec<T> {
+    parallel::map(vertices.len(), |i| value(&vertices[i as usize]))
 }
 
 /// A: age of the last orogeny in My; infinite where there was none.
@@ -184,7 +181,7 @@ const HIGHEST_KM: f32 = 100.0;
 /// Grains of a height in km, at most 100 km high or deep; NaN is at sea level.
 fn to_grains(km: f32) -> i32 {
     let km = f64::from(km.clamp(-HIGHEST_KM, HIGHEST_KM));
-    (km * 1000.0 * f64::from(GRAINS)).round() as i32
+    math::nearest(km * 1000.0 * f64::from(GRAINS)) as i32
 }
 
 /// Steepest slope of the crust from vertex `i` to a neighbour, as on an Earth-sized planet.

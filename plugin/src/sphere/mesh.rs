@@ -79,25 +79,13 @@ impl SphereMesh {
     /// assert_eq!(SphereMesh::from_points(half).unwrap_err(), SphereError::EmptyHemisphere);
     /// # Ok::<(), SphereError>(())
     /// ```
-    pub fn from_points(mut points: Vec<DVec3>) -> Result<Self, SphereError> {
-        if points.len() < 4 || points.len() > Self::MAX_SAMPLES as usize {
-            return Err(SphereError::PointCount(points.len()));
-        }
-        for (i, p) in points.iter_mut().enumerate() {
-            *p = normalised(*p).ok_or(SphereError::NotADirection(i))?;
-        }
-        Self::build(points)
+    pub fn from_points(points: Vec<DVec3>) -> Result<Self, SphereError> {
+        Self::build(checked(points)?)
     }
 
     fn build(points: Vec<DVec3>) -> Result<Self, SphereError> {
-        let soup = triangulate(&points)?;
-        let rings = NeighbourRings::new(points.len(), &soup).ok_or(SphereError::EmptyHemisphere)?;
-        // Triangles follow from the rings again, in order: both at once would double the memory.
-        drop(soup);
+        let rings = neighbours(&points)?;
         let triangles = rings.triangles();
-        if !surrounds_centre(&points, &triangles) {
-            return Err(SphereError::EmptyHemisphere);
-        }
         let areas = area::voronoi_areas(&points, &rings);
         let clearance = clearance(&points, &rings);
         let seeds = SeedGrid::new(Walk {
@@ -211,6 +199,27 @@ impl fmt::Debug for SphereMesh {
             .field("samples", &self.len())
             .finish_non_exhaustive()
     }
+}
+
+/// Unit vectors of as many points as a mesh may have.
+pub(super) fn checked(mut points: Vec<DVec3>) -> Result<Vec<DVec3>, SphereError> {
+    if points.len() < 4 || points.len() > SphereMesh::MAX_SAMPLES as usize {
+        return Err(SphereError::PointCount(points.len()));
+    }
+    for (i, p) in points.iter_mut().enumerate() {
+        *p = normalised(*p).ok_or(SphereError::NotADirection(i))?;
+    }
+    Ok(points)
+}
+
+/// Neighbours of unit vectors in their Delaunay triangulation.
+pub(super) fn neighbours(points: &[DVec3]) -> Result<NeighbourRings, SphereError> {
+    let triangles = triangulate(points)?;
+    if !surrounds_centre(points, &triangles) {
+        return Err(SphereError::EmptyHemisphere);
+    }
+    // Triangles follow from the rings again, in order: both at once would double the memory.
+    NeighbourRings::new(points.len(), &triangles).ok_or(SphereError::EmptyHemisphere)
 }
 
 /// The direction of `p`, the same bits if it is a unit vector already; `None` if `p` is zero or not

@@ -48,7 +48,7 @@ pub(crate) use chord::{angle_of_chord, angle_of_long_chord};
 pub use locate::Location;
 pub use mesh::SphereMesh;
 pub use poisson::poisson_disk;
-pub use relaxation::relaxed;
+pub use relaxation::{relaxed, relaxed_points};
 
 /// Why a [`SphereMesh`] could not be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, bevy::reflect::Reflect, thiserror::Error)]

@@ -11,11 +11,11 @@
 //! back on the sphere. Neighbours are those of the first triangulation in every step: points move
 //! by fractions of their distance, and a new triangulation costs ten steps.
 
-use super::SphereMesh;
 use super::area::circumcentre;
-use crate::parallel::CHUNK;
+use super::mesh::{checked, neighbours};
+use super::{SphereError, SphereMesh};
+use crate::parallel;
 use bevy::math::DVec3;
-use rayon::prelude::*;
 
 /// The points of a mesh after some steps of relaxation, in their order.
 ///
@@ -28,12 +28,36 @@ use rayon::prelude::*;
 /// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
 /// ```
 pub fn relaxed(mesh: &SphereMesh, steps: u32) -> Vec<DVec3> {
-    let mut points = mesh.points().to_vec();
+    moved(mesh.points().to_vec(), |i| mesh.ring(i), steps)
+}
+
+/// Points after some steps of relaxation, as [`relaxed`] has them on their mesh, of which no more is
+/// made than the neighbours.
+///
+/// # Errors
+/// As [`SphereMesh::from_points`].
+///
+/// ```
+/// # use bevy_pangaea::sphere::{SphereMesh, poisson_disk, relaxed, relaxed_points};
+/// let random = poisson_disk(7, 0.1);
+/// let even = relaxed_points(random.clone(), 3)?;
+/// assert_eq!(even, relaxed(&SphereMesh::from_points(random)?, 3));
+/// # Ok::<(), bevy_pangaea::sphere::SphereError>(())
+/// ```
+pub fn relaxed_points(points: Vec<DVec3>, steps: u32) -> Result<Vec<DVec3>, SphereError> {
+    let points = checked(points)?;
+    let rings = neighbours(&points)?;
+    Ok(moved(points, |i| rings.of(i), steps))
+}
+
+/// Points moved by some steps, by their neighbours.
+fn moved<'a>(
+    mut points: Vec<DVec3>,
+    ring: impl Fn(u32) -> &'a [u32] + Sync + Send,
+    steps: u32,
+) -> Vec<DVec3> {
     for _ in 0..steps {
-        let sites = (0..points.len() as u32).into_par_iter().with_min_len(CHUNK);
-        points = sites
-            .map(|i| cell_centre(&points, mesh.ring(i), i))
-            .collect();
+        points = parallel::map(points.len(), |i| cell_centre(&points, ring(i), i));
     }
     points
 }

@@ -4,6 +4,7 @@
 //! is a closed surface: each edge has exactly two triangles. Building the rings checks that.
 
 use super::rows::Rows;
+use crate::parallel;
 
 /// Neighbours of all samples.
 #[derive(Clone)]
@@ -31,30 +32,32 @@ impl NeighbourRings {
 
     /// All triangles, each with its lowest index first, in the order of that index.
     pub(super) fn triangles(&self) -> Vec<[u32; 3]> {
-        let n = self.0.len();
-        let mut triangles = Vec::with_capacity(2 * n - 4);
-        for i in 0..n as u32 {
-            let ring = self.of(i);
-            let pairs = ring.iter().zip(ring.iter().cycle().skip(1));
-            triangles.extend(
-                pairs
-                    .filter(|&(&j, &k)| i < j && i < k)
-                    .map(|(&j, &k)| [i, j, k]),
-            );
-        }
-        triangles
+        let parts = parallel::map_chunks(self.0.len(), |range| {
+            let rows = range.flat_map(|i| self.triangles_of(i as u32));
+            rows.collect::<Vec<_>>()
+        });
+        parts.concat()
+    }
+
+    /// The triangles of which `i` is the lowest index, in the order of its ring.
+    fn triangles_of(&self, i: u32) -> impl Iterator<Item = [u32; 3]> {
+        let ring = self.of(i);
+        let pairs = ring.iter().zip(ring.iter().cycle().skip(1));
+        pairs
+            .filter(move |&(&j, &k)| i < j && i < k)
+            .map(move |(&j, &k)| [i, j, k])
     }
 }
 
-/// Appends the edges' vertices in the order of one closed walk along them; `None` if the edges form
+/// Writes the edges' vertices in the order of one closed walk along them; `None` if the edges form
 /// several walks or an open one.
-fn chain(fan: &mut [[u32; 2]], ring: &mut Vec<u32>) -> Option<()> {
+fn chain(fan: &mut [[u32; 2]], ring: &mut [u32]) -> Option<()> {
     // By their first vertex, so that a walk finds each next edge by bisection.
     fan.sort_unstable();
     let first = fan.first()?[0];
     let mut at = first;
-    for step in 0..fan.len() {
-        ring.push(at);
+    for (step, place) in ring.iter_mut().enumerate() {
+        *place = at;
         let edge = fan.binary_search_by_key(&at, |e| e[0]).ok()?;
         at = fan[edge][1];
         // Back too early: the fan falls into several loops.

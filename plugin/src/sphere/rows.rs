@@ -1,5 +1,7 @@
 //! Lists of different lengths in one array (compressed sparse rows).
 
+use crate::parallel::CHUNK;
+
 /// A list of items for each of the numbers 0..n.
 #[derive(Clone, Debug)]
 pub(crate) struct Rows<T> {
@@ -40,24 +42,47 @@ impl<T: Copy + Default> Rows<T> {
         &self.items[self.start[k] as usize..self.start[k + 1] as usize]
     }
 
-    /// Replaces the items of every row by as many others, which `change` appends to a list; `None`
-    /// if it fails for one of them.
-    pub(crate) fn map<U>(
+    /// Replaces the items of every row by as many others, which `change` writes; `None` if it fails
+    /// for one of them.
+    pub(crate) fn map<U: Copy + Default + Send>(
         mut self,
-        mut change: impl FnMut(&mut [T], &mut Vec<U>) -> Option<()>,
-    ) -> Option<Rows<U>> {
-        let mut items = Vec::with_capacity(self.items.len());
-        for row in self.start.windows(2) {
-            change(
-                &mut self.items[row[0] as usize..row[1] as usize],
-                &mut items,
-            )?;
-        }
+        change: impl Fn(&mut [T], &mut [U]) -> Option<()> + Sync,
+    ) -> Option<Rows<U>>
+    where
+        T: Send,
+    {
+        let mut items = vec![U::default(); self.items.len()];
+        change_rows(&self.start, &mut self.items, &mut items, &change)?;
         Some(Rows {
             start: self.start,
             items,
         })
     }
+}
+
+/// Changes some rows, which begin at all but the last of `start`, half of them on another thread.
+fn change_rows<T: Send, U: Send>(
+    start: &[u32],
+    from: &mut [T],
+    to: &mut [U],
+    change: &(impl Fn(&mut [T], &mut [U]) -> Option<()> + Sync),
+) -> Option<()> {
+    let first = start[0];
+    if start.len() <= CHUNK {
+        return start.windows(2).try_for_each(|row| {
+            let [start, end] = [row[0], row[1]].map(|at| (at - first) as usize);
+            change(&mut from[start..end], &mut to[start..end])
+        });
+    }
+    let half = start.len() / 2;
+    let middle = (start[half] - first) as usize;
+    let (from_low, from_high) = from.split_at_mut(middle);
+    let (to_low, to_high) = to.split_at_mut(middle);
+    let (low, high) = rayon::join(
+        || change_rows(&start[..=half], from_low, to_low, change),
+        || change_rows(&start[half..], from_high, to_high, change),
+    );
+    low.and(high)
 }
 
 #[cfg(test)]

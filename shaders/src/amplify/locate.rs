@@ -23,9 +23,15 @@ impl FaceIndex {
     /// Indexes the faces of the control mesh.
     pub fn new(mesh: &ControlMesh) -> Self {
         let mut starts = vec![NONE; 6 * CELLS * CELLS];
+        let mut last = (NONE, 0);
         for (i, face) in (0..).zip(&mesh.faces) {
+            // Faces of one first corner mostly follow each other.
+            let corner = face.vertices[0];
+            if corner != last.0 {
+                last = (corner, cell(mesh.vertices[corner as usize].direction));
+            }
             // Which of a cell's faces is taken does not matter: the walk ends in the same face.
-            starts[cell(mesh.vertices[face.vertices[0] as usize].direction)] = i;
+            starts[last.1] = i;
         }
         // A cell without a corner takes the face of the last one that has one.
         let mut last = 0;

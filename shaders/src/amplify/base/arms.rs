@@ -1,57 +1,100 @@
-//! Rivers that part: from most vertices one river leads on, from the apex of a delta several arms,
-//! which share its discharge.
+//! Rivers of level 0 as a network. Rivers part: from most vertices one river leads on, from the apex
+//! of a delta several arms, which share its discharge.
 
 use crate::amplify::control::ControlMesh;
+use crate::amplify::topology::NONE;
 use crate::amplify::vertex::Vertex;
 
-/// River edges of a control mesh as (upper end, lower end).
-pub(super) fn river_edges(mesh: &ControlMesh) -> impl Iterator<Item = [usize; 2]> {
-    mesh.edges
-        .iter()
-        .filter(|e| e.river != 0)
-        .map(|e| e.vertices.map(|v| v as usize))
+/// A river's edge.
+#[derive(Clone, Copy)]
+pub(super) struct RiverEdge {
+    /// Its number.
+    pub(super) edge: u32,
+    /// Its upper and its lower end.
+    pub(super) ends: [usize; 2],
+}
+
+/// The river edges of a control mesh, and where they lead.
+pub(super) struct RiverNetwork {
+    /// River edges in the order of their numbers.
+    pub(super) edges: Vec<RiverEdge>,
+    /// Where rivers lead from each vertex.
+    pub(super) below: Below,
+}
+
+impl RiverNetwork {
+    /// The network of the river edges with these numbers, in their order.
+    pub(super) fn new(mesh: &ControlMesh, numbers: Vec<u32>) -> Self {
+        let river_edge = |edge: u32| RiverEdge {
+            edge,
+            ends: mesh.edges[edge as usize].vertices.map(|v| v as usize),
+        };
+        let edges: Vec<RiverEdge> = numbers.into_iter().map(river_edge).collect();
+        let below = Below::new(mesh.vertices.len(), &edges);
+        Self { edges, below }
+    }
+
+    /// The vertices that rivers leave, in order.
+    pub(super) fn upper_ends(&self) -> &[usize] {
+        &self.below.from
+    }
+}
+
+/// The largest river that arrives at each vertex.
+pub(super) struct LargestAbove(Vec<u32>);
+
+impl LargestAbove {
+    /// Those of a network whose discharges are settled.
+    pub(super) fn new(network: &RiverNetwork, vertices: &[Vertex]) -> Self {
+        // Of equal rivers the seed decides, not the number of a vertex.
+        let rank = |v: usize| (vertices[v].discharge, vertices[v].seed);
+        let mut largest = Self(vec![NONE; vertices.len()]);
+        for [up, down] in network.edges.iter().map(|river| river.ends) {
+            if largest.of(down).is_none_or(|other| rank(up) > rank(other)) {
+                largest.0[down] = up as u32;
+            }
+        }
+        largest
+    }
+
+    /// The vertex upstream from which the largest river arrives.
+    pub(super) fn of(&self, v: usize) -> Option<usize> {
+        let up = self.0[v];
+        (up != NONE).then_some(up as usize)
+    }
 }
 
 /// The vertices that rivers lead to: one from most, several from the apex of a delta.
 pub(super) struct Below {
+    /// Vertices that rivers leave, in order.
+    from: Vec<usize>,
     /// Those of vertex v: `to[starts[v]..starts[v + 1]]`.
-    starts: Vec<usize>,
+    starts: Vec<u32>,
     to: Vec<usize>,
 }
 
 impl Below {
-    pub(super) fn new(mesh: &ControlMesh) -> Self {
-        let mut rivers: Vec<[usize; 2]> = river_edges(mesh).collect();
+    fn new(vertices: usize, edges: &[RiverEdge]) -> Self {
+        let mut rivers: Vec<[usize; 2]> = edges.iter().map(|river| river.ends).collect();
         // Stable, so that arms stay in the order of their edges.
         rivers.sort_by_key(|&[up, _]| up);
-        let mut starts = vec![0; mesh.vertices.len() + 1];
+        let mut starts = vec![0; vertices + 1];
         for &[up, _] in &rivers {
             starts[up + 1] += 1;
         }
-        for v in 0..mesh.vertices.len() {
+        for v in 0..vertices {
             starts[v + 1] += starts[v];
         }
+        let mut from: Vec<usize> = rivers.iter().map(|&[up, _]| up).collect();
+        from.dedup();
         let to = rivers.into_iter().map(|[_, down]| down).collect();
-        Self { starts, to }
+        Self { from, starts, to }
     }
 
     /// Where the rivers from a vertex lead.
     pub(super) fn of(&self, v: usize) -> &[usize] {
-        &self.to[self.starts[v]..self.starts[v + 1]]
+        &self.to[self.starts[v] as usize..self.starts[v + 1] as usize]
     }
-}
-
-/// The largest river that arrives at each vertex, by its vertex upstream.
-pub(super) fn largest_arriving(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Option<usize>> {
-    // Of equal rivers the seed decides, not the number of a vertex.
-    let rank = |v: usize| (vertices[v].discharge, vertices[v].seed);
-    let mut largest: Vec<Option<usize>> = vec![None; vertices.len()];
-    for [up, down] in river_edges(mesh) {
-        if largest[down].is_none_or(|other| rank(up) > rank(other)) {
-            largest[down] = Some(up);
-        }
-    }
-    largest
 }
 
 /// A discharge as its arms share it: in proportion to those that they came with. The parts make

@@ -60,8 +60,9 @@ impl core::fmt::Display for BadMesh {
 
 impl core::error::Error for BadMesh {}
 
-/// Refuses a mesh that the passes cannot refine without leaving 32 bits or their arrays.
-pub(super) fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
+/// Refuses a radius that has no ground, and numbers of items that no mesh has, or that 32 bits
+/// cannot number.
+pub(super) fn size(mesh: &ControlMesh) -> Result<(), BadMesh> {
     if !RADII_M.contains(&mesh.radius_m) {
         return Err(BadMesh::Radius);
     }
@@ -69,20 +70,23 @@ pub(super) fn check(mesh: &ControlMesh) -> Result<(), BadMesh> {
     if mesh.faces.len() < 4 || items.max(mesh.faces.len()) > MOST_ITEMS {
         return Err(BadMesh::Size);
     }
-    let (vertices, faces, edges) = std::thread::scope(|scope| {
-        let faces = scope.spawn(|| all_fit(&mesh.faces, |i, f| face_fits(mesh, i, f)));
-        let edges = scope.spawn(|| all_fit(&mesh.edges, |i, e| edge_fits(mesh, i, e)));
-        let vertices = all_fit(&mesh.vertices, |_, v| vertex_fits(v));
-        (vertices, joined(faces.join()), joined(edges.join()))
-    });
-    vertices.map_err(BadMesh::Vertex)?;
-    faces.map_err(BadMesh::Face)?;
-    edges.map_err(BadMesh::Edge)
+    Ok(())
 }
 
-/// The result of a thread; a panic there is one here.
-pub(super) fn joined<T>(result: std::thread::Result<T>) -> T {
-    result.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+/// Refuses the first face that does not fit.
+pub(super) fn faces(mesh: &ControlMesh) -> Result<(), BadMesh> {
+    all_fit(&mesh.faces, |i, face| face_fits(mesh, i, face)).map_err(BadMesh::Face)
+}
+
+/// Refuses the first edge that does not fit.
+pub(super) fn edges(mesh: &ControlMesh) -> Result<(), BadMesh> {
+    all_fit(&mesh.edges, |i, edge| edge_fits(mesh, i, edge)).map_err(BadMesh::Edge)
+}
+
+/// Whether the edges of a mesh whose faces all fit have faces that name them: those name three edges
+/// each, and none twice on one side, so that no side is left where there are as many of both.
+pub(super) fn edges_follow(mesh: &ControlMesh) -> bool {
+    3 * mesh.faces.len() == 2 * mesh.edges.len()
 }
 
 /// Refuses the first item that does not fit.
@@ -91,7 +95,8 @@ fn all_fit<T>(items: &[T], fits: impl Fn(u32, &T) -> bool) -> Result<(), u32> {
     misfit.map_or(Ok(()), |(i, _)| Err(i))
 }
 
-fn vertex_fits(vertex: &ControlVertex) -> bool {
+/// Whether a vertex lies on the sphere, and no higher or deeper than ground may.
+pub(super) fn vertex_fits(vertex: &ControlVertex) -> bool {
     let square: f64 = vertex
         .direction
         .iter()
@@ -121,13 +126,18 @@ fn face_fits(mesh: &ControlMesh, i: u32, face: &ControlFace) -> bool {
 
 /// Whether the `i`th edge is short and has two faces that name it.
 fn edge_fits(mesh: &ControlMesh, i: u32, edge: &ControlEdge) -> bool {
-    let [a, b] = edge.vertices.map(|v| mesh.vertices.get(v as usize));
-    let is_short = a.zip(b).is_some_and(|(a, b)| {
-        (0..3).all(|i| a.direction[i].abs_diff(b.direction[i]) < LONGEST_EDGE)
-    });
     let [left, right] = edge.faces.map(|f| mesh.faces.get(f as usize));
     let is_shared = left
         .zip(right)
         .is_some_and(|(f, g)| f.edges.contains(&i) && g.edges.contains(&i));
-    is_short && edge.faces[0] != edge.faces[1] && is_shared
+    edge_is_short(mesh, edge) && is_shared
+}
+
+/// Whether an edge is short and lies between two faces, if its faces are those of the mesh.
+pub(super) fn edge_is_short(mesh: &ControlMesh, edge: &ControlEdge) -> bool {
+    let [a, b] = edge.vertices.map(|v| mesh.vertices.get(v as usize));
+    let is_short = a.zip(b).is_some_and(|(a, b)| {
+        (0..3).all(|i| a.direction[i].abs_diff(b.direction[i]) < LONGEST_EDGE)
+    });
+    is_short && edge.faces[0] != edge.faces[1]
 }

@@ -1,6 +1,6 @@
 //! Tides of level 0: from the mouths up the rivers.
 
-use super::arms::Below;
+use super::arms::{LargestAbove, RiverNetwork};
 use crate::amplify::arith::ratio;
 use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::difference;
@@ -12,13 +12,14 @@ use crate::amplify::vertex::Vertex;
 /// `largest` is the river that arrives at each vertex, up which the tide goes.
 pub(super) fn flood(
     scale: &PlanetScale,
-    below: &Below,
-    largest: &[Option<usize>],
+    network: &RiverNetwork,
+    largest: &LargestAbove,
     vertices: &mut [Vertex],
 ) {
+    let below = &network.below;
     let parts = |v: usize| below.of(v).len() > 1;
-    for mouth in 0..vertices.len() {
-        let in_delta = parts(mouth) || largest[mouth].is_some_and(parts);
+    for &mouth in network.upper_ends() {
+        let in_delta = parts(mouth) || largest.of(mouth).is_some_and(parts);
         let Some(&sea) = below.of(mouth).first().filter(|_| !in_delta) else {
             continue;
         };
@@ -35,14 +36,14 @@ pub(super) fn flood(
 /// Leads the tide of a mouth up its river until it has gone.
 fn run_up(
     scale: &PlanetScale,
-    largest: &[Option<usize>],
+    largest: &LargestAbove,
     vertices: &mut [Vertex],
     mouth: usize,
     mut tide: i32,
 ) {
     raise(&mut vertices[mouth], tide);
     let mut at = mouth;
-    while let Some(up) = largest[at].filter(|_| tide > 0) {
+    while let Some(up) = largest.of(at).filter(|_| tide > 0) {
         let way = length(scale, vertices, [up, at]);
         tide = estuary::upstream(tide, way, vertices[up].flow(), scale.edge_grains(0));
         raise(&mut vertices[up], tide);

@@ -1,41 +1,43 @@
-//! Rivers and gullies of level 0: discharges, river edges, dry drainage lines, nearest rivers.
+//! Rivers of level 0: discharges, headings, what arrives along each edge, and the nearest river of
+//! every vertex.
 
-use super::arms::{Below, carried, parts, river_edges};
-use crate::amplify::control::{ControlMesh, VertexKind};
+use super::arms::{LargestAbove, RiverNetwork, carried, parts};
+use super::estuary;
+use crate::amplify::control::VertexKind;
 use crate::amplify::curve::heading_of;
 use crate::amplify::fixed::difference;
-use crate::amplify::rules::EdgeKind;
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::topology::{Edge, Face, NONE, gather};
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
 
-/// Puts wet ground at its bed, water over it, and takes the discharge from dry ground.
-pub(super) fn settle_water(vertices: &mut [Vertex]) {
-    for vertex in vertices {
-        if vertex.is_wet() {
-            vertex.height = vertex.bed;
-            vertex.water = vertex.water.max(vertex.bed);
-        } else {
-            vertex.discharge = 0;
-        }
-    }
+/// Settles what rivers carry and where they flow.
+pub(super) fn lay(
+    scale: &PlanetScale,
+    network: &RiverNetwork,
+    vertices: &mut [Vertex],
+    edges: &mut [Edge],
+) {
+    accumulate(network, vertices);
+    let largest = LargestAbove::new(network, vertices);
+    find_headings(network, &largest, vertices);
+    estuary::flood(scale, network, &largest, vertices);
+    find_arriving(network, vertices, edges);
 }
 
 /// Raises discharges until every vertex carries at least what comes from upstream: squares of
 /// rounded flows need not.
-pub(super) fn accumulate(mesh: &ControlMesh, below: &Below, vertices: &mut [Vertex]) {
+fn accumulate(network: &RiverNetwork, vertices: &mut [Vertex]) {
     // How many rivers still have to arrive at each vertex.
     let mut waiting = vec![0_u32; vertices.len()];
-    for [_, down] in river_edges(mesh) {
-        waiting[down] += 1;
+    for river in &network.edges {
+        waiting[river.ends[1]] += 1;
     }
     // From the springs down: a vertex is ready once all that flow into it are done.
     let mut inflow = vec![0_u32; vertices.len()];
-    let mut ready: Vec<usize> = (0..vertices.len())
-        .filter(|&v| waiting[v] == 0 && !below.of(v).is_empty())
-        .collect();
+    let springs = network.upper_ends().iter().copied();
+    let mut ready: Vec<usize> = springs.filter(|&v| waiting[v] == 0).collect();
     while let Some(up) = ready.pop() {
-        let arms = below.of(up);
+        let arms = network.below.of(up);
         let arrived = vertices[up].discharge.max(inflow[up]);
         vertices[up].discharge = arrived;
         for (&down, part) in arms.iter().zip(parts(vertices, arrived, arms)) {
@@ -55,10 +57,11 @@ pub(super) fn accumulate(mesh: &ControlMesh, below: &Below, vertices: &mut [Vert
 }
 
 /// Headings of rivers: from the largest river that arrives at a vertex to the one that leaves it.
-pub(super) fn find_headings(below: &Below, largest: &[Option<usize>], vertices: &mut [Vertex]) {
-    for v in 0..vertices.len() {
-        let arrives = largest[v].map_or([0; 3], |up| way(vertices, up, v));
-        let next = below.of(v).last();
+fn find_headings(network: &RiverNetwork, largest: &LargestAbove, vertices: &mut [Vertex]) {
+    // A vertex in which several rivers end has the same heading from each of them.
+    for v in network.edges.iter().flat_map(|river| river.ends) {
+        let arrives = largest.of(v).map_or([0; 3], |up| way(vertices, up, v));
+        let next = network.below.of(v).last();
         let leaves = next.map_or([0; 3], |&down| way(vertices, v, down));
         vertices[v].heading = heading_of([0, 1, 2].map(|i| arrives[i] + leaves[i]));
     }
@@ -70,170 +73,110 @@ fn way(vertices: &[Vertex], from: usize, to: usize) -> [i32; 3] {
     heading_of(way).map(i32::from)
 }
 
-/// Rivers that meet in a vertex.
-#[derive(Clone, Copy, Default)]
-struct Confluence {
+/// Rivers that meet in each vertex.
+struct Confluences {
     /// Discharge at the upper ends of their edges.
-    discharge: u64,
+    discharge: Vec<u64>,
     /// Number of rivers.
-    rivers: u64,
+    rivers: Vec<u32>,
     /// Rivers whose arriving discharge is known already.
-    done: u64,
+    done: Vec<u32>,
 }
 
-/// Edges, with the discharge that arrives at each river edge's lower end: what leaves the upper
-/// end, and an equal part of what the lower vertex gains by itself, so that all that arrives there
-/// makes its discharge.
-pub(super) fn edges(mesh: &ControlMesh, below: &Below, vertices: &[Vertex]) -> Vec<Edge> {
-    let mut confluences = vec![Confluence::default(); vertices.len()];
-    for [up, down] in river_edges(mesh) {
-        let carried = carried([&vertices[up], &vertices[down]], below.of(up).len());
-        confluences[down].discharge += u64::from(carried);
-        confluences[down].rivers += 1;
+/// The discharge that arrives at each river edge's lower end: what leaves the upper end, and an
+/// equal part of what the lower vertex gains by itself, so that all that arrives there makes its
+/// discharge.
+fn find_arriving(network: &RiverNetwork, vertices: &[Vertex], edges: &mut [Edge]) {
+    let mut confluences = Confluences::new(network, vertices);
+    for river in &network.edges {
+        let down = river.ends[1];
+        let carried = carried_from(network, vertices, river.ends);
+        let arriving = confluences.arriving(carried, down, &vertices[down]);
+        edges[river.edge as usize].arriving = arriving;
     }
-    let edges = mesh.edges.iter().map(|edge| {
-        if edge.river == 0 {
-            return Edge::new(EdgeKind::Terrain, edge.vertices, edge.faces);
-        }
-        let into = &mut confluences[edge.vertices[1] as usize];
-        let ends = gather(vertices, edge.vertices);
-        let carried = carried(ends, below.of(edge.vertices[0] as usize).len());
-        Edge {
-            arriving: arriving(carried, ends[1], into),
-            ..Edge::new(EdgeKind::River, edge.vertices, edge.faces)
-        }
-    });
-    edges.collect()
 }
 
-/// Discharge that the next river of a confluence brings, of which it carries so much already.
-fn arriving(carried: u32, down: &Vertex, into: &mut Confluence) -> u32 {
-    // What the vertex gains by itself is spread over the rivers that meet there.
-    let gain = u64::from(down.discharge).saturating_sub(into.discharge);
-    // Differences of rounded sums, so that the parts make the whole.
-    let part = gain * (into.done + 1) / into.rivers - gain * into.done / into.rivers;
-    into.done += 1;
-    (u64::from(carried) + part).min(u64::from(u32::MAX)) as u32
+/// Discharge that leaves the upper end of a river edge.
+fn carried_from(network: &RiverNetwork, vertices: &[Vertex], ends: [usize; 2]) -> u32 {
+    let arms = network.below.of(ends[0]).len();
+    carried(ends.map(|v| &vertices[v]), arms)
 }
 
-/// Every dry land vertex drains down its steepest edge, which becomes a gully, as does the vertex.
-pub(super) fn add_gullies(vertices: &mut [Vertex], edges: &mut [Edge]) {
-    for (v, drain) in (0..).zip(drains(vertices, edges)) {
-        let Some(edge) = drain.map(|i| &mut edges[i as usize]) else {
-            continue;
+impl Confluences {
+    fn new(network: &RiverNetwork, vertices: &[Vertex]) -> Self {
+        let n = vertices.len();
+        let mut all = Self {
+            discharge: vec![0; n],
+            rivers: vec![0; n],
+            done: vec![0; n],
         };
-        // Only its higher end drains along it, so no edge is turned twice.
-        edge.kind = EdgeKind::Gully;
-        if edge.vertices[0] != v {
-            edge.reverse();
+        for river in &network.edges {
+            let carried = carried_from(network, vertices, river.ends);
+            let down = river.ends[1];
+            all.discharge[down] += u64::from(carried);
+            all.rivers[down] += 1;
         }
-        let vertex = &mut vertices[v as usize];
-        vertex.kind = VertexKind::Gully;
+        all
+    }
+
+    /// Discharge that the next river into a vertex brings, of which it carries so much already.
+    fn arriving(&mut self, carried: u32, v: usize, down: &Vertex) -> u32 {
+        // What the vertex gains by itself is spread over the rivers that meet there.
+        let gain = u64::from(down.discharge).saturating_sub(self.discharge[v]);
+        let [rivers, done] = [self.rivers[v], self.done[v]].map(u64::from);
+        // Differences of rounded sums, so that the parts make the whole.
+        let part = gain * (done + 1) / rivers - gain * done / rivers;
+        self.done[v] += 1;
+        (u64::from(carried) + part).min(u64::from(u32::MAX)) as u32
     }
 }
 
-/// The edge of each dry land vertex to its lowest neighbour, where that lies lower; the index
-/// decides between equal heights.
-fn drains(vertices: &[Vertex], edges: &[Edge]) -> Vec<Option<u32>> {
-    let key = |v: u32| (vertices[v as usize].height, v);
-    let mut lowest: Vec<Option<(u32, u32)>> = vec![None; vertices.len()];
-    for (i, edge) in (0..).zip(edges) {
-        if edge.kind != EdgeKind::Terrain {
-            continue;
+/// Lays what every vertex has of its own: gullies run down from those that drain by one of `drains`;
+/// wet ones lie on their river, a segment without length.
+pub(super) fn lay_at_vertices(scale: &PlanetScale, drains: &[u32], vertices: &mut [Vertex]) {
+    for (vertex, &drain) in vertices.iter_mut().zip(drains) {
+        if drain != NONE {
+            vertex.kind = VertexKind::Gully;
         }
-        let [a, b] = edge.vertices;
-        for (from, to) in [(a, b), (b, a)] {
-            // A vertex without a lower neighbour is a pit, and has no drain.
-            let best = lowest[from as usize].map_or(from, |(_, neighbour)| neighbour);
-            if vertices[from as usize].kind == VertexKind::Terrain && key(to) < key(best) {
-                lowest[from as usize] = Some((i, to));
-            }
+        if vertex.is_wet() {
+            let ends = [&*vertex; 2];
+            vertex.river = RiverSegment::between(scale, 0, 0, ends, vertex.discharge);
+            vertex.river_distance = 0;
+            vertex.river_along = 0;
         }
     }
-    lowest
-        .into_iter()
-        .map(|found| found.map(|(edge, _)| edge))
-        .collect()
 }
 
-/// Gives each vertex the nearest river edge of the faces around it.
-pub(super) fn find_nearest(
+/// Gives each vertex the nearest river edge opposite to it: a river edge is seen by the far corners
+/// of its two faces.
+pub(super) fn lay_beside(
     scale: &PlanetScale,
+    network: &RiverNetwork,
     vertices: &mut [Vertex],
     edges: &[Edge],
     faces: &[Face],
 ) {
-    for vertex in vertices.iter_mut().filter(|v| v.is_wet()) {
-        // On the river itself: a segment without length.
-        vertex.river = RiverSegment::between(scale, 0, 0, [vertex, vertex], vertex.discharge);
-        vertex.river_distance = 0;
-        vertex.river_along = 0;
-    }
-    for (vertex, found) in (0..).zip(beside_faces(scale, vertices, edges, faces)) {
-        let vertex: &mut Vertex = &mut vertices[vertex as usize];
-        if found.distance < vertex.river_distance {
-            vertex.river = found.segment;
-            vertex.river_distance = found.distance;
-            vertex.river_along = found.along;
-        }
-    }
-}
-
-/// A river beside a vertex.
-#[derive(Clone, Copy)]
-struct RiverBeside {
-    distance: i32,
-    along: i32,
-    segment: RiverSegment,
-}
-
-impl RiverBeside {
-    /// No river yet.
-    fn none() -> Self {
-        Self {
-            distance: FAR,
-            along: 0,
-            segment: RiverSegment::default(),
-        }
-    }
-
-    /// Takes a segment if it is nearer to a direction.
-    fn offer(&mut self, scale: &PlanetScale, direction: [i32; 3], segment: RiverSegment) {
-        let (along, off) = segment.curve().nearest(direction);
-        let distance = scale.grains(off).min(FAR);
-        if distance < self.distance {
-            *self = Self {
-                distance,
-                along,
-                segment,
-            };
-        }
-    }
-}
-
-/// The nearest river edge opposite to each vertex: a river edge is seen by the far corners of its
-/// two faces.
-fn beside_faces(
-    scale: &PlanetScale,
-    vertices: &[Vertex],
-    edges: &[Edge],
-    faces: &[Face],
-) -> Vec<RiverBeside> {
-    let mut found = vec![RiverBeside::none(); vertices.len()];
-    for (i, edge) in (0..).zip(edges) {
-        if edge.kind != EdgeKind::River {
-            continue;
-        }
+    for river in &network.edges {
+        let edge = &edges[river.edge as usize];
         let ends = gather(vertices, edge.vertices);
         // River vertices know their river; the far corners of its faces need a distance.
         let segment = RiverSegment::between(scale, 0, 0, ends, edge.arriving);
         // The floor of the sea carries the river's bed on.
-        let [_, end] = edge.vertices;
-        found[end as usize].offer(scale, ends[1].direction, segment);
+        offer(scale, &mut vertices[river.ends[1]], segment);
         for &face in edge.faces.iter().filter(|&&f| f != NONE) {
-            let corner = faces[face as usize].opposite(i) as usize;
-            found[corner].offer(scale, vertices[corner].direction, segment);
+            let corner = faces[face as usize].opposite(river.edge);
+            offer(scale, &mut vertices[corner as usize], segment);
         }
     }
-    found
+}
+
+/// Gives a vertex a segment if that is nearer than its own, which none is to a wet one.
+fn offer(scale: &PlanetScale, vertex: &mut Vertex, segment: RiverSegment) {
+    let (along, off) = segment.curve().nearest(vertex.direction);
+    let distance = scale.grains(off).min(FAR);
+    if distance < vertex.river_distance {
+        vertex.river = segment;
+        vertex.river_distance = distance;
+        vertex.river_along = along;
+    }
 }
