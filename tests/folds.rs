@@ -25,13 +25,14 @@ fn ridges(tile: &HeightGrid) -> f64 {
         .map(|(x, y)| DVec2::new(at(x + 1, y) - at(x - 1, y), at(x, y - 1) - at(x, y + 1)))
         .collect();
     let mean = gradients.iter().sum::<DVec2>() / gradients.len() as f64;
-    // As numbers of twice the angle, so that opposite directions are one.
-    let doubled = |g: &DVec2| {
-        let g = *g - mean;
-        DVec2::new(g.x * g.x - g.y * g.y, 2.0 * g.x * g.y)
-    };
-    let steepest: DVec2 = gradients.iter().map(doubled).sum();
+    // Twice the angle, so that opposite directions are one.
+    let steepest: DVec2 = gradients.iter().map(|g| doubled(*g - mean)).sum();
     0.5 * (atan2(steepest.y, steepest.x) + core::f64::consts::PI)
+}
+
+/// A vector of twice the angle: the square of the complex number.
+fn doubled(g: DVec2) -> DVec2 {
+    DVec2::new(g.x * g.x - g.y * g.y, 2.0 * g.x * g.y)
 }
 
 /// Angle between the ridges of a tile about a place and the axis of its folds, 0 to 90 degrees.

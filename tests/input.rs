@@ -59,6 +59,16 @@ fn radii_and_shares_of_land() {
 }
 
 #[test]
+fn islands_and_coasts() {
+    for islands in [201, u32::MAX] {
+        refused("islands", &recipe(|r| r.islands = islands));
+    }
+    for roughness in BAD.into_iter().chain([-0.001, 2.001, 5.0]) {
+        refused("coasts", &recipe(|r| r.coast_roughness = roughness));
+    }
+}
+
+#[test]
 fn numbers_of_plates() {
     for plates in [0, 1, 101, 1001, 100_000, u32::MAX] {
         refused("plates", &recipe(|r| r.plate_count = plates));

@@ -131,19 +131,18 @@ pub fn pixels(text: &str) -> Result<PixelsSpec, String> {
 
 /// `COLUMNSxROWS` of tiles.
 pub fn tiles(text: &str) -> Result<TilesSpec, String> {
-    let problem = || {
-        format!(
-            "it must be COLUMNSxROWS, at most {} tiles",
-            TileBlock::MAX_TILES
-        )
-    };
-    let (columns, rows) = text.split_once(['x', 'X']).ok_or_else(problem)?;
-    let count = |text| integer(text, 1, TileBlock::MAX_TILES).map_err(|_| problem());
-    let tiles = [count(columns)?, count(rows)?];
-    if tiles[0] * tiles[1] > TileBlock::MAX_TILES {
-        return Err(problem());
-    }
-    Ok(TilesSpec(tiles))
+    const MOST: usize = TileBlock::MAX_TILES;
+    counted_tiles(text, MOST)
+        .filter(|[columns, rows]| columns * rows <= MOST)
+        .map(TilesSpec)
+        .ok_or_else(|| format!("it must be COLUMNSxROWS, at most {MOST} tiles"))
+}
+
+/// Columns and rows of tiles, of which there may be so many.
+fn counted_tiles(text: &str, most: usize) -> Option<[usize; 2]> {
+    let (columns, rows) = text.split_once(['x', 'X'])?;
+    let count = |text| integer(text, 1, most).ok();
+    Some([count(columns)?, count(rows)?])
 }
 
 /// `LOW,HIGH`, a range of heights in m.

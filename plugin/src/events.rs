@@ -17,6 +17,15 @@ use bevy::math::DVec3;
 use bevy::prelude::*;
 
 /// A step has ended.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// fn note(event: On<StepCompleted>) {
+///     info!("step {}: {} My", event.step, event.time);
+/// }
+/// # App::new().add_observer(note);
+/// ```
 #[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
 #[reflect(Event)]
 pub struct StepCompleted {
@@ -49,6 +58,20 @@ pub struct TerraneCollided {
 }
 
 /// A plate broke.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// /// The youngest fragments hurry away.
+/// fn hurry(event: On<PlateRifted>, mut commands: Commands) {
+///     for &plate in event.fragments.iter().skip(1) {
+///         let pole = (90.0, 0.0);
+///         let away = TectonicCommand::SetPlateMotion { plate, pole, speed: 80.0 };
+///         commands.entity(event.planet).tectonic(away);
+///     }
+/// }
+/// # App::new().add_observer(hurry);
+/// ```
 #[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
 #[reflect(Event)]
 pub struct PlateRifted {
@@ -62,6 +85,15 @@ pub struct PlateRifted {
 }
 
 /// A plate has no crust left.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// fn lament(event: On<PlateConsumed>) {
+///     info!("plate {} is gone", event.plate.0);
+/// }
+/// # App::new().add_observer(lament);
+/// ```
 #[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
 #[reflect(Event)]
 pub struct PlateConsumed {
@@ -73,6 +105,17 @@ pub struct PlateConsumed {
 }
 
 /// The crust was resampled and new ocean floor was made.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// fn measure(event: On<CrustResampled>, clocks: Query<&GeologicClock>) -> Result {
+///     let time = clocks.get(event.planet)?.time;
+///     info!("{time} My: {:.0} km² of new sea floor", event.new_ocean);
+///     Ok(())
+/// }
+/// # App::new().add_observer(measure);
+/// ```
 #[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
 #[reflect(Event)]
 pub struct CrustResampled {

@@ -154,9 +154,8 @@
 //! | `export` | yes | [`io::export`](mod@io::export), [`io::png`]: the ground as GeoTIFF, EXR, greys, glTF; maps as PNG |
 //! | `dem` | yes | [`io::load_dem`], [`io::load_map`], [`io::load_planet`]: GeoTIFF, PNG and HGT are read, and planets of maps |
 //! | `relief_stats` | yes | [`relief_stats`]: slopes, relief in windows, spectra, fabric, geomorphons |
+//! | `file_watcher` | no | Bevy's watcher of asset folders: a preset that changes on disk reaches its planet |
 //! | `window` | no | a window through winit and X11, for the example `minimal` |
-//!
-//! To reload presets when their files change, switch on Bevy's own feature `file_watcher`.
 //!
 //! # What it costs
 //!

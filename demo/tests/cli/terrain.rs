@@ -117,18 +117,20 @@ fn a_kilometre_of_the_map_is_a_kilometre_of_ground() {
 #[test]
 fn the_mountain_is_where_the_map_says() {
     let folder = island_files();
-    let highest = |about| {
-        let points = points_around(about, 1.5);
-        let ground = ask(folder.path(), "a/island.terrain.ron", "6", &points);
-        ground.iter().map(|at| at.height_m).fold(f64::MIN, f64::max)
-    };
     let (lat, lon) = MOUNTAIN;
-    let mountain = highest(MOUNTAIN);
+    let mountain = highest(folder.path(), MOUNTAIN);
     assert!((3000.0..7000.0).contains(&mountain), "{mountain} m");
     for elsewhere in [(-lat, lon), (lat, -lon), (-lat, -lon), (0.0, 0.0)] {
-        let height = highest(elsewhere);
+        let height = highest(folder.path(), elsewhere);
         assert!(height < 2200.0, "{height} m at {elsewhere:?}");
     }
+}
+
+/// The highest ground in m around a place of the island's planet.
+fn highest(folder: &Path, about: (f64, f64)) -> f64 {
+    let points = points_around(about, 1.5);
+    let ground = ask(folder, "a/island.terrain.ron", "6", &points);
+    ground.iter().map(|at| at.height_m).fold(f64::MIN, f64::max)
 }
 
 #[test]
@@ -215,15 +217,17 @@ fn a_map_of_the_elevation_is_a_planet_too() {
     let folder = island_files();
     let text = "(elevation: \"island.png\")";
     fs::write(folder.path().join("a/maps/same.terrain.ron"), text).unwrap();
-    let points = points_around((5.0, -10.0), 12.0);
-    let heights = |planet: &str| -> Vec<f64> {
-        let ground = ask(folder.path(), planet, "5", &points);
-        ground.iter().map(|at| at.height_m).collect()
-    };
-    let alone = heights("a/maps/island.png");
-    assert_eq!(alone, heights("a/maps/same.terrain.ron"));
+    let alone = heights(folder.path(), "a/maps/island.png");
+    assert_eq!(alone, heights(folder.path(), "a/maps/same.terrain.ron"));
     // Another seed has other rivers.
-    assert_ne!(alone, heights("a/island.terrain.ron"));
+    assert_ne!(alone, heights(folder.path(), "a/island.terrain.ron"));
+}
+
+/// Heights in m of places about the island.
+fn heights(folder: &Path, planet: &str) -> Vec<f64> {
+    let points = points_around((5.0, -10.0), 12.0);
+    let ground = ask(folder, planet, "5", &points);
+    ground.iter().map(|at| at.height_m).collect()
 }
 
 #[test]

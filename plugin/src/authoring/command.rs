@@ -6,6 +6,18 @@ use crate::plate::PlateId;
 use bevy::prelude::*;
 
 /// Something that a user of the tectonic model may do at any moment (paper 000 §7.1).
+///
+/// They are text, too, as in scenarios:
+///
+/// ```
+/// use bevy_pangaea::prelude::*;
+///
+/// let text = "SetParam(name: \"erosion\", value: 0.05)";
+/// let command: TectonicCommand = ron::from_str(text)?;
+/// let same = TectonicCommand::SetParam { name: "erosion".into(), value: 0.05 };
+/// assert_eq!(command, same);
+/// # Ok::<(), ron::error::SpannedError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 #[reflect(Serialize, Deserialize)]

@@ -5,6 +5,15 @@ use super::error::CommandError;
 use bevy::prelude::*;
 
 /// A command took effect.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// fn log(event: On<CommandApplied>) {
+///     info!("done: {:?}", event.command);
+/// }
+/// # App::new().add_observer(log);
+/// ```
 #[derive(EntityEvent, Clone, Debug, PartialEq, Reflect)]
 #[reflect(Event)]
 pub struct CommandApplied {

@@ -14,6 +14,34 @@ pub struct TimedCommand {
 }
 
 /// The commands that were carried out on a planet since it was made, in order.
+///
+/// Played as a [`Scenario`] on the same recipe, it gives the same planet:
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// use bevy_pangaea::authoring::apply_now;
+/// use bevy_pangaea::io::{capture, digest};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let mut app = App::new();
+/// app.add_plugins(PangaeaPlugins);
+/// let world = app.world_mut();
+/// let recipe = PlanetRecipe { samples: 500, ..default() };
+/// let planet = PlanetState::new(&recipe)?.spawn(world);
+/// run_steps(world, planet, 2);
+/// apply_now(world, planet, &TectonicCommand::SetParam { name: "erosion".into(), value: 0.5 })?;
+/// run_steps(world, planet, 2);
+///
+/// let mut replay = PlanetState::new(&recipe)?;
+/// replay.pending = world.get::<Recording>(planet).cloned().unwrap_or_default().into();
+/// let replay = replay.spawn(world);
+/// run_steps(world, replay, 4);
+/// let bits = |planet| capture(world, planet).map(|state| digest(&state));
+/// assert_eq!(bits(planet), bits(replay));
+/// # Ok(())
+/// # }
+/// ```
 #[derive(
     Component, Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize,
 )]

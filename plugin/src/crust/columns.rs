@@ -36,6 +36,18 @@ macro_rules! columns {
         /// Samples never move. A sample's direction and its two vectors are given in the
         /// coordinates of its [`Frame`](super::Frame); the frame's rotation takes them to where the
         /// crust is now.
+        ///
+        /// ```
+        /// use bevy_pangaea::prelude::*;
+        ///
+        /// let recipe = PlanetRecipe { samples: 500, ..Default::default() };
+        /// let crust = PlanetState::new(&recipe)?.crust;
+        /// let highest = crust.elevation.iter().copied().fold(f32::MIN, f32::max);
+        /// assert!(highest > 0.0 && crust.len() == 500);
+        /// // A row has all that is known of a sample.
+        /// assert_eq!(crust.row(7).kind == CrustKind::Continental, crust.is_continental(7));
+        /// # Ok::<(), PlanetError>(())
+        /// ```
         #[derive(Component, Clone, Debug, Default, PartialEq, Reflect)]
         #[reflect(Component, Default)]
         pub struct Crust {

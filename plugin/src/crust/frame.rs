@@ -49,6 +49,19 @@ impl Frame {
 }
 
 /// All frames of a planet, in the order in which they were made.
+///
+/// ```
+/// use bevy_pangaea::prelude::*;
+///
+/// let recipe = PlanetRecipe { samples: 500, ..Default::default() };
+/// let state = PlanetState::new(&recipe)?;
+/// // Where the crust of sample 7 is now, and which plate carries it.
+/// let frame = state.crust.frame[7];
+/// let place = state.frames[usize::from(frame)].to_world(state.lattice.point(7));
+/// assert_eq!(place, state.lattice.point(7), "nothing has moved yet");
+/// assert!(state.plates.iter().any(|plate| plate.0 == state.frames.plate(frame)));
+/// # Ok::<(), PlanetError>(())
+/// ```
 #[derive(Component, Clone, Debug, Default, PartialEq, Deref, DerefMut)]
 pub struct Frames(pub Vec<Frame>);
 

@@ -53,6 +53,20 @@ pub struct Amount {
 }
 
 /// The bookings since the planet was made, and how well they explain the measured changes.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// use bevy_pangaea::crust::Cause;
+///
+/// fn audit(ledgers: Query<&Ledger>) {
+///     for ledger in &ledgers {
+///         let worn = ledger.of(Cause::Erosion).volume;
+///         info!("erosion took {:.0} km³; unexplained: {:e}", -worn, ledger.unexplained_max);
+///     }
+/// }
+/// # bevy::ecs::system::assert_is_system(audit);
+/// ```
 #[derive(Component, Clone, Debug, Default, PartialEq, Reflect)]
 #[reflect(Component)]
 pub struct Ledger {

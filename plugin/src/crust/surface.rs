@@ -27,6 +27,19 @@ pub enum Cover {
 
 /// The last projection of a planet. Who reads it on another thread clones the pointer: a projection
 /// is never changed, the next one takes its place.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// /// The elevation in km at a place.
+/// fn look(planets: Query<(&PlanetSurface, &Lattice)>) {
+///     let here = bevy_pangaea::math::direction(48.0, 11.0);
+///     for (surface, lattice) in planets.iter().filter(|(surface, _)| !surface.is_empty()) {
+///         info!("{:.2} km", surface.at(lattice, here).elevation);
+///     }
+/// }
+/// # bevy::ecs::system::assert_is_system(look);
+/// ```
 #[derive(Component, Clone, Debug, Default, Deref)]
 pub struct PlanetSurface(pub Arc<Surface>);
 

@@ -7,6 +7,15 @@ use bevy::prelude::*;
 macro_rules! switches {
     ($( $(#[doc = $doc:literal])+ $name:ident; )+) => {
         /// Which processes run; each can be switched at any time.
+        ///
+        /// ```
+        /// use bevy_pangaea::prelude::*;
+        ///
+        /// let mut params = TectonicParams::default();
+        /// params.processes.rifting = false;
+        /// *params.processes.get_mut("noise")? = false;
+        /// # Ok::<(), bevy_pangaea::params::ParamError>(())
+        /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
         #[derive(serde::Serialize, serde::Deserialize)]
         #[serde(default, deny_unknown_fields)]

@@ -8,6 +8,17 @@ use core::time::Duration;
 /// Geological time of a planet: part of its state, written by the simulation alone.
 ///
 /// How fast it passes is said by [`ClockControls`].
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// fn report(clocks: Query<&GeologicClock, With<Planet>>) {
+///     for clock in &clocks {
+///         info!("{} My, {} steps", clock.time, clock.step);
+///     }
+/// }
+/// # bevy::ecs::system::assert_is_system(report);
+/// ```
 #[derive(
     Component, Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize,
 )]

@@ -29,6 +29,17 @@ pub struct Planet {
 }
 
 /// The samples of the sphere and their triangles, shared by everything that reads the planet.
+///
+/// ```
+/// use bevy_pangaea::prelude::*;
+///
+/// let recipe = PlanetRecipe { samples: 500, ..Default::default() };
+/// let lattice = PlanetState::new(&recipe)?.lattice;
+/// let here = lattice.nearest(bevy_pangaea::math::direction(48.0, 11.0));
+/// // A sample has its place, its area in steradians and its neighbours in order.
+/// assert!(lattice.ring(here).len() >= 3 && lattice.area(here) > 0.0);
+/// # Ok::<(), PlanetError>(())
+/// ```
 #[derive(Component, Clone, Deref)]
 pub struct Lattice(pub Arc<SphereMesh>);
 

@@ -44,6 +44,12 @@ pub struct PlanetRecipe {
     pub plate_count: u32,
     /// Share of land, 0..=0.9; replaced by the plates' and discs' crust where those are given.
     pub land: f64,
+    /// Small blocks of random continental crust besides the continents, from the size of Greenland
+    /// down to that of New Zealand, 0..=200; they share the same part of the land, however many.
+    pub islands: u32,
+    /// Strength of the noise of coasts relative to the Earth's, 0..=2: at 0 continents are rounded
+    /// discs.
+    pub coast_roughness: f64,
     /// Plates given one by one; empty for random ones.
     pub plates: Vec<PlateRecipe>,
     /// Continents given one by one, as discs with warped coasts; empty for random ones.
@@ -60,6 +66,8 @@ impl Default for PlanetRecipe {
             radius: 6370.0,
             plate_count: 40,
             land: 0.3,
+            islands: 14,
+            coast_roughness: 1.0,
             plates: Vec::new(),
             continents: Vec::new(),
             params: TectonicParams::default(),
@@ -68,6 +76,21 @@ impl Default for PlanetRecipe {
 }
 
 /// A plate of a preset.
+///
+/// ```
+/// use bevy_pangaea::prelude::*;
+///
+/// // Two hemispheres that part along the meridian of Greenwich.
+/// let plate = |lon: f64, speed| PlateRecipe {
+///     centroid: (0.0, lon),
+///     pole: Some((90.0, 0.0)),
+///     speed,
+/// };
+/// let plates = vec![plate(-90.0, -30.0), plate(90.0, 30.0)];
+/// let recipe = PlanetRecipe { plates, samples: 500, ..Default::default() };
+/// assert_eq!(PlanetState::new(&recipe)?.plates.len(), 2);
+/// # Ok::<(), PlanetError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 #[reflect(Default, Serialize, Deserialize)]
@@ -83,6 +106,21 @@ pub struct PlateRecipe {
 }
 
 /// A disc on the sphere.
+///
+/// ```
+/// use bevy_pangaea::prelude::*;
+///
+/// // One continent about the north pole; the rest is sea.
+/// let continents = vec![DiscRecipe { center: (90.0, 0.0), radius: 3000.0 }];
+/// let recipe = PlanetRecipe { continents, samples: 2000, ..Default::default() };
+/// let state = PlanetState::new(&recipe)?;
+/// let is_land = |lat: f64| {
+///     let sample = state.lattice.nearest(bevy_pangaea::math::direction(lat, 0.0));
+///     state.crust.elevation[sample as usize] > 0.0
+/// };
+/// assert!(is_land(90.0) && !is_land(-90.0));
+/// # Ok::<(), PlanetError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 #[reflect(Serialize, Deserialize)]
@@ -94,6 +132,14 @@ pub struct DiscRecipe {
 }
 
 /// Why a planet cannot be made.
+///
+/// ```
+/// use bevy_pangaea::prelude::*;
+///
+/// let recipe = PlanetRecipe { land: 2.0, ..Default::default() };
+/// let refused = recipe.validate().unwrap_err();
+/// assert_eq!(refused.to_string(), "land = 2 is outside of 0..=0.9");
+/// ```
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum PlanetError {
     /// The samples or their triangulation are refused.
@@ -129,6 +175,8 @@ impl PlanetRecipe {
         within("samples", f64::from(self.samples), 100.0, 2_000_000.0)?;
         within("radius", self.radius, 50.0, 100_000.0)?;
         within("land", self.land, 0.0, 0.9)?;
+        within("islands", f64::from(self.islands), 0.0, 200.0)?;
+        within("coast_roughness", self.coast_roughness, 0.0, 2.0)?;
         self.check_plate_count()?;
         self.params.validate()?;
         self.plates

@@ -7,7 +7,7 @@
 //! | [`FrontField`] | contacts and rims; it has a memory | marked stale here, recomputed by subduction |
 //! | [`PlateStats`] alone | the kinds of samples | [`recompute_stats`] |
 //! | [`Contacts`] | rims, frames, motions | each step; for pictures by [`recompute_contacts`] |
-//! | terranes | frames and kinds | marked stale here, counted by the [census](super::census) |
+//! | terranes | frames and kinds | noted here, counted by the [census](super::census) |
 
 use super::boundary::Rim;
 use super::census::TerraneCensus;
@@ -65,7 +65,7 @@ pub fn recompute_stats(world: &mut World, planet: Entity) {
     let view = body.view();
     let stats = plate_stats(view.mesh, crust, frames, view.radius, |_| true);
     assign_stats(world, planet, &stats);
-    mark_terranes_stale(world, planet);
+    recount_later(world, planet, None);
 }
 
 /// Finds contacts for pictures, until the next step finds its own: looking must not change the
@@ -93,9 +93,14 @@ pub fn recompute_contacts(world: &mut World, planet: Entity) {
     *contacts = find_contacts(&input, rim, &mut memory, view.params.polarity_hysteresis);
 }
 
-fn mark_terranes_stale(world: &mut World, planet: Entity) {
-    if let Some(mut census) = world.get_mut::<TerraneCensus>(planet) {
-        census.stale = true;
+/// Leaves terranes to be counted anew: those that the moved samples belonged to, or all.
+fn recount_later(world: &mut World, planet: Entity, moved: Option<&MovedSamples>) {
+    let Some(mut census) = world.get_mut::<TerraneCensus>(planet) else {
+        return;
+    };
+    match moved {
+        Some(moved) => census.moved.extend(&moved.samples),
+        None => census.stale = true,
     }
 }
 
@@ -131,7 +136,7 @@ fn recompute_frames(world: &mut World, planet: Entity, moved: Option<&MovedSampl
         polarity.retain(|id| consumed.iter().all(|row| row.id != id));
     }
     assign_stats(world, planet, &stats);
-    mark_terranes_stale(world, planet);
+    recount_later(world, planet, moved);
     for row in consumed {
         world.despawn(row.entity);
         world.trigger(PlateConsumed {

@@ -1,9 +1,10 @@
 //! The census of terranes: which samples each has, kept from step to step.
 //!
 //! An arc that rises out of the sea adds a sample to the terrane beside it, begins one of its own,
-//! or joins several. Crust that changes its frame asks for a new census. Areas and moments are
-//! summed as integers: they do not depend on the order in which samples came, so a planet that was
-//! loaded has the same terranes as one that grew.
+//! or joins several. Crust that changes its frame, as in most steps an island does that collides,
+//! has the terranes counted again that it was part of; a resample asks for a new census. Areas and
+//! moments are summed as integers: they do not depend on the order in which samples came, so a
+//! planet that was loaded has the same terranes as one that grew.
 
 use super::plate_table;
 use super::terrane::{Terrane, TerraneOf, Terranes};
@@ -14,6 +15,7 @@ use crate::sphere::components::{Components, OUTSIDE};
 use crate::view::{PlanetQuery, PlanetView};
 use bevy::math::DVec3;
 use bevy::prelude::*;
+use std::collections::BTreeSet;
 use std::mem;
 
 /// Parts of a steradian that areas and moments are counted in: the whole sphere is less than 2^56
@@ -24,16 +26,19 @@ const PARTS_PER_STERADIAN: f64 = (1_u64 << 52) as f64;
 #[derive(Component, Clone, Debug, Default, PartialEq, Reflect)]
 #[reflect(Component)]
 pub struct TerraneCensus {
-    /// Whether all terranes must be found anew before the step ends. Set by whatever moves samples
-    /// between frames or makes ocean floor of land.
+    /// Whether all terranes must be found anew before the step ends. Set by whatever gives all
+    /// samples new frames or makes ocean floor of land.
     pub stale: bool,
+    /// Samples that have gone to other frames since they were counted.
+    pub moved: Vec<u32>,
     /// Samples that have become land where they are, and are not counted yet.
     pub grown: Vec<u32>,
     /// The number that every sample was counted under, or [`OUTSIDE`].
     number: Vec<u32>,
     /// Sums over what is counted under each number.
     sums: Vec<TerraneSums>,
-    /// The number that each number has been joined to, or itself.
+    /// The number that each number has been joined to, or itself; [`OUTSIDE`] for one whose samples
+    /// are counted under others.
     joined: Vec<u32>,
 }
 
@@ -125,10 +130,40 @@ impl TerraneCensus {
         self.joined.get(number as usize) == Some(&number)
     }
 
-    /// Counts the samples that have become land.
-    pub(crate) fn count_grown(&mut self, mesh: &SphereMesh, crust: &Crust) {
+    /// Counts the samples that have become land, and anew those of terranes that lost or gained
+    /// samples.
+    pub(crate) fn catch_up(&mut self, mesh: &SphereMesh, crust: &Crust) {
+        self.release_moved();
         for sample in mem::take(&mut self.grown) {
             self.count(mesh, crust, sample);
+        }
+    }
+
+    /// Gives up the terranes that the moved samples were counted under, and leaves their samples to
+    /// be counted with those that have grown.
+    fn release_moved(&mut self) {
+        let moved = mem::take(&mut self.moved);
+        // Ocean floor has no number, and land that is new in this step will be counted anyway.
+        let counted = moved
+            .iter()
+            .map(|&i| self.number[i as usize])
+            .filter(|&number| number != OUTSIDE);
+        let released: BTreeSet<u32> = counted.map(|number| self.root(number)).collect();
+        if released.is_empty() {
+            return;
+        }
+        // By number, joined ones included: samples are many, numbers are few.
+        let is_released: Vec<bool> = (0..self.len())
+            .map(|number| released.contains(&self.root(number)))
+            .collect();
+        for (i, number) in (0..).zip(&mut self.number) {
+            if is_released.get(*number as usize) == Some(&true) {
+                *number = OUTSIDE;
+                self.grown.push(i);
+            }
+        }
+        for number in released {
+            self.joined[number as usize] = OUTSIDE;
         }
     }
 
@@ -160,9 +195,9 @@ impl TerraneCensus {
         number
     }
 
-    /// The number that a number has been joined to in the end.
+    /// The number that a number has been joined to in the end, or [`OUTSIDE`].
     fn root(&self, mut number: u32) -> u32 {
-        while !self.is_one(number) {
+        while number != OUTSIDE && !self.is_one(number) {
             number = self.joined[number as usize];
         }
         number

@@ -46,6 +46,23 @@ use bevy::prelude::*;
 pub struct PlateOf(pub Entity);
 
 /// The plates of a planet, in no particular order; sort by [`PlateId`] where order matters.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// use bevy_pangaea::plate::PlateStats;
+///
+/// /// The largest plate of every planet.
+/// fn largest(planets: Query<&Plates>, plates: Query<(&PlateId, &PlateStats)>) {
+///     for of_planet in &planets {
+///         let areas = plates.iter_many(of_planet.iter());
+///         if let Some((id, stats)) = areas.max_by(|a, b| a.1.area.total_cmp(&b.1.area)) {
+///             info!("plate {} has {:.0} km²", id.0, stats.area);
+///         }
+///     }
+/// }
+/// # bevy::ecs::system::assert_is_system(largest);
+/// ```
 #[derive(Component, Clone, Debug, Default, Reflect)]
 #[relationship_target(relationship = PlateOf, linked_spawn)]
 #[reflect(Component)]

@@ -7,8 +7,9 @@ use bevy::prelude::*;
 /// A connected region of continental crust, from a small island to a whole continent.
 ///
 /// After every step, and after commands between two steps, the terranes are those of the crust as
-/// it is. An entity stays while its terrane drifts, grows, or takes in others; crust that changes
-/// its frame, as in a collision, a rifting or a resampling, replaces the entities of all.
+/// it is. An entity stays while its terrane drifts, grows, or takes in others. Crust that changes
+/// its frame, as in a collision or a rifting, replaces the entities of the terranes that it was part
+/// of; a resampling replaces all.
 #[derive(Component, Clone, Debug, PartialEq, Reflect)]
 #[reflect(Component)]
 pub struct Terrane {

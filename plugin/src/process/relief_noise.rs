@@ -1,6 +1,6 @@
 //! Coherent noise of low frequency that raises and lowers continents (paper 000 §4.5).
 //!
-//! Two patterns take turns over [`NOISE_PERIOD`]: what one raises the other lowers again, so that
+//! Two patterns take turns over `noise_period`: what one raises the other lowers again, so that
 //! no relief grows without end.
 
 use crate::math::{PI, sin_cos};
@@ -12,9 +12,6 @@ use crate::view::PlanetView;
 use bevy::prelude::*;
 use core::ops::Range;
 use rayon::prelude::*;
-
-/// Period in My over which the noise wanders through its two patterns.
-pub const NOISE_PERIOD: f64 = 160.0;
 
 /// Octaves of a pattern.
 const OCTAVES: u32 = 3;
@@ -77,7 +74,30 @@ pub(super) fn weights(params: &TectonicParams, time: f64) -> [f32; 2] {
         return [0.0; 2];
     }
     // Both weights sum to 0 over a period.
-    let (s, c) = sin_cos(2.0 * PI * time / NOISE_PERIOD);
+    let (s, c) = sin_cos(2.0 * PI * time / params.noise_period);
     let amplitude = params.noise_amplitude * params.time_step;
     [(amplitude * c) as f32, (amplitude * s) as f32]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns_take_turns_over_the_period() {
+        let params = TectonicParams {
+            noise_period: 80.0,
+            noise_amplitude: 0.01,
+            ..TectonicParams::default()
+        };
+        // 0.01 km a My for 2 My, a quarter of a period apart.
+        for (time, expected) in [
+            (0.0, [0.02, 0.0]),
+            (20.0, [0.0, 0.02]),
+            (40.0, [-0.02, 0.0]),
+        ] {
+            let [a, b] = weights(&params, time);
+            assert!((a - expected[0]).abs() < 1e-8 && (b - expected[1]).abs() < 1e-8);
+        }
+    }
 }

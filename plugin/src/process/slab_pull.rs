@@ -5,7 +5,7 @@
 //! ```
 //!
 //! L_k is the length of front that q_k stands for, so that the pull does not depend on the
-//! resolution. The speed stays. Young fragments of a rift are left alone for [`GRACE_PERIOD`] My:
+//! resolution. The speed stays. Young fragments of a rift are left alone for `slab_pull_grace` My:
 //! pulled together, they would close the rift.
 //!
 //! Reads: contacts. Writes: motions.
@@ -21,9 +21,6 @@ use crate::sphere::SphereMesh;
 use bevy::math::DVec3;
 use bevy::prelude::*;
 use std::collections::BTreeMap;
-
-/// Age in My below which a plate is not pulled; plates of the beginning were born at 0.
-pub const GRACE_PERIOD: f64 = 20.0;
 
 /// Adds [`slab_pull`] to the step.
 pub struct SlabPullPlugin;
@@ -58,7 +55,7 @@ pub fn slab_pull(
     let mut plates = plates.iter_many_mut(of_planet.iter());
     while let Some((id, plate, stats, mut motion)) = plates.fetch_next() {
         if let Some(front) = fronts.get(id)
-            && clock.time - plate.born >= GRACE_PERIOD
+            && clock.time - plate.born >= params.slab_pull_grace
         {
             let rate = params.slab_pull * params.time_step;
             motion.axis = pulled(motion.axis, stats.centroid, front, rim.length, rate);

@@ -7,7 +7,7 @@
 //! u is the [`uplift`](super::uplift) and saturates towards z_c. The paper's fold direction turns
 //! by beta (s_i - s_j): here it has the opposite sign, which is the same axis, and fades with the
 //! distance from the front as the uplift does. Orogeny becomes Andean where continental crust rises
-//! faster than `orogeny_rate`, unless a collision folded it in the last [`HIMALAYAN_MEMORY`] My.
+//! faster than `orogeny_rate`, unless a collision folded it in the last `himalayan_memory` My.
 //! Thickness follows by isostasy; on continents it is booked as subduction uplift. *Several
 //! fronts*: only the nearest lifts a sample. *Forced subduction*: where the crust going under is
 //! continental, h is large and so is the uplift.
@@ -25,9 +25,6 @@ use crate::schedule::{CurrentPlanet, Stage, StepCursor, TectonicStep, TectonicSy
 use crate::view::{PlanetQuery, PlanetView};
 use bevy::prelude::*;
 use rayon::prelude::*;
-
-/// Age in My up to which the belt of a collision stays Himalayan above a subduction zone.
-pub const HIMALAYAN_MEMORY: f32 = 60.0;
 
 /// Greatest distance in radians over which a front lifts: on small planets `uplift_end` would go
 /// all round.
@@ -168,7 +165,7 @@ fn lift(chunk: &mut CrustChunk, k: usize, rate: f32, law: &FastUplift) -> f32 {
 #[inline]
 fn note_orogeny(chunk: &mut CrustChunk, k: usize, rate: f32, law: &FastUplift) {
     let young_belt =
-        chunk.orogeny[k] == Orogeny::Himalayan && chunk.orogeny_age[k] < HIMALAYAN_MEMORY;
+        chunk.orogeny[k] == Orogeny::Himalayan && chunk.orogeny_age[k] < law.belt_memory;
     if rate > law.folding && !young_belt {
         chunk.orogeny[k] = Orogeny::Andean;
         chunk.orogeny_age[k] = 0.0;

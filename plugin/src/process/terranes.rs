@@ -1,6 +1,7 @@
 //! Terranes as entities: brought up to date at the end of each step (paper 000 §3).
 //!
-//! Land that rises is added to the census; only crust that changes its frame asks for a new one.
+//! Land that rises is added to the census, terranes of crust that changed its frame are counted
+//! again; only a resample asks for a new census.
 //!
 //! Reads: frames, kinds. Writes: terranes.
 
@@ -37,8 +38,8 @@ impl Plugin for TerranePlugin {
     }
 }
 
-/// Counts the land of the current planet that has risen since the last census, or all of it if that
-/// census is stale.
+/// Counts the land of the current planet that has risen or moved since the last census, or all of it
+/// if that census is stale.
 pub fn census(
     plates: PlateAccess,
     mut planets: Query<(PlanetQuery, &Crust, &Frames, &mut TerraneCensus)>,
@@ -54,7 +55,7 @@ pub fn census(
     }
     let PlanetView { mesh, radius, .. } = body.view();
     let known = census.len();
-    census.count_grown(mesh, crust);
+    census.catch_up(mesh, crust);
     if census.len() == known {
         return;
     }

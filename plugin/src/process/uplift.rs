@@ -127,6 +127,8 @@ pub(super) struct FastUplift {
     fold: f32,
     /// Rate of uplift in km/My from which continental crust is being folded.
     pub folding: f32,
+    /// Age in My below which a belt of a collision stays one.
+    pub belt_memory: f32,
     /// Time step in My.
     pub dt: f32,
     /// Elevation in km that summits approach.
@@ -149,6 +151,7 @@ impl FastUplift {
             speed: Linear::new(p.weight_speed, 1.0 / p.max_speed),
             fold: (p.fold_rate * p.time_step) as f32,
             folding: p.orogeny_rate as f32,
+            belt_memory: p.himalayan_memory as f32,
             dt: p.time_step as f32,
             ceiling: p.summit_elevation as f32,
             isostasy: Isostasy::new(p),

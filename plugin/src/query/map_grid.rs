@@ -155,11 +155,8 @@ impl MapGrid {
 
     /// The columns and rows from `first` on of the whole grid; `None` if they leave it.
     pub fn window(self, first: [usize; 2], size: [usize; 2]) -> Option<Self> {
-        let fits = |k: usize| {
-            let end = first[k].checked_add(size[k]);
-            size[k] > 0 && end.is_some_and(|end| end <= self.whole[k])
-        };
-        (fits(0) && fits(1)).then_some(Self {
+        let fits = (0..2).all(|k| lies_within(first[k], size[k], self.whole[k]));
+        fits.then_some(Self {
             first,
             size,
             ..self
@@ -198,6 +195,12 @@ impl MapGrid {
     pub fn direction(&self, column: usize, row: usize) -> DVec3 {
         self.projection.direction(self.plane(column, row))
     }
+}
+
+/// Whether `size` places from `first` on, at least one, lie within `whole`.
+fn lies_within(first: usize, size: usize, whole: usize) -> bool {
+    let end = first.checked_add(size);
+    size > 0 && end.is_some_and(|end| end <= whole)
 }
 
 #[cfg(test)]

@@ -12,6 +12,18 @@ use serde::{Deserialize, Serialize};
 /// Without the component, or once it is removed, the planet is not drawn.
 ///
 /// [`PangaeaRenderPlugin`]: super::PangaeaRenderPlugin
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// use bevy_pangaea::overlay::Overlay;
+///
+/// fn setup(mut commands: Commands) {
+///     let globe = Globe { overlay: Overlay::Plates, boundaries: true, ..default() };
+///     commands.spawn((PlanetRecipe::default(), globe));
+/// }
+/// # bevy::ecs::system::assert_is_system(setup);
+/// ```
 #[derive(Component, Clone, Debug, PartialEq, Reflect, Serialize, Deserialize)]
 #[reflect(Component, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]

@@ -3,7 +3,7 @@
 //! The nearest rim and the nearest rim of another plate are found along the mesh. *Diverging
 //! plates* leave new ocean floor between them, the [`ridge`](super::ridge)'s. *Plates that do not
 //! diverge, and holes within one plate*: a gap is not always an ocean. It is filled from the
-//! nearest rim. Only cracks below [`WIDEST_CRACK`] between two continents are filled with
+//! nearest rim. Only cracks below `widest_crack` between two continents are filled with
 //! continental crust; a wider gap that closes again was an ocean when it opened, and takes the
 //! nearer oceanic rim's floor, or new floor where there is none. *Triple junctions*: the two
 //! nearest plates decide.
@@ -20,9 +20,6 @@ use crate::sphere::angle_of_chord;
 use crate::sphere::components::Components;
 use crate::sphere::nearest_source::{SourceField, UNREACHED, extend_nearest_sources};
 use rayon::prelude::*;
-
-/// Widest gap in km between continents that do not diverge, which their crust fills by stretching.
-pub const WIDEST_CRACK: f64 = 120.0;
 
 /// Radians beyond which no rim is looked for: more than half of the sphere.
 const FARTHEST_RIM: f64 = 2.0;
@@ -227,7 +224,7 @@ fn closing_row(input: &GapInput, surface: &Surface, between: &Between) -> CrustR
     let p = mesh.point(between.sample);
     let width = angle_of_chord(p.distance(mesh.point(between.near)))
         + angle_of_chord(p.distance(mesh.point(between.far)));
-    if width * input.planet.radius < WIDEST_CRACK {
+    if width * input.planet.radius < input.planet.params.widest_crack {
         own
     } else {
         ridge_row(input, surface, between, Opening::Past).unwrap_or(own)

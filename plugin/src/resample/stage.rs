@@ -118,6 +118,24 @@ fn has_resampled(world: &World, planet: Entity) -> bool {
 }
 
 /// Projects the whole surface at once.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// use bevy_pangaea::resample::project_now;
+///
+/// # fn main() -> Result<(), PlanetError> {
+/// let mut app = App::new();
+/// app.add_plugins(PangaeaPlugins);
+/// let recipe = PlanetRecipe { samples: 500, ..default() };
+/// let planet = PlanetState::new(&recipe)?.spawn(app.world_mut());
+/// run_steps(app.world_mut(), planet, 2);
+/// project_now(app.world_mut(), planet);
+/// let surface = app.world().get::<PlanetSurface>(planet).unwrap();
+/// assert_eq!((surface.time, surface.len()), (4.0, 500));
+/// # Ok(())
+/// # }
+/// ```
 pub fn project_now(world: &mut World, planet: Entity) {
     if has_resampled(world, planet) {
         // Nothing has looked for contacts since.

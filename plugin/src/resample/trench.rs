@@ -13,9 +13,6 @@ use crate::sphere::nearest_source::{SourceScratch, nearest_sources};
 use crate::view::PlanetView;
 use bevy::math::DVec3;
 
-/// Speed of approach in km/My from which on a trench has its full depth.
-const FULL_DEPTH_SPEED: f64 = 20.0;
-
 /// The state from which trenches follow.
 pub(super) struct TrenchInput<'a> {
     /// Samples, parameters, size.
@@ -49,9 +46,10 @@ struct SinkingFront {
 }
 
 impl SinkingFront {
-    /// Share of the way to z_t that floor is bent, at `x` widths from the front.
-    fn depth(&self, x: f64) -> f64 {
-        let fast = (self.approach / FULL_DEPTH_SPEED).min(1.0);
+    /// Share of the way to z_t that floor is bent, at `x` widths from the front, where trenches
+    /// have their full depth from `full_speed` km/My on.
+    fn depth(&self, x: f64, full_speed: f64) -> f64 {
+        let fast = (self.approach / full_speed).min(1.0);
         profile(x) * fast
     }
 }
@@ -63,6 +61,7 @@ pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut Sou
     // Front samples belong to the overriding plate, on average half a spacing behind the front.
     let behind = 0.5 * mesh.spacing();
     let width = input.planet.params.trench_width / input.planet.radius;
+    let full_speed = input.planet.params.trench_speed;
     let goes_under = frames_going_under(input.frames, &fronts);
     let reached = nearest_sources(mesh, scratch, &seeds, width + behind, |_, to| {
         is_sinking_floor(&surface.crust, &goes_under, to as usize)
@@ -75,7 +74,7 @@ pub(super) fn bend(input: &TrenchInput, surface: &mut Surface, scratch: &mut Sou
         if surface.plate[i] != front.plate || surface.crust.kind[i] == CrustKind::Continental {
             continue;
         }
-        let depth = front.depth((f64::from(d) - behind) / width);
+        let depth = front.depth((f64::from(d) - behind) / width, full_speed);
         surface.trench[i] = input.offset(surface.crust.elevation[i], depth);
     }
 }
@@ -119,7 +118,15 @@ fn profile(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::profile;
+    use super::*;
+
+    #[test]
+    fn slow_trenches_are_shallow() {
+        let plate = PlateId(1);
+        let front = |approach| SinkingFront { plate, approach };
+        let depths = [10.0, 40.0, 90.0].map(|approach| front(approach).depth(0.0, 40.0));
+        assert_eq!(depths, [0.25, 1.0, 1.0]);
+    }
 
     #[test]
     fn the_bend_begins_level_and_ends_level() {

@@ -24,6 +24,15 @@ pub struct PlanetReady {
 
 /// A recipe is refused. It stays on the entity, which is no planet, or still the planet that it
 /// was.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// fn explain(event: On<PlanetFailed>) {
+///     warn!("there will be no planet: {}", event.error);
+/// }
+/// # App::new().add_observer(explain);
+/// ```
 #[derive(EntityEvent, Clone, Debug, PartialEq)]
 pub struct PlanetFailed {
     /// The entity with the recipe.

@@ -15,6 +15,23 @@ use std::sync::Arc;
 
 /// Everything that a planet is made of, before it is in a world: what a recipe or a save file
 /// gives.
+///
+/// ```
+/// # use bevy::prelude::*;
+/// # use bevy_pangaea::prelude::*;
+/// # fn main() -> Result<(), PlanetError> {
+/// let recipe = PlanetRecipe { samples: 500, ..default() };
+/// let mut state = PlanetState::new(&recipe)?;
+/// // Whatever is changed here is the planet's state at time 0.
+/// state.params.processes.rifting = false;
+///
+/// let mut app = App::new();
+/// app.add_plugins(PangaeaPlugins);
+/// let planet = state.spawn(app.world_mut());
+/// run_steps(app.world_mut(), planet, 1);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone)]
 pub struct PlanetState {
     /// Radius and seed.

@@ -120,13 +120,29 @@ mod tests {
 
     /// A planet with a continent of each radius in km.
     fn with_continents(samples: u32, radii: &[f64]) -> PlanetRecipe {
-        let disc = |&radius: &f64| DiscRecipe {
-            center: (0.0, 0.0),
-            radius,
-        };
         PlanetRecipe {
             samples,
-            continents: radii.iter().map(disc).collect(),
+            continents: radii.iter().copied().map(disc).collect(),
+            ..PlanetRecipe::default()
+        }
+    }
+
+    fn disc(radius: f64) -> DiscRecipe {
+        let center = (0.0, 0.0);
+        DiscRecipe { center, radius }
+    }
+
+    fn with_land(land: f64) -> PlanetRecipe {
+        PlanetRecipe {
+            samples: 500,
+            land,
+            ..PlanetRecipe::default()
+        }
+    }
+
+    fn with_radius(radius: f64) -> PlanetRecipe {
+        PlanetRecipe {
+            radius,
             ..PlanetRecipe::default()
         }
     }
@@ -159,28 +175,19 @@ mod tests {
 
     #[test]
     fn a_share_of_land_that_samples_cannot_hold_is_told() {
-        let land = |land| PlanetRecipe {
-            samples: 500,
-            land,
-            ..PlanetRecipe::default()
-        };
         for good in [0.0, 0.06, 0.3] {
-            assert_eq!(land(good).warnings(), [], "{good}");
+            assert_eq!(with_land(good).warnings(), [], "{good}");
         }
-        let text = land(0.01).warnings()[0].to_string();
+        let text = with_land(0.01).warnings()[0].to_string();
         assert!(text.contains("0.01") && text.contains("6.0e-2"), "{text}");
     }
 
     #[test]
     fn a_radius_without_ground_is_told() {
-        let radius = |radius| PlanetRecipe {
-            radius,
-            ..PlanetRecipe::default()
-        };
         for good in [50.0, 6370.0, 10_000.0] {
-            assert_eq!(radius(good).warnings(), [], "{good}");
+            assert_eq!(with_radius(good).warnings(), [], "{good}");
         }
-        let text = radius(12_000.0).warnings()[0].to_string();
+        let text = with_radius(12_000.0).warnings()[0].to_string();
         assert!(
             text.contains("12000 km") && text.contains("50 to 10000 km"),
             "{text}"

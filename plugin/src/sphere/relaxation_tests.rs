@@ -6,15 +6,16 @@ use crate::sphere::poisson_disk;
 
 /// Shares of the triangles that are obtuse.
 fn obtuse_share(mesh: &SphereMesh) -> f64 {
-    let is_obtuse = |triangle: &&[u32; 3]| {
-        let corners = triangle.map(|i| mesh.point(i));
-        (0..3).any(|k| {
-            let [a, b, c] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];
-            (b - a).dot(c - a) < 0.0
-        })
-    };
-    let obtuse = mesh.triangles().iter().filter(is_obtuse).count();
-    obtuse as f64 / mesh.triangles().len() as f64
+    let corners = |triangle: &[u32; 3]| triangle.map(|i| mesh.point(i));
+    let triangles = mesh.triangles().iter().map(corners);
+    triangles.filter(is_obtuse).count() as f64 / mesh.triangles().len() as f64
+}
+
+fn is_obtuse(corners: &[DVec3; 3]) -> bool {
+    (0..3).any(|k| {
+        let [a, b, c] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];
+        (b - a).dot(c - a) < 0.0
+    })
 }
 
 #[test]

@@ -8,10 +8,10 @@ use crate::spawn::PlanetState;
 
 pub(super) fn write(state: &PlanetState) -> Vec<u8> {
     let mut out = Encoder::default();
-    out.u32(TectonicParams::TABLE.len() as u32);
-    for info in TectonicParams::TABLE {
-        out.text(info.name);
-        out.f64((info.get)(&state.params));
+    out.u32(state.params.written().count() as u32);
+    for (name, value) in state.params.written() {
+        out.text(name);
+        out.f64(value);
     }
     let mut switches = state.params.processes;
     out.u32(ProcessSwitches::NAMES.len() as u32);

@@ -47,7 +47,45 @@ proptest! {
                     census.grown.push(i);
                 }
             }
-            census.count_grown(&mesh, &crust);
+            census.catch_up(&mesh, &crust);
+            let anew = TerraneCensus::new(&mesh, &crust);
+            prop_assert_eq!(unnumbered(&census, &frames), unnumbered(&anew, &frames));
+        }
+    }
+}
+
+/// Frames of two plates, and one more on each for what is broken off.
+fn four_frames(frames: &Frames) -> Frames {
+    Frames(frames.iter().chain(frames.iter()).copied().collect())
+}
+
+proptest! {
+    /// Land that goes to another frame, in pieces of any shape, while other land rises, is counted
+    /// as a new census counts it, to the bit.
+    #[test]
+    fn a_census_of_moving_land_equals_a_new_one(
+        changes in prop::collection::vec((0_u32..600, 0_u32..40, 0_u16..4), 1..60),
+    ) {
+        let mesh = SphereMesh::fibonacci(600).unwrap();
+        let (mut crust, frames) = two_plates(&mesh);
+        let frames = four_frames(&frames);
+        for i in 0..600 {
+            let is_land = mesh.points()[i].z > 0.2 || i % 7 == 0;
+            crust.kind[i] = [CrustKind::Oceanic, CrustKind::Continental][usize::from(is_land)];
+        }
+        let mut census = TerraneCensus::new(&mesh, &crust);
+        for (first, count, frame) in changes {
+            let moved = first..(first + count).min(600);
+            for i in moved.clone() {
+                crust.frame[i as usize] = frame;
+            }
+            census.moved.extend(moved);
+            let risen = first as usize;
+            if !crust.is_continental(risen) {
+                crust.kind[risen] = CrustKind::Continental;
+                census.grown.push(first);
+            }
+            census.catch_up(&mesh, &crust);
             let anew = TerraneCensus::new(&mesh, &crust);
             prop_assert_eq!(unnumbered(&census, &frames), unnumbered(&anew, &frames));
         }

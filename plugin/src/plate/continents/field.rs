@@ -181,20 +181,19 @@ pub(super) fn continentality(
     continents: &Continents,
 ) -> Vec<f64> {
     let coast = CoastNoise::new(recipe, mesh);
+    let roughness = recipe.coast_roughness;
     let discs = if recipe.continents.is_empty() {
-        discs(
-            continents,
-            fitted_scale(recipe, mesh, continents, &coast),
-            1.0,
-        )
+        let scale = fitted_scale(recipe, mesh, continents, &coast);
+        discs(continents, scale, roughness)
     } else {
-        discs(continents, 1.0, GIVEN_NOISE)
+        discs(continents, 1.0, GIVEN_NOISE * roughness)
     };
+    let far_from_coast = FAR_FROM_COAST * roughness.max(1.0);
     parallel::map(mesh.len(), |i| {
         let p = mesh.point(i);
         let coarse = depth(&discs, p, &coast.at(p, COARSE_OCTAVES));
         // Far from every coast finer octaves do not matter.
-        if coarse.abs() > FAR_FROM_COAST {
+        if coarse.abs() > far_from_coast {
             coarse
         } else {
             depth(&discs, p, &coast.at(p, MAX_OCTAVES))
@@ -218,7 +217,7 @@ fn fitted_scale(
     // Land grows with the scale, so bisection finds it.
     for _ in 0..FIT_ROUNDS {
         let scale = 0.5 * (low + high);
-        let discs = discs(continents, scale, 1.0);
+        let discs = discs(continents, scale, recipe.coast_roughness);
         let is_land = |(p, coast): &&(DVec3, OctaveSums)| depth(&discs, *p, coast) > 0.0;
         if points.iter().filter(is_land).count() < wanted {
             low = scale;

@@ -13,9 +13,6 @@ use bevy::math::DVec3;
 /// Share of the land that large continents take; islands take the rest, as on Earth.
 const CONTINENT_SHARE: f64 = 0.94;
 
-/// Number of small blocks: islands from the size of Greenland down to that of New Zealand.
-const BLOCKS: usize = 14;
-
 /// Plates that may carry a large continent, the largest ones: on smaller ones it would not fit.
 const HOSTS: usize = 12;
 
@@ -216,10 +213,11 @@ fn shape(core: &Lobe, stream: &Stream) -> Vec<Lobe> {
 /// Small blocks: every second one off the coast of a large continent, the others anywhere.
 fn blocks(recipe: &PlanetRecipe, cores: &[Lobe]) -> Vec<Lobe> {
     let weight = |k: usize| 1.0 / (k as f64 + 2.0);
-    let total: f64 = (0..BLOCKS).map(weight).sum();
+    let count = recipe.islands as usize;
+    let total: f64 = (0..count).map(weight).sum();
     let share = |k: usize| (1.0 - CONTINENT_SHARE) * recipe.land * weight(k) / total;
     let block = |k: usize| block(recipe.seed, cores, k, cap_radius(share(k)));
-    (0..BLOCKS).map(block).collect()
+    (0..count).map(block).collect()
 }
 
 /// The block number `k` of the given radius.

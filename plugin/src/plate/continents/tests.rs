@@ -10,6 +10,7 @@ use crate::math;
 use crate::params::TectonicParams;
 use crate::planet::DiscRecipe;
 use crate::plate::partition::{connected_regions, initial_partition};
+use crate::sphere::components::Components;
 
 fn mesh(samples: u32) -> SphereMesh {
     SphereMesh::fibonacci(samples).unwrap()
@@ -57,6 +58,54 @@ fn land_has_the_wanted_share() {
             }
         }
     }
+}
+
+/// Edges of the mesh between land and sea.
+fn coast_edges(mesh: &SphereMesh, crust: &Crust) -> usize {
+    let is_land = |i: u32| crust.elevation[i as usize] > 0.0;
+    let samples = 0..mesh.len() as u32;
+    samples
+        .filter(|&i| is_land(i))
+        .map(|i| mesh.ring(i).iter().filter(|&&j| !is_land(j)).count())
+        .sum()
+}
+
+#[test]
+fn rough_coasts_are_longer() {
+    let mesh = mesh(20_000);
+    let lengths = [0.0, 1.0, 2.0].map(|coast_roughness| {
+        let recipe = PlanetRecipe {
+            coast_roughness,
+            ..seeded(2, 0.3)
+        };
+        let crust = grow(&recipe, &mesh);
+        let land = share(&mesh, |i| crust.elevation[i] > 0.0);
+        assert!((land - 0.3).abs() < 0.005, "{land}");
+        coast_edges(&mesh, &crust) as f64
+    });
+    assert!(lengths[1] > 1.3 * lengths[0], "{lengths:?}");
+    assert!(lengths[2] > 1.1 * lengths[1], "{lengths:?}");
+}
+
+#[test]
+fn islands_are_as_many_as_asked_for() {
+    let mesh = mesh(60_000);
+    let pieces = [0, 14, 60].map(|islands| {
+        let recipe = PlanetRecipe {
+            islands,
+            coast_roughness: 0.0,
+            ..seeded(3, 0.3)
+        };
+        let crust = grow(&recipe, &mesh);
+        let land = share(&mesh, |i| crust.elevation[i] > 0.0);
+        assert!((land - 0.3).abs() < 0.005, "{land}");
+        let of_land = |i: u32| crust.elevation[i as usize] > 0.0;
+        Components::new(&mesh, of_land, |_, _| true).count
+    });
+    // Continents have four to seven pieces; islands may touch them.
+    assert!(pieces[0] <= 7, "{pieces:?}");
+    assert!(pieces[1] >= pieces[0] + 5, "{pieces:?}");
+    assert!(pieces[2] >= pieces[1] + 10, "{pieces:?}");
 }
 
 #[test]

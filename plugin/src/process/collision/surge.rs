@@ -19,10 +19,6 @@ use crate::sphere::SphereMesh;
 use crate::sphere::nearest_source::ReachedSamples;
 use bevy::math::DVec3;
 
-/// Least share of the surge at the suture at which crust counts as folded: the belt is narrower
-/// than the radius of influence.
-const BELT_SHARE: f64 = 0.1;
-
 /// The surge of one collision.
 pub(super) struct Surge {
     /// Radius of influence in radians.
@@ -31,6 +27,8 @@ pub(super) struct Surge {
     height: f64,
     /// Elevation in km that summits approach.
     ceiling: f32,
+    /// Least share of `height` that folds.
+    belt_share: f32,
     isostasy: Isostasy,
 }
 
@@ -50,6 +48,7 @@ impl Surge {
                 0.0
             },
             ceiling: params.summit_elevation as f32,
+            belt_share: params.collision_belt_share as f32,
             isostasy: Isostasy::new(params),
         }
     }
@@ -81,7 +80,7 @@ impl Surge {
             crust.elevation[i] = raised;
             crust.thickness[i] = before + gain;
             volume += f64::from(crust.thickness[i] - before) * mesh.areas()[i];
-            if dz > BELT_SHARE as f32 * self.height as f32 {
+            if dz > self.belt_share * self.height as f32 {
                 fold(crust, i, mesh.point(sample), centroid);
             }
         }

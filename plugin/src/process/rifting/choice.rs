@@ -37,12 +37,6 @@ const ATTEMPTS: u64 = 12;
 /// Shapes that are tried on a wide plate, of which most bites are refused.
 const WIDE_ATTEMPTS: u64 = 56;
 
-/// Chance that a rift has two fragments.
-const TWO_FRAGMENTS: f64 = 0.75;
-
-/// Chance that a rift has two or three fragments; else it has four.
-const UP_TO_THREE_FRAGMENTS: f64 = 0.93;
-
 /// Counters of the random numbers of a step: the number of fragments first, then one an attempt.
 const DRAWS_PER_STEP: u64 = 64;
 
@@ -81,9 +75,9 @@ impl RiftChoice {
         let stream = Stream::new(view.seed, Purpose::RiftShape, id);
         let draw = stream.unit(DRAWS_PER_STEP * clock.step);
         // The lines of a junction cannot all open on a wide plate.
-        let drawn = if draw < TWO_FRAGMENTS || extent > WIDE_EXTENT {
+        let drawn = if draw < view.params.rift_in_two || extent > WIDE_EXTENT {
             2
-        } else if draw < UP_TO_THREE_FRAGMENTS {
+        } else if draw < view.params.rift_up_to_three {
             3
         } else {
             4

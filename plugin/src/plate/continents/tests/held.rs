@@ -1,15 +1,18 @@
 //! The smallest land that samples can hold.
 
 use super::*;
+use bevy::math::DVec3;
 
 /// Discs of `radius` km spread over the planet.
 fn discs(count: u32, radius: f64) -> Vec<DiscRecipe> {
     let mesh = mesh(count);
-    let disc = |&p| DiscRecipe {
-        center: math::lat_lon(p),
-        radius,
-    };
-    mesh.points().iter().map(disc).collect()
+    let points = mesh.points().iter();
+    points.map(|&p| disc_at(p, radius)).collect()
+}
+
+fn disc_at(p: DVec3, radius: f64) -> DiscRecipe {
+    let center = math::lat_lon(p);
+    DiscRecipe { center, radius }
 }
 
 /// Whether any of the samples lies in a disc, or an edge beyond.
