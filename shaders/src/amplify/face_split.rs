@@ -3,9 +3,9 @@
 //! Every child edge and child face is written from its parent's data and that of the parent's
 //! neighbours alone.
 
-use super::rules::{EdgeKind, Rules, gully, meander};
+use super::rules::{EdgeKind, Rules, gully};
 use super::topology::{Edge, Face, NONE, SplitMark, gather};
-use super::vertex::{Bend, Vertex};
+use super::vertex::Vertex;
 use super::vertex_resolve::tributary;
 
 /// The two halves of a split edge of a level. New dry land drains along one of them.
@@ -25,14 +25,10 @@ pub fn halve(
         if reversed {
             half.reverse();
         }
-        if kind == EdgeKind::River && edge.kind == EdgeKind::River {
+        if kind == EdgeKind::River {
             // The birth bounds the width of the valley; what arrives keeps the discharge whole.
             half.birth = edge.birth;
             half.arriving = [arriving_at(mid, up), edge.arriving][slot];
-        } else if kind == EdgeKind::River {
-            // A meander gains nothing between its river and its apex.
-            half.birth = mid.birth;
-            half.arriving = mid.discharge;
         }
         half
     })
@@ -59,13 +55,6 @@ pub fn half_kind(
     slot: usize,
     [up, mid, down]: [&Vertex; 3],
 ) -> (EdgeKind, bool) {
-    let end = [up, down][slot];
-    if let Some(reversed) = meander::half_of_bend(mid.bend, slot, end.is_wet()) {
-        return (EdgeKind::River, reversed);
-    }
-    if mid.bend.has([Bend::UPPER, Bend::LOWER][slot]) {
-        return (EdgeKind::Terrain, false);
-    }
     match (edge, slot) {
         (EdgeKind::River, 0) if !up.is_wet() && level >= rules.extension_levels => {
             (EdgeKind::Terrain, false)
@@ -96,10 +85,7 @@ pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &
     if reversed {
         edge.reverse();
     }
-    if face.inner[k].is_bend() {
-        edge.birth = first.birth;
-        edge.arriving = bend_arriving(first, &vertices[edge.vertices[1] as usize], vertices);
-    } else if kind == EdgeKind::River {
+    if kind == EdgeKind::River {
         // A tributary joins the river at its second end.
         let river = if reversed { first } else { second };
         let [junction, upstream] = gather(vertices, [river.mid, river.vertices[0]]);
@@ -107,16 +93,6 @@ pub fn inner_edge(face: &Face, level: u32, k: usize, edges: &[Edge], vertices: &
         edge.arriving = tributary(junction, upstream);
     }
     edge
-}
-
-/// Discharge that arrives along the inner edge of a meander of a river at its lower end, which is
-/// the middle of the river's edge or an apex.
-fn bend_arriving(river: &Edge, down: &Vertex, vertices: &[Vertex]) -> u32 {
-    if down.bend.is_apex() {
-        down.discharge
-    } else {
-        arriving_at(down, &vertices[river.vertices[0] as usize])
-    }
 }
 
 /// The four children of a split face. `first_inner` is the index of its first inner edge in the

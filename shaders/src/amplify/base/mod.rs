@@ -95,6 +95,7 @@ impl BaseGround {
         rivers::accumulate(mesh, &below, &mut vertices);
         let largest = largest_arriving(mesh, &vertices);
         rivers::find_headings(&below, &largest, &mut vertices);
+        rivers::find_windings(&scale, &below, &largest, &mut vertices);
         estuary::flood(&scale, &below, &largest, &mut vertices);
         let mut edges = rivers::edges(mesh, &below, &vertices);
         rivers::add_gullies(&mut vertices, &mut edges);

@@ -1,13 +1,20 @@
 //! Rivers and gullies of level 0: discharges, river edges, dry drainage lines, nearest rivers.
 
 use super::arms::{Below, carried, parts, river_edges};
+use super::estuary::length;
+use crate::amplify::arith::{linear_step, mul_q16, ratio};
 use crate::amplify::control::{ControlMesh, VertexKind};
 use crate::amplify::curve::heading_of;
-use crate::amplify::fixed::difference;
+use crate::amplify::fixed::{difference, q16};
 use crate::amplify::rules::EdgeKind;
+use crate::amplify::rules::meander::winding;
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::topology::{Edge, Face, NONE, gather};
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
+
+/// Share of the largest river that arrives in the discharge of its vertex: up to the first others
+/// join it there, from the second on it is alone.
+const ALONE: [i32; 2] = [q16(0.5), q16(0.8)];
 
 /// Puts wet ground at its bed, water over it, and takes the discharge from dry ground.
 pub(super) fn settle_water(vertices: &mut [Vertex]) {
@@ -62,6 +69,36 @@ pub(super) fn find_headings(below: &Below, largest: &[Option<usize>], vertices: 
         let leaves = next.map_or([0; 3], |&down| way(vertices, v, down));
         vertices[v].heading = heading_of([0, 1, 2].map(|i| arrives[i] + leaves[i]));
     }
+}
+
+/// How much rivers wind at their vertices: by their fall from the largest river that arrives to the
+/// one that leaves. Where two rivers meet they do not, so that they join at an acute angle, nor
+/// where one parts.
+pub(super) fn find_windings(
+    scale: &PlanetScale,
+    below: &Below,
+    largest: &[Option<usize>],
+    vertices: &mut [Vertex],
+) {
+    for v in 0..vertices.len() {
+        let &[next] = below.of(v) else { continue };
+        if vertices[v].kind != VertexKind::River {
+            continue;
+        }
+        let from = largest[v].unwrap_or(v);
+        let way = [(from, v), (v, next)].map(|(up, down)| length(scale, vertices, [up, down]));
+        let fall = vertices[from].water.saturating_sub(vertices[next].water);
+        let fall = ratio(fall, way[0].saturating_add(way[1]));
+        let own = vertices[v].discharge;
+        let arrives = vertices[from].discharge.min(own);
+        let alone = linear_step(ALONE[0], ALONE[1], ratio_of(arrives, own));
+        vertices[v].winding = mul_q16(winding(fall, vertices[v].seed), alone).min(0xffff) as u16;
+    }
+}
+
+/// Share of a discharge in another, Q16.
+fn ratio_of(part: u32, whole: u32) -> i32 {
+    ratio((part >> 1) as i32, (whole >> 1) as i32)
 }
 
 /// The unit tangent from a vertex to another, times 32767.
