@@ -58,6 +58,12 @@ pub fn decide(scale: &PlanetScale, rules: &Rules, level: u32, face: &FaceContext
     })
 }
 
+/// The draw of the corner on one side of a river edge, at the junction that halves it: a tributary
+/// comes from the side with the higher one.
+pub fn junction_draw(junction: &Vertex, side: &Vertex) -> u32 {
+    pcg(junction.seed ^ side.seed)
+}
+
 /// A corner of a face between an edge with a river or gully and an edge of the ground.
 struct Corner {
     /// The corner.
@@ -128,7 +134,7 @@ impl Corner {
     fn is_chosen(&self, face: &FaceContext) -> bool {
         // The face beyond compares the same two draws the other way round, so one of them is
         // chosen without either asking the other.
-        let draw = |side: &Vertex| pcg(face.mids[self.low].seed ^ side.seed);
+        let draw = |side| junction_draw(face.mids[self.low], side);
         let here = face.vertices[(self.low + 2) % 3];
         face.beyond[self.low].is_some_and(|beyond| draw(here) > draw(beyond))
     }

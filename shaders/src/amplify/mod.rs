@@ -19,7 +19,7 @@
 //! | [`mark::edge_mark`] | edge | its faces' marks | the same |
 //! | [`scan`] | edge, face | counts | places of vertices, halves, children |
 //! | [`edge_split`] | edge | ends, opposite corners | the new vertex: place, heading of its river, kind, ground, water (R1 to R5, lakes) |
-//! | [`face_decide`] | face | corners, new vertices, corners beyond | its inner edges (Ia to Ic, meanders) |
+//! | [`face_decide`] | face | corners, new vertices, corners beyond | its inner edges (Ia to Ic) |
 //! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river |
 //! | [`face_split`] | edge, face | the same level | halves, inner edges, children |
 //! | [`carve`] | vertex | itself | final ground and water |

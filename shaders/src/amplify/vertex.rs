@@ -31,7 +31,7 @@ pub struct RiverSegment {
     /// Flow φ of the vertices at the ends, Q16: both pieces at a vertex have its waves.
     pub waves: [u16; 2],
     /// Windings at the ends, as [`Vertex::winding`].
-    pub winding: [u16; 2],
+    pub winding: [i16; 2],
     /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so
     /// that ground of coarser levels never lies in it; [`FAR`] for a river of the control mesh.
     pub reach: i32,
@@ -118,8 +118,9 @@ pub struct Vertex {
     pub branched: bool,
     /// How far age has worn the land (A), Q16; see [`ControlVertex::worn`].
     pub worn: u16,
-    /// How much the river winds here, Q16; see [`meander`](super::rules::meander).
-    pub winding: u16,
+    /// How much the river winds here, Q15, and how it crosses its valley's axis: positive from the
+    /// right to the left; see [`meander`](super::rules::meander).
+    pub winding: i16,
     /// Whether `river` is the piece of its own river that it lies on, which finer levels keep.
     pub keeps_course: bool,
     /// Share of continental collision in the orogeny, Q16.

@@ -43,10 +43,25 @@ impl Below {
 
 /// The largest river that arrives at each vertex, by its vertex upstream.
 pub(super) fn largest_arriving(mesh: &ControlMesh, vertices: &[Vertex]) -> Vec<Option<usize>> {
+    largest_of(river_edges(mesh), vertices)
+}
+
+/// The largest river that joins that one.
+pub(super) fn largest_joining(
+    mesh: &ControlMesh,
+    vertices: &[Vertex],
+    largest: &[Option<usize>],
+) -> Vec<Option<usize>> {
+    let joins = |&[up, down]: &[usize; 2]| largest[down] != Some(up);
+    largest_of(river_edges(mesh).filter(joins), vertices)
+}
+
+/// The upper end of the largest of some rivers that arrives at each vertex.
+fn largest_of(rivers: impl Iterator<Item = [usize; 2]>, vertices: &[Vertex]) -> Vec<Option<usize>> {
     // Of equal rivers the seed decides, not the number of a vertex.
     let rank = |v: usize| (vertices[v].discharge, vertices[v].seed);
     let mut largest: Vec<Option<usize>> = vec![None; vertices.len()];
-    for [up, down] in river_edges(mesh) {
+    for [up, down] in rivers {
         if largest[down].is_none_or(|other| rank(up) > rank(other)) {
             largest[down] = Some(up);
         }

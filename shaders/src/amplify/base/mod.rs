@@ -13,7 +13,7 @@ use super::locate::FaceIndex;
 use super::scale::PlanetScale;
 use super::topology::{Face, Level};
 use super::vertex::Vertex;
-use arms::{Below, largest_arriving};
+use arms::{Below, largest_arriving, largest_joining};
 pub use check::{BadMesh, RADII_M};
 
 /// Level 0 of the ground.
@@ -95,7 +95,8 @@ impl BaseGround {
         rivers::accumulate(mesh, &below, &mut vertices);
         let largest = largest_arriving(mesh, &vertices);
         rivers::find_headings(&below, &largest, &mut vertices);
-        rivers::find_windings(&scale, &below, &largest, &mut vertices);
+        let joins = largest_joining(mesh, &vertices, &largest);
+        rivers::find_windings(&scale, &below, &largest, &joins, &mut vertices);
         estuary::flood(&scale, &below, &largest, &mut vertices);
         let mut edges = rivers::edges(mesh, &below, &vertices);
         rivers::add_gullies(&mut vertices, &mut edges);

@@ -6,6 +6,7 @@ use crate::amplify::arith::{linear_step, mul_q16, ratio};
 use crate::amplify::control::{ControlMesh, VertexKind};
 use crate::amplify::curve::heading_of;
 use crate::amplify::fixed::{difference, q16};
+use crate::amplify::geometry::is_left;
 use crate::amplify::rules::EdgeKind;
 use crate::amplify::rules::meander::winding;
 use crate::amplify::scale::PlanetScale;
@@ -78,6 +79,7 @@ pub(super) fn find_windings(
     scale: &PlanetScale,
     below: &Below,
     largest: &[Option<usize>],
+    joins: &[Option<usize>],
     vertices: &mut [Vertex],
 ) {
     for v in 0..vertices.len() {
@@ -92,8 +94,18 @@ pub(super) fn find_windings(
         let own = vertices[v].discharge;
         let arrives = vertices[from].discharge.min(own);
         let alone = linear_step(ALONE[0], ALONE[1], ratio_of(arrives, own));
-        vertices[v].winding = mul_q16(winding(fall, vertices[v].seed), alone).min(0xffff) as u16;
+        let to_left = joins[v].map_or(vertices[v].seed & 1 == 0, |from| {
+            is_left_of(vertices, [largest[v].unwrap_or(v), v], from)
+        });
+        let winding = winding(fall, vertices[v].seed, to_left);
+        vertices[v].winding = mul_q16(i32::from(winding), alone) as i16;
     }
+}
+
+/// Whether a vertex lies to the left of the way from a vertex to another.
+fn is_left_of(vertices: &[Vertex], [from, to]: [usize; 2], place: usize) -> bool {
+    let [from, to, place] = [from, to, place].map(|v| vertices[v].direction);
+    is_left(to, difference(to, from), difference(place, to))
 }
 
 /// Share of a discharge in another, Q16.

@@ -11,6 +11,7 @@ mod place;
 use super::arith::ratio;
 use super::control::VertexKind;
 use super::curve::heading_of;
+use super::face_decide::junction_draw;
 use super::fixed::{Q16, difference};
 use super::rules::{self, EdgeKind, Rules, meander};
 use super::scale::PlanetScale;
@@ -43,7 +44,7 @@ pub fn split(
     };
     new.direction = placed.direction;
     if edge.kind == EdgeKind::River {
-        lead_river(&mut new, course.as_ref(), ends, length);
+        lead_river(&mut new, course.as_ref(), ends, opposite, length);
     }
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
@@ -85,7 +86,13 @@ fn range([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> [i32; 2] {
 }
 
 /// Leads a river through the vertex that halves its edge: its heading there, its tide, its winding.
-fn lead_river(new: &mut Vertex, course: Option<&Course>, [a, b]: [&Vertex; 2], length: i32) {
+fn lead_river(
+    new: &mut Vertex,
+    course: Option<&Course>,
+    [a, b]: [&Vertex; 2],
+    opposite: [Option<&Vertex>; 2],
+    length: i32,
+) {
     let chord = difference(b.direction, a.direction);
     let way = course.map_or(chord, |course| course.curve.quarter_tangent(Q16 / 2));
     new.heading = heading_of(way);
@@ -93,7 +100,9 @@ fn lead_river(new: &mut Vertex, course: Option<&Course>, [a, b]: [&Vertex; 2], l
     // A lake may come to lie here, which has no bends.
     if b.kind != VertexKind::Lake {
         let fall = ratio(a.water.saturating_sub(b.water), length.max(1));
-        new.winding = meander::winding(fall, new.seed).min(0xffff) as u16;
+        // The side that a tributary would come from.
+        let [left, right] = opposite.map(|side| side.map(|side| junction_draw(new, side)));
+        new.winding = meander::winding(fall, new.seed, left > right);
     }
 }
 

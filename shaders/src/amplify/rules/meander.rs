@@ -26,7 +26,7 @@ use crate::amplify::arith::{
 };
 use crate::amplify::fixed::{Q16, metres, q16};
 use crate::amplify::geometry::damped_projection;
-use crate::amplify::seed::{pcg, share};
+use crate::amplify::seed::{centred_share, pcg, share};
 use crate::amplify::vertex::RiverSegment;
 
 /// Half a wave in widths of its river.
@@ -46,11 +46,15 @@ const SWING: [i32; 2] = [q16(0.7967), q16(0.6)];
 /// of the winding evenly, the rest with its fourth power.
 const LEAN: [i32; 2] = [q16(0.1796), q16(0.5)];
 
-/// Most share of its swing that a bend loses to the draw.
-const UNEVEN: i32 = q16(0.25);
+/// Winding of the widest and of the narrowest bend that is drawn, as a share of its river's.
+const UNEVEN: [i32; 2] = [q16(1.2), q16(0.55)];
 
-/// Most half-waves by which the middle of a piece is moved along it: half to either side.
-const UNEVEN_WAVES: i32 = q16(0.5);
+/// Half-waves by which the draws move the middle of a piece along it, to either side, and spread
+/// its halves: shares of them all.
+const UNEVEN_WAVES: [i32; 2] = [q16(0.08), q16(0.07)];
+
+/// Most half a wave by which its bends swing, as a share of that of its width.
+const MOST_SWING: i32 = q16(1.25);
 
 /// Most half-waves of a piece: those of greater ones would have no room in 32 bits. Only brooks on
 /// coarse levels have more.
@@ -73,10 +77,18 @@ const STEPS: u32 = 3;
 /// π in Q16.
 const PI: i32 = q16(core::f64::consts::PI);
 
-/// How much a river with a fall (Q16) winds at a vertex of a seed: 0..1 in Q16.
-pub fn winding(fall: i32, seed: u32) -> i32 {
+/// How much a river with a fall (Q16) winds at a vertex of a seed, as [`Vertex::winding`]: 0..1 in
+/// Q15, negative where it crosses to the right.
+///
+/// It crosses to the side of a tributary: so its last bend before the junction lies on the other
+/// side, and does not cut the tributary off.
+///
+/// [`Vertex::winding`]: crate::amplify::vertex::Vertex::winding
+pub fn winding(fall: i32, seed: u32, to_left: bool) -> i16 {
     let slow = Q16 - linear_step(FALL[0], FALL[1], fall);
-    mul_q16(slow, mix(LEAST_WINDING, Q16, share(seed, 30)))
+    let winding = mul_q16(slow, mix(LEAST_WINDING, Q16, share(seed, 30))) / 2;
+    let winding = winding.min(0x7fff) as i16;
+    if to_left { winding } else { -winding }
 }
 
 /// A place beside the axis in grains: along it, and across to its left.
@@ -141,7 +153,7 @@ impl Wander {
         let winding = [0, 1].map(|end| {
             // Tides straighten a funnel.
             let tide = ratio(i32::from(segment.tide[end]), OCTAVE);
-            mul_q16(i32::from(segment.winding[end]), Q16 - tide)
+            mul_q16(2 * i32::from(segment.winding[end].abs()), Q16 - tide)
         });
         let longest = half_waves[0].max(half_waves[1]);
         let shortest = half_waves[0].min(half_waves[1]);
@@ -150,14 +162,14 @@ impl Wander {
             return None;
         }
         let seeds = segment.ends.map(seed_of);
-        let sides = seeds.map(|seed| seed & 1);
+        let is_right = segment.winding.map(|winding| winding < 0);
         let fitting = half_waves.map(|half_wave| (axis / (half_wave >> 8).max(1)) << 8);
         Some(Self {
-            waves: waves(fitting, (sides[0] ^ sides[1]) as i32),
+            waves: waves(fitting, i32::from(is_right[0] != is_right[1])),
             fitting,
             half_waves,
             winding,
-            side: 1 - 2 * sides[0] as i32,
+            side: 1 - 2 * i32::from(is_right[0]),
             seed: pcg(seeds[0] ^ pcg(seeds[1])),
         })
     }
@@ -167,11 +179,10 @@ impl Wander {
         let (phase, rate) = self.phase(at);
         let half_wave = mul_q16(speed, ratio(Q16, rate));
         let even = mix(self.half_waves[0], self.half_waves[1], at);
-        // Long waves swing farther, but not as much.
-        let drawn = 2 * mul_q16(even, ratio(half_wave, half_wave + even));
+        let drawn = half_wave.min(mul_q16(even, MOST_SWING));
         let winding = mul_q16(
             mix(self.winding[0], self.winding[1], at),
-            Q16 - mul_q16(UNEVEN, self.unevenness(phase)),
+            mix(UNEVEN[0], UNEVEN[1], self.unevenness(phase)),
         );
         let squared = square(winding);
         let swing = mul_q16(winding, mix(squared, Q16, SWING[1]));
@@ -192,24 +203,28 @@ impl Wander {
         let rest = Q16 - at;
         let middle = mul_q16(at, rest);
         let [first, last] = self.fitting;
-        let drawn = mul_q16(share(self.seed, 0) - Q16 / 2, UNEVEN_WAVES);
+        let back = rest - at;
+        let [moved, spread] = [0, 1].map(|k| {
+            2 * self.waves * mul_q16(centred_share(self.seed, k), UNEVEN_WAVES[k as usize])
+        });
         let phase = self.waves * smooth(at) + mul_q16(first, mul_q16(middle, rest))
             - mul_q16(last, mul_q16(middle, at))
-            + mul_q16(drawn, 16 * square(middle));
+            + mul_q16(moved + mul_q16(spread, back), 16 * square(middle));
         let rate = self.waves * 6 * middle + mul_q16(first, mul_q16(rest, Q16 - 3 * at))
             - mul_q16(last, mul_q16(at, 2 * Q16 - 3 * at))
-            + mul_q16(drawn, 32 * mul_q16(middle, Q16 - 2 * at));
+            + mul_q16(moved + mul_q16(spread, back), 32 * mul_q16(middle, back))
+            - mul_q16(spread, 32 * square(middle));
         (phase.clamp(0, self.waves * Q16), rate.max(Q16 / 4))
     }
 
-    /// What a bend loses of its swing, 0..1 in Q16; nothing at the ends of the piece.
+    /// How narrow a bend is drawn, 0..1 in Q16; half-way at the ends of the piece.
     fn unevenness(&self, phase: i32) -> i32 {
         let crossing = phase >> 16;
         let [here, next] = [crossing, crossing + 1].map(|crossing| {
             if crossing <= 0 || crossing >= self.waves {
-                0
+                Q16 / 2
             } else {
-                share(self.seed, crossing as u32)
+                share(self.seed, 1 + crossing as u32)
             }
         });
         mix(here, next, smooth(phase & 0xffff))
@@ -282,7 +297,8 @@ impl Wave {
 
 /// The whole number of half-waves, odd or even, that fits best.
 const fn waves(fitting: [i32; 2], odd: i32) -> i32 {
-    let mean = fitting[0] / 2 + fitting[1] / 2;
+    // Rather fewer: short waves have sharp bends.
+    let mean = (fitting[0] / 2 + fitting[1] / 2) / 16 * 15;
     let pairs = (mean - odd * Q16 + Q16) >> 17;
     let waves = 2 * pairs + odd;
     if waves > 0 { waves } else { 2 - odd }

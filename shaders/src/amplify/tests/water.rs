@@ -56,11 +56,12 @@ fn water_runs_downhill() {
 
 /// Once carved, along every piece of river that is drawn, into lakes and the sea too: no water rises
 /// downstream, and no bed but where it enters a lake. Neighbours may share a height, as the fall of
-/// a slow river on fine edges is less than a grain.
+/// a slow river on fine edges is less than a grain. Rivers of print and release follow their edges,
+/// ours wind about them.
 #[test]
 fn carved_water_runs_downhill() {
     let [mut rivers, mut mouths] = [0; 2];
-    for (rules, ground) in river_views() {
+    for (rules, ground) in river_views().filter(|(rules, _)| !rules.landforms) {
         let carved = carve_all(&ground.scale, &rules, &ground.vertices);
         let drawn = edges(&ground).filter(|e| e.mark != SplitMark::Split);
         for edge in drawn.filter(|e| e.kind == EdgeKind::River) {

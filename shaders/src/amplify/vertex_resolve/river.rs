@@ -14,6 +14,9 @@ use crate::amplify::scale::PlanetScale;
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
 
+/// Half-widths of a winding river within which no lesser river counts as nearer.
+const NEAR_BANK: i32 = 4;
+
 /// Half-widths of a river up to which its bends reach.
 const BENDS: i32 = 10;
 
@@ -115,13 +118,26 @@ impl Search<'_> {
         let distance = place.distance.min(FAR / 4);
         // Beyond its reach a tributary counts only where no other river is known.
         let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
-        let cost = distance - place.reach.half_bed + charge + beyond;
+        let bank = self.cost_of_bank(segment, distance, place.reach.half_bed);
+        let cost = bank + charge + beyond;
         if cost < self.found.cost {
             self.found.cost = cost;
             self.found.distance = distance;
             self.found.along = place.along;
             self.found.segment = *segment;
         }
+    }
+
+    /// Distance to a bank, negative in the bed. A winding river may come to the vertices that are
+    /// made around this one, and those of its edges that tell them of it lie on its axis: until it
+    /// is farther off than they are, it counts as the nearest.
+    fn cost_of_bank(&self, segment: &RiverSegment, distance: i32, half_bed: i32) -> i32 {
+        let bank = distance - half_bed;
+        if segment.winding == [0, 0] || bank <= 0 {
+            return bank;
+        }
+        let around = self.scale.edge_grains(self.level);
+        (bank - around.min(NEAR_BANK * half_bed)).max(bank / 64)
     }
 
     /// Offers a wet vertex the river that it lies on, and a larger one in whose bed it lies.

@@ -34,8 +34,8 @@ const BANK: [i32; 2] = [q16(0.25), GRAINS / 5];
 const HIGHEST_BANK: i32 = metres(4);
 
 /// Most widths of a river that the edge of a piece is long which finer levels keep whole: it has
-/// three to eight bends.
-const PIECE_WIDTHS: i32 = 40;
+/// four to nine bends.
+const PIECE_WIDTHS: i32 = 48;
 
 /// First level whose rivers keep their course whatever their width: brooks of a metre.
 const LAST_COURSE_LEVEL: u32 = 10;
