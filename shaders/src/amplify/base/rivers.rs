@@ -5,7 +5,7 @@ use super::estuary::length;
 use crate::amplify::arith::{linear_step, mul_q16, ratio};
 use crate::amplify::control::{ControlMesh, VertexKind};
 use crate::amplify::curve::heading_of;
-use crate::amplify::fixed::{difference, q16};
+use crate::amplify::fixed::{Q16, difference, q16};
 use crate::amplify::geometry::is_left;
 use crate::amplify::rules::EdgeKind;
 use crate::amplify::rules::meander::winding;
@@ -13,9 +13,9 @@ use crate::amplify::scale::PlanetScale;
 use crate::amplify::topology::{Edge, Face, NONE, gather};
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
 
-/// Share of the largest river that arrives in the discharge of its vertex: up to the first others
-/// join it there, from the second on it is alone.
-const ALONE: [i32; 2] = [q16(0.5), q16(0.8)];
+/// Share of a river that joins in the discharge of the vertex: up to the first it changes nothing,
+/// from the second on both run straight into one another.
+const JOINED: [i32; 2] = [q16(0.2), q16(0.5)];
 
 /// Puts wet ground at its bed, water over it, and takes the discharge from dry ground.
 pub(super) fn settle_water(vertices: &mut [Vertex]) {
@@ -91,9 +91,13 @@ pub(super) fn find_windings(
         let way = [(from, v), (v, next)].map(|(up, down)| length(scale, vertices, [up, down]));
         let fall = vertices[from].water.saturating_sub(vertices[next].water);
         let fall = ratio(fall, way[0].saturating_add(way[1]));
-        let own = vertices[v].discharge;
-        let arrives = vertices[from].discharge.min(own);
-        let alone = linear_step(ALONE[0], ALONE[1], ratio_of(arrives, own));
+        let joining = joins[v].map_or(0, |from| vertices[from].discharge);
+        let alone = Q16
+            - linear_step(
+                JOINED[0],
+                JOINED[1],
+                ratio_of(joining, vertices[v].discharge),
+            );
         let to_left = joins[v].map_or(vertices[v].seed & 1 == 0, |from| {
             is_left_of(vertices, [largest[v].unwrap_or(v), v], from)
         });

@@ -68,6 +68,10 @@ const LONGEST_AXIS: i32 = metres(200_000);
 /// first not at all.
 const FAR_AWAY: [i32; 2] = [q16(1.25), q16(2.0)];
 
+/// Sixteenths of the reach of mean bends over which a flood plain is laid: wider ones cut into the
+/// sides of their valley, which stand as bluffs over them.
+const BELT: i32 = 13;
+
 /// Tries for the nearest point on either side, a quarter of a half-wave apart.
 const TRIES: i32 = 4;
 
@@ -127,6 +131,8 @@ struct Wave {
     half_wave: i32,
     /// Half a wave as its ends have it, grains.
     even: i32,
+    /// How far the belt of its bends reaches from the axis, grains.
+    belt: i32,
     /// How far bends reach from the axis, grains; negative where odd ones lie to the left.
     swing: i32,
     /// How far they lean over, grains.
@@ -144,6 +150,8 @@ pub struct Nearest {
     pub tangent: [i32; 3],
     /// Distance to it, grains.
     pub distance: i32,
+    /// Distance to the belt that its bends sweep, grains; at most that to the river.
+    pub belt: i32,
 }
 
 impl Wander {
@@ -180,19 +188,18 @@ impl Wander {
         let half_wave = mul_q16(speed, ratio(Q16, rate));
         let even = mix(self.half_waves[0], self.half_waves[1], at);
         let drawn = half_wave.min(mul_q16(even, MOST_SWING));
-        let winding = mul_q16(
-            mix(self.winding[0], self.winding[1], at),
-            mix(UNEVEN[0], UNEVEN[1], self.unevenness(phase)),
-        );
+        let mean = mix(self.winding[0], self.winding[1], at);
+        let uneven = mix(UNEVEN[0], UNEVEN[1], self.unevenness(phase));
+        let winding = mul_q16(mean, uneven);
         let squared = square(winding);
-        let swing = mul_q16(winding, mix(squared, Q16, SWING[1]));
         let lean = mul_q16(squared, mix(squared, Q16, LEAN[1]));
         Wave {
             phase,
             rate,
             half_wave,
             even,
-            swing: self.side * mul_q16(drawn, mul_q16(SWING[0], swing)),
+            belt: mul_q16(even, swing(mean)) / 16 * BELT,
+            swing: self.side * mul_q16(drawn, swing(winding)),
             lean: mul_q16(half_wave, mul_q16(LEAN[0], lean)),
         }
     }
@@ -234,33 +241,48 @@ impl Wander {
     /// axis has `speed` grains a whole.
     pub fn nearest(&self, at: i32, speed: i32, place: Beside) -> Nearest {
         let wave = self.wave(at, speed);
-        let ends = [-wave.phase, self.waves * Q16 - wave.phase];
-        let mut way = (-TRIES..=TRIES)
-            .map(|try_| (try_ * (Q16 / TRIES)).clamp(ends[0], ends[1]))
-            .min_by_key(|&way| distance(wave.off(way, place)))
-            .unwrap_or(0);
-        for _ in 0..STEPS {
-            let step = damped_projection(wave.tangent(way), wave.off(way, place));
-            way = (way + step).clamp(ends[0], ends[1]);
-        }
-        let along = match way {
-            _ if way == ends[0] => 0,
-            _ if way == ends[1] => Q16,
-            _ => saturate(at + mul_q16(way, ratio(Q16, wave.rate))),
+        let near = self.bounded(&wave, wave.first_try(self.waves, place), place);
+        // Once more from there, as waves differ along the piece.
+        let there = saturate(at + mul_q16(near, ratio(Q16, wave.rate)));
+        let moved = mul_q16(speed, there - at);
+        let place = Beside {
+            along: place.along - moved,
+            ..place
+        };
+        let wave = self.wave(there, speed);
+        let way = self.bounded(&wave, 0, place);
+        let along = if way == -wave.phase {
+            0
+        } else if way == self.waves * Q16 - wave.phase {
+            Q16
+        } else {
+            saturate(there + mul_q16(way, ratio(Q16, wave.rate)))
         };
         let off = wave.off(way, place);
-        let straight = length(place.along, place.across, 0);
+        let straight = length(place.along + moved, place.across, 0);
         let far = smoothstep(
             mul_q16(wave.even, FAR_AWAY[0]),
             mul_q16(wave.even, FAR_AWAY[1]),
             straight,
         );
+        let distance = mix(distance(off), straight, far);
         Nearest {
             along,
             off,
             tangent: wave.tangent(way),
-            distance: mix(distance(off), straight, far),
+            distance,
+            belt: distance.min((straight - wave.belt).max(0)),
         }
+    }
+
+    /// The way to the nearest point by steps from a way, within the piece.
+    fn bounded(&self, wave: &Wave, mut way: i32, place: Beside) -> i32 {
+        let [first, last] = [-wave.phase, self.waves * Q16 - wave.phase];
+        for _ in 0..STEPS {
+            let step = damped_projection(wave.tangent(way), wave.off(way, place));
+            way = (way + step).clamp(first, last);
+        }
+        way
     }
 
     /// The place of the river at a share of its axis (Q16), where the axis has `speed` grains a
@@ -280,6 +302,14 @@ impl Wave {
         [mul_q16(self.half_wave, way) - lean, swing, 0]
     }
 
+    /// The best of some ways to the nearest point, in a piece of so many half-waves.
+    fn first_try(&self, waves: i32, place: Beside) -> i32 {
+        let [first, last] = [-self.phase, waves * Q16 - self.phase];
+        let ways = (-TRIES..=TRIES).map(|k| (k * (Q16 / TRIES)).clamp(first, last));
+        ways.min_by_key(|&way| distance(self.off(way, place)))
+            .unwrap_or(0)
+    }
+
     /// The vector from there to a place.
     fn off(&self, way: i32, place: Beside) -> [i32; 3] {
         let [along, across, _] = self.place(way);
@@ -293,6 +323,14 @@ impl Wave {
         let swing = mul_q16(mul_q16(self.swing, PI), cos_turn(phase >> 1));
         [self.half_wave - lean, swing, 0]
     }
+}
+
+/// How far bends of a winding reach from the axis, in half-waves, Q16.
+const fn swing(winding: i32) -> i32 {
+    mul_q16(
+        SWING[0],
+        mul_q16(winding, mix(square(winding), Q16, SWING[1])),
+    )
 }
 
 /// The whole number of half-waves, odd or even, that fits best.

@@ -47,7 +47,7 @@ fn slow_rivers_wind_and_steep_ones_do_not() {
         assert!((27_850..32_768).contains(&full), "{full}");
         assert_eq!(per_mille(1.0), full);
         // Half-way between 1 and 10.
-        assert!((2 * per_mille(5.5) - full).abs() < 12);
+        assert!((2 * per_mille(5.5) - full).abs() < 40);
         assert_eq!((per_mille(10.0), per_mille(80.0)), (0, 0));
         assert_eq!(winding(0, seed, false), -(full as i16));
     }

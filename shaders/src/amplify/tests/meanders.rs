@@ -196,7 +196,8 @@ fn water_falls_along_the_course() {
     for course in courses(&base).iter().take(12) {
         let mut last = f64::MAX;
         for &place in course.places.iter().step_by(7) {
-            let (_, water) = local.leaf_with_water(unit(place), 12, None);
+            // Fine enough that leaves know the bed, which coarser ones lay upon the ground.
+            let (_, water) = local.leaf_with_water(unit(place), 16, None);
             all += 1;
             let Some(level) = water else { continue };
             // A larger river or a lake that it comes to stands no higher.

@@ -8,7 +8,7 @@
 mod river;
 
 use super::control::VertexKind;
-use super::rules::{Rules, valley};
+use super::rules::Rules;
 use super::scale::PlanetScale;
 use super::topology::{Edge, Inner};
 use super::vertex::{ValleySection, Vertex};
@@ -117,9 +117,7 @@ pub fn resolve(
     let river = river::nearest(scale, rules, level, new, around);
     // Beside a river the side is measured; elsewhere it stays the mean of the parents.
     let section = if river.is_beside || river.is_near(scale, rules) {
-        let mut at = *new;
-        river.write(&mut at);
-        valley::section(scale, rules, &at)
+        river.section(scale, rules, *new)
     } else {
         new.section
     };

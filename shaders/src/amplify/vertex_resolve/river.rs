@@ -12,7 +12,7 @@ use crate::amplify::rules::valley::{Reach, RiverPlace};
 use crate::amplify::rules::{EdgeKind, Rules, valley};
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::seed::share;
-use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
+use crate::amplify::vertex::{FAR, RiverSegment, ValleySection, Vertex};
 
 /// Half-widths of a winding river within which no lesser river counts as nearer.
 const NEAR_BANK: i32 = 4;
@@ -36,6 +36,8 @@ pub(super) struct NearestRiver {
     /// Distance to its bank, negative in its bed, and charges; grains.
     cost: i32,
     distance: i32,
+    /// Distance to the belt of its bends, grains.
+    belt: i32,
     along: i32,
     segment: RiverSegment,
     /// Whether it runs along a face of the vertex, or through an end of its edge.
@@ -50,6 +52,7 @@ impl NearestRiver {
         Self {
             cost: i32::MAX,
             distance: FAR,
+            belt: FAR,
             along: 0,
             segment: RiverSegment::default(),
             is_beside: false,
@@ -62,6 +65,18 @@ impl NearestRiver {
     pub(super) fn is_near(&self, scale: &PlanetScale, rules: &Rules) -> bool {
         let reach = Reach::at(scale, rules, &self.segment, self.along);
         self.segment.winding != [0, 0] && self.distance / BENDS < reach.half_bed
+    }
+
+    /// The side of its valley at a vertex, which rises beside the belt of its bends.
+    pub(super) fn section(
+        &self,
+        scale: &PlanetScale,
+        rules: &Rules,
+        mut vertex: Vertex,
+    ) -> ValleySection {
+        self.write(&mut vertex);
+        vertex.river_distance = vertex.river_distance.min(self.belt);
+        valley::section(scale, rules, &vertex)
     }
 
     /// Writes the river into a vertex.
@@ -123,6 +138,7 @@ impl Search<'_> {
         if cost < self.found.cost {
             self.found.cost = cost;
             self.found.distance = distance;
+            self.found.belt = place.belt;
             self.found.along = place.along;
             self.found.segment = *segment;
         }

@@ -27,6 +27,8 @@ pub struct RiverPlace {
     pub along: i32,
     /// Distance to it, grains.
     pub distance: i32,
+    /// Distance to the belt that its bends sweep, from which its valley's side rises; grains.
+    pub belt: i32,
 }
 
 impl RiverPlace {
@@ -48,6 +50,7 @@ impl RiverPlace {
             reach: Reach::at(scale, rules, segment, along),
             along,
             distance: scale.grains(off),
+            belt: scale.grains(off),
         };
         if along == 0 || along == Q16 {
             let tangent = if segment.is_point() {
@@ -70,12 +73,16 @@ impl RiverPlace {
         nearest: &Nearest,
     ) -> Self {
         let &Nearest {
-            along, distance, ..
+            along,
+            distance,
+            belt,
+            ..
         } = nearest;
         let mut place = Self {
             reach: Reach::at(scale, rules, segment, along),
             along,
             distance,
+            belt,
         };
         if along == 0 || along == Q16 {
             let share = BEYOND_END[usize::from(along == Q16)];
