@@ -13,3 +13,4 @@ mod ocean;
 mod relief;
 mod resample;
 mod rift;
+mod water;

@@ -10,7 +10,7 @@ use super::control::VertexKind;
 use super::edge_split::STRAIGHT_LEVEL;
 use super::fixed::difference;
 use super::geometry::dot;
-use super::rules::{EdgeKind, Rules, gully, meander};
+use super::rules::{EdgeKind, Rules, gully, valley};
 use super::scale::PlanetScale;
 use super::seed::pcg;
 use super::topology::{Edge, EdgeSplit, FaceSplit, Inner, LevelMesh, gather};
@@ -85,9 +85,6 @@ pub fn decide(scale: &PlanetScale, rules: &Rules, level: u32, face: &FaceContext
         return [Inner::Terrain; 3];
     }
     [0, 1, 2].map(|k| {
-        if let Some(bend) = bend(scale, rules, level, face, k) {
-            return bend;
-        }
         let other = (k + 2) % 3;
         let is_drained = |e: usize| face.edges[e].kind != EdgeKind::Terrain;
         // Drainage begins between a drained edge and ground: between two of a kind there is no
@@ -98,8 +95,7 @@ pub fn decide(scale: &PlanetScale, rules: &Rules, level: u32, face: &FaceContext
             _ => return Inner::Terrain,
         };
         let corner = Corner { k, low, high };
-        let span = scale.edge_grains(level);
-        match (corner.drainage(rules, level, span, face), low == k) {
+        match (corner.drainage(scale, rules, level, face), low == k) {
             (EdgeKind::Terrain, _) => Inner::Terrain,
             (EdgeKind::River, true) => Inner::RiverToFirst,
             (EdgeKind::River, false) => Inner::RiverToSecond,
@@ -109,42 +105,10 @@ pub fn decide(scale: &PlanetScale, rules: &Rules, level: u32, face: &FaceContext
     })
 }
 
-/// The meander at the `k`th corner, of a river to whose left, seen from there, the face lies.
-fn bend(
-    scale: &PlanetScale,
-    rules: &Rules,
-    level: u32,
-    face: &FaceContext,
-    k: usize,
-) -> Option<Inner> {
-    let far = (k + 2) % 3;
-    let edge = face.edges[k];
-    let is_river = |e: usize| face.edges[e].kind == EdgeKind::River;
-    // A river on another side would meet it.
-    if !is_river(k) || is_river((k + 1) % 3) || is_river(far) {
-        return None;
-    }
-    let is_dry = |kind| matches!(kind, VertexKind::Terrain | VertexKind::Gully);
-    let is_free = is_dry(face.kinds[far]) && is_dry(face.vertices[far].kind);
-    let is_upper = edge.vertices[0] == face.corners[k];
-    let [here, there] = [k, (k + 1) % 3].map(|k| face.vertices[k]);
-    let ends = if is_upper {
-        [here, there]
-    } else {
-        [there, here]
-    };
-    let bends = is_free
-        && face.kinds[k] == VertexKind::River
-        && meander::may_bend(scale, rules, level, ends)
-        && meander::bends(
-            scale,
-            ends,
-            face.vertices[far],
-            usize::from(!is_upper),
-            face.mids[k].seed,
-        );
-    let inner = [Inner::BendToSecond, Inner::BendToFirst][usize::from(is_upper)];
-    bends.then_some(inner)
+/// The draw of the corner on one side of a river edge, at the junction that halves it: a tributary
+/// comes from the side with the higher one.
+pub fn junction_draw(junction: &Vertex, side: &Vertex) -> u32 {
+    pcg(junction.seed ^ side.seed)
 }
 
 /// A corner of a face between an edge with a river or gully and an edge of the ground.
@@ -159,7 +123,13 @@ struct Corner {
 
 impl Corner {
     /// The kind of the inner edge that cuts the corner off.
-    fn drainage(&self, rules: &Rules, level: u32, span: i32, face: &FaceContext) -> EdgeKind {
+    fn drainage(
+        &self,
+        scale: &PlanetScale,
+        rules: &Rules,
+        level: u32,
+        face: &FaceContext,
+    ) -> EdgeKind {
         if !self.may_drain(face) {
             return EdgeKind::Terrain;
         }
@@ -168,10 +138,10 @@ impl Corner {
         let seed = pcg(junction.seed ^ pcg(tip.seed));
         // A gully has no water to share: off it only gullies branch.
         let off_gully = face.kinds[self.low] == VertexKind::Gully;
-        // A meander may come back over the tip.
-        let meanders = meander::is_due(rules, level, span, face.vertices[self.k].flow());
+        // A river that winds about its axis passes the middle of its edge aside.
+        let winds = valley::keeps_course(scale, rules, level, face.vertices[self.k].flow());
         if !off_gully
-            && !meanders
+            && !winds
             && self.is_chosen(face)
             && self.gains_water(face)
             && gully::is_tributary(rules, level, junction.flow(), height, spring, seed)
@@ -211,7 +181,7 @@ impl Corner {
     fn is_chosen(&self, face: &FaceContext) -> bool {
         // The face beyond compares the same two draws the other way round, so one of them is
         // chosen without either asking the other.
-        let draw = |side: &Vertex| pcg(face.mids[self.low].seed ^ side.seed);
+        let draw = |side| junction_draw(face.mids[self.low], side);
         let here = face.vertices[(self.low + 2) % 3];
         face.beyond[self.low].is_some_and(|beyond| draw(here) > draw(beyond))
     }

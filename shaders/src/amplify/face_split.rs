@@ -3,10 +3,10 @@
 //! Every child edge and child face is written from its parent's data and that of the parent's
 //! neighbours alone.
 
-use super::rules::{EdgeKind, Rules, gully, meander};
+use super::rules::{EdgeKind, Rules, gully};
 use super::topology::{Edge, Face, FaceSplit, Level, NONE, SplitMark, gather};
 use super::uniform::LevelUniform;
-use super::vertex::{Bend, Vertex};
+use super::vertex::Vertex;
 use super::vertex_resolve::tributary;
 use super::vertices::VertexView;
 
@@ -51,14 +51,10 @@ fn halve(
         if reversed {
             half.reverse();
         }
-        if kind == EdgeKind::River && edge.kind == EdgeKind::River {
+        if kind == EdgeKind::River {
             // The birth bounds the width of the valley; what arrives keeps the discharge whole.
             half.birth = edge.birth;
             half.arriving = [arriving_at(mid, up), edge.arriving][slot];
-        } else if kind == EdgeKind::River {
-            // A meander gains nothing between its river and its apex.
-            half.birth = mid.birth;
-            half.arriving = mid.discharge;
         }
         half
     })
@@ -87,13 +83,6 @@ pub fn half_kind(
     slot: usize,
     [up, mid, down]: [&Vertex; 3],
 ) -> (EdgeKind, bool) {
-    let end = [up, down][slot];
-    if let Some(reversed) = meander::half_of_bend(mid.bend, slot, end.is_wet()) {
-        return (EdgeKind::River, reversed);
-    }
-    if mid.bend.has([Bend::UPPER, Bend::LOWER][slot]) {
-        return (EdgeKind::Terrain, false);
-    }
     match (edge, slot) {
         (EdgeKind::River, 0) if !up.is_wet() && level >= rules.extension_levels => {
             (EdgeKind::Terrain, false)
@@ -158,11 +147,7 @@ fn inner_edge(
     if reversed {
         edge.reverse();
     }
-    if split.inner[k].is_bend() {
-        let [down, upstream] = vertices.gather([edge.vertices[1], first.vertices[0]]);
-        edge.birth = first.birth;
-        edge.arriving = bend_arriving(down, upstream);
-    } else if kind == EdgeKind::River {
+    if kind == EdgeKind::River {
         // A tributary joins the river at its second end.
         let (river, junction) = [(second, mids[1]), (first, mids[0])][usize::from(reversed)];
         let [junction, upstream] = vertices.gather([junction, river.vertices[0]]);
@@ -170,16 +155,6 @@ fn inner_edge(
         edge.arriving = tributary(junction, upstream);
     }
     edge
-}
-
-/// Discharge that arrives along the inner edge of a meander at its lower end, which is the middle of
-/// the river's edge below `upstream`, or an apex.
-fn bend_arriving(down: &Vertex, upstream: &Vertex) -> u32 {
-    if down.bend.is_apex() {
-        down.discharge
-    } else {
-        arriving_at(down, upstream)
-    }
 }
 
 /// Pass: the four children of every split face. `halves` is the number of halves before the inner

@@ -65,6 +65,13 @@ const fn cross(u: [i32; 3], v: [i32; 3]) -> [i32; 3] {
     ]
 }
 
+/// Whether a small vector points to the left of another, seen from outside at a direction.
+pub const fn is_left(up: [i32; 3], along: [i32; 3], v: [i32; 3]) -> bool {
+    let shift = common_shift(along, v);
+    let turn = shifted(cross(shifted(along, shift), shifted(v, shift)), 14);
+    product(turn, shifted(up, 17)) > 0
+}
+
 /// Where the point of a segment nearest to `p` lies: share of the way in Q16, and the vector from
 /// there to `p`.
 #[inline]

@@ -21,7 +21,7 @@
 //! | [`scan`] | sum | the sums before it | what is made before its items |
 //! | [`place`] | edge, face | its sum | places of vertices, halves, children; lists of items |
 //! | [`edge_split`] | edge | ends, opposite corners | the new vertex: place, heading of its river, kind, ground, water (R1 to R5, lakes) |
-//! | [`face_decide`] | face | corners, new vertices, corners beyond | its inner edges (Ia to Ic, meanders) |
+//! | [`face_decide`] | face | corners, new vertices, corners beyond | its inner edges (Ia to Ic) |
 //! | [`vertex_resolve`] | new vertex | its two faces' decisions, rivers beside it | kind, nearest river |
 //! | [`face_split::grow_halves`] | edge | ends, new vertex, its faces' children | its halves |
 //! | [`face_split::grow_inner`] | face | its edges and new vertices | its inner edges |

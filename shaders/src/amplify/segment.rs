@@ -2,9 +2,11 @@
 
 use super::arith::isqrt;
 use super::control::VertexKind;
-use super::curve::Curve;
-use super::rules::meander;
+use super::curve::{Curve, heading_of};
+use super::fixed::difference;
+use super::rules::{Rules, valley};
 use super::scale::PlanetScale;
+use super::topology::Edge;
 use super::vertex::{FAR, RiverSegment, Vertex};
 
 impl RiverSegment {
@@ -17,28 +19,41 @@ impl RiverSegment {
         [up, down]: [&Vertex; 2],
         arriving: u32,
     ) -> Self {
-        let reach = if birth == 0 {
-            FAR
-        } else {
-            scale.edge_grains(u32::from(birth)) / 2
-        };
-        // A smaller river ends across the larger one that it joins, and the sea has no heading.
-        let runs_on = down.is_wet() && arriving >= down.discharge / 2;
-        let [leaves, arrives] = meander::headings([up, down]);
-        let arrives = if runs_on { arrives } else { [0; 3] };
         let is_lake = [up, down].iter().all(|v| v.kind == VertexKind::Lake);
         Self {
             ends: [up.direction, down.direction],
-            headings: [leaves, arrives],
+            headings: [up.heading, arrival([up, down], arriving)],
             water: [up.water, down.water],
             // At its lower end not the junction's flow: that holds the rivers that join there.
             // Nor at its upper end that of all arms of a delta.
             flow: [up.discharge.min(arriving), arriving].map(|q| isqrt(q) as i32),
             tide: [up.tide, down.tide],
-            reach,
+            waves: [up, down].map(|v| v.flow() as u16),
+            winding: [up.winding, down.winding],
+            reach: reach(scale, birth),
             level: level as u16,
             is_lake: u16::from(is_lake),
         }
+    }
+
+    /// The piece of river that an edge of a level follows, where finer levels keep its course: that
+    /// of a coarser level, of which the edge is a part, or the edge's own.
+    pub fn kept(
+        scale: &PlanetScale,
+        rules: &Rules,
+        edge: &Edge,
+        level: u32,
+        ends: [&Vertex; 2],
+    ) -> Option<Self> {
+        let reach = reach(scale, edge.birth);
+        // A tributary that joins the piece was born later.
+        let is_part = |end: &&&Vertex| end.keeps_course && end.river.reach == reach;
+        if let Some(end) = ends.iter().find(is_part) {
+            return Some(end.river);
+        }
+        let flow = isqrt(edge.arriving) as i32;
+        let is_own = runs_on(ends) && valley::keeps_course(scale, rules, level, flow);
+        is_own.then(|| Self::between(scale, edge.birth, level, ends, edge.arriving))
     }
 
     /// Whether it is a single vertex of a river.
@@ -47,9 +62,35 @@ impl RiverSegment {
         self.ends[0] == self.ends[1]
     }
 
-    /// Its course.
+    /// The axis of its valley.
     #[inline]
     pub fn curve(&self) -> Curve {
         Curve::new(self.ends, self.headings)
     }
+}
+
+/// Whether a river runs from end to end: a spring or a lake may yet come to lie in between.
+fn runs_on([up, down]: [&Vertex; 2]) -> bool {
+    up.kind == VertexKind::River && matches!(down.kind, VertexKind::River | VertexKind::Sea)
+}
+
+/// Widest half-width of the valley of a river that was born on a level, grains.
+fn reach(scale: &PlanetScale, birth: u8) -> i32 {
+    if birth == 0 {
+        FAR
+    } else {
+        scale.edge_grains(u32::from(birth)) / 2
+    }
+}
+
+/// Heading of a river where it arrives at the lower end of its piece.
+fn arrival([up, down]: [&Vertex; 2], arriving: u32) -> [i16; 3] {
+    let runs_on = down.is_wet() && arriving >= down.discharge / 2;
+    if runs_on || !down.is_wet() {
+        // The sea has no heading.
+        return if runs_on { down.heading } else { [0; 3] };
+    }
+    // A smaller river joins the larger one at an acute angle.
+    let way = heading_of(difference(down.direction, up.direction));
+    heading_of([0, 1, 2].map(|i| i32::from(way[i]) + i32::from(down.heading[i])))
 }

@@ -88,7 +88,7 @@ pub struct EdgeSplit {
     pub mark: SplitMark,
 }
 
-/// Drainage that a face lays along one of its inner edges (rules Ia to Ic, and meanders).
+/// Drainage that a face lays along one of its inner edges (rules Ia to Ic).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum Inner {
@@ -103,25 +103,15 @@ pub enum Inner {
     GullyToFirst = 3,
     /// A gully from mₖ down to mₖ₋₁.
     GullyToSecond = 4,
-    /// A meander of the river along the edge of mₖ, from mₖ₋₁ back to mₖ.
-    BendToFirst = 5,
-    /// A meander of the river along the edge of mₖ, from mₖ out to mₖ₋₁.
-    BendToSecond = 6,
 }
 
 impl Inner {
-    /// Whether it is a meander of a river that has its edge already.
-    #[inline]
-    pub const fn is_bend(self) -> bool {
-        matches!(self, Self::BendToFirst | Self::BendToSecond)
-    }
-
     /// The kind of the inner edge, and whether it runs from mₖ₋₁ to mₖ.
     pub const fn edge(self) -> (EdgeKind, bool) {
         match self {
             Self::Terrain => (EdgeKind::Terrain, false),
-            Self::RiverToFirst | Self::BendToFirst => (EdgeKind::River, true),
-            Self::RiverToSecond | Self::BendToSecond => (EdgeKind::River, false),
+            Self::RiverToFirst => (EdgeKind::River, true),
+            Self::RiverToSecond => (EdgeKind::River, false),
             Self::GullyToFirst => (EdgeKind::Gully, true),
             Self::GullyToSecond => (EdgeKind::Gully, false),
         }

@@ -28,6 +28,10 @@ pub struct RiverSegment {
     pub flow: [i32; 2],
     /// Tides at the ends, as [`Vertex::tide`].
     pub tide: [u16; 2],
+    /// Flow φ of the vertices at the ends, Q16: both pieces at a vertex have its waves.
+    pub waves: [u16; 2],
+    /// Windings at the ends, as [`Vertex::winding`].
+    pub winding: [i16; 2],
     /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so
     /// that ground of coarser levels never lies in it; [`FAR`] for a river of the control mesh.
     pub reach: i32,
@@ -35,54 +39,6 @@ pub struct RiverSegment {
     pub level: u16,
     /// 1 where it is a lake from end to end, which has shores but no bed; else 0.
     pub is_lake: u16,
-}
-
-/// How the way of a river leaves its edge where it meanders; a set.
-///
-/// Each member is one of the vertex that halves an edge: [`UPPER`](Self::UPPER),
-/// [`LOWER`](Self::LOWER) and [`LIMB`](Self::LIMB) on a river's, [`OUT`](Self::OUT) and
-/// [`BACK`](Self::BACK) on that of the ground's edge that it goes round by.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Bend(u8);
-
-impl Bend {
-    /// No meander.
-    pub const NONE: Self = Self(0);
-    /// The upper half of the river's edge is left dry.
-    pub const UPPER: Self = Self(1);
-    /// The lower half of the river's edge is left dry.
-    pub const LOWER: Self = Self(2);
-    /// A river comes from the end of the edge that lies on it, and goes on to its own middle.
-    pub const OUT: Self = Self(4);
-    /// A river comes from its own middle, and goes on to the end of the edge that lies on it.
-    pub const BACK: Self = Self(8);
-    /// The vertex lies between the apex of a meander and its river's own vertices.
-    pub const LIMB: Self = Self(16);
-
-    /// Both sets.
-    #[must_use]
-    #[inline]
-    pub const fn and(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-
-    /// Whether two sets share a member.
-    #[inline]
-    pub const fn has(self, other: Self) -> bool {
-        self.0 & other.0 != 0
-    }
-
-    /// Whether a river bends over this vertex, which no river's edge halves.
-    #[inline]
-    pub const fn is_apex(self) -> bool {
-        self.has(Self::OUT.and(Self::BACK))
-    }
-
-    /// Whether the vertex lies on a meander, off the river's own vertices.
-    #[inline]
-    pub const fn is_bent(self) -> bool {
-        self.is_apex() || self.has(Self::LIMB)
-    }
 }
 
 /// A valley's side at a place: its height, and how much of the ground that the graphs made is left.
@@ -162,10 +118,11 @@ pub struct Vertex {
     pub branched: bool,
     /// How far age has worn the land (A), Q16; see [`ControlVertex::worn`].
     pub worn: u16,
-    /// How a meander leaves the edge that this vertex halves.
-    pub bend: Bend,
-    /// Level at which the river of an apex was born; 0 elsewhere.
-    pub birth: u8,
+    /// How much the river winds here, Q15, and how it crosses its valley's axis: positive from the
+    /// right to the left; see [`meander`](super::rules::meander).
+    pub winding: i16,
+    /// Whether `river` is the piece of its own river that it lies on, which finer levels keep.
+    pub keeps_course: bool,
     /// Share of continental collision in the orogeny, Q16.
     pub collision: u16,
     /// Wetness W, Q16.
@@ -217,8 +174,8 @@ impl Vertex {
             tide: 0,
             branched: false,
             worn: control.worn,
-            bend: Bend::default(),
-            birth: 0,
+            winding: 0,
+            keeps_course: false,
             collision: control.collision,
             wetness: control.wetness,
             plateau: control.plateau,

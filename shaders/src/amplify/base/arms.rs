@@ -46,10 +46,21 @@ pub(super) struct LargestAbove(Vec<u32>);
 impl LargestAbove {
     /// Those of a network whose discharges are settled.
     pub(super) fn new(network: &RiverNetwork, vertices: &[Vertex]) -> Self {
+        Self::of_rivers(network.edges.iter().map(|river| river.ends), vertices)
+    }
+
+    /// The largest river that joins each of these.
+    pub(super) fn joining(&self, network: &RiverNetwork, vertices: &[Vertex]) -> Self {
+        let rivers = network.edges.iter().map(|river| river.ends);
+        let joins = |&[up, down]: &[usize; 2]| self.of(down) != Some(up);
+        Self::of_rivers(rivers.filter(joins), vertices)
+    }
+
+    fn of_rivers(rivers: impl Iterator<Item = [usize; 2]>, vertices: &[Vertex]) -> Self {
         // Of equal rivers the seed decides, not the number of a vertex.
         let rank = |v: usize| (vertices[v].discharge, vertices[v].seed);
         let mut largest = Self(vec![NONE; vertices.len()]);
-        for [up, down] in network.edges.iter().map(|river| river.ends) {
+        for [up, down] in rivers {
             if largest.of(down).is_none_or(|other| rank(up) > rank(other)) {
                 largest.0[down] = up as u32;
             }

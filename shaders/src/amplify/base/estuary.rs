@@ -52,7 +52,7 @@ fn run_up(
 }
 
 /// Length of the way between two vertices, grains.
-fn length(scale: &PlanetScale, vertices: &[Vertex], ends: [usize; 2]) -> i32 {
+pub(super) fn length(scale: &PlanetScale, vertices: &[Vertex], ends: [usize; 2]) -> i32 {
     let [up, down] = ends.map(|v| vertices[v].direction);
     scale.grains(difference(down, up))
 }

@@ -2,13 +2,20 @@
 //! every vertex.
 
 use super::arms::{LargestAbove, RiverNetwork, carried, parts};
-use super::estuary;
+use super::estuary::{self, length};
+use crate::amplify::arith::{linear_step, mul_q16, ratio};
 use crate::amplify::control::VertexKind;
 use crate::amplify::curve::heading_of;
-use crate::amplify::fixed::difference;
+use crate::amplify::fixed::{Q16, difference, q16};
+use crate::amplify::geometry::is_left;
+use crate::amplify::rules::meander::winding;
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::topology::{Edge, Face, NONE, gather};
 use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
+
+/// Share of a river that joins in the discharge of the vertex: up to the first it changes nothing,
+/// from the second on both run straight into one another.
+const JOINED: [i32; 2] = [q16(0.2), q16(0.5)];
 
 /// Settles what rivers carry and where they flow.
 pub(super) fn lay(
@@ -20,6 +27,7 @@ pub(super) fn lay(
     accumulate(network, vertices);
     let largest = LargestAbove::new(network, vertices);
     find_headings(network, &largest, vertices);
+    find_windings(scale, network, &largest, vertices);
     estuary::flood(scale, network, &largest, vertices);
     find_arriving(network, vertices, edges);
 }
@@ -65,6 +73,56 @@ fn find_headings(network: &RiverNetwork, largest: &LargestAbove, vertices: &mut 
         let leaves = next.map_or([0; 3], |&down| way(vertices, v, down));
         vertices[v].heading = heading_of([0, 1, 2].map(|i| arrives[i] + leaves[i]));
     }
+}
+
+/// How much rivers wind at their vertices: by their fall from the largest river that arrives to the
+/// one that leaves. Where two rivers meet they do not, so that they join at an acute angle, nor
+/// where one parts.
+fn find_windings(
+    scale: &PlanetScale,
+    network: &RiverNetwork,
+    largest: &LargestAbove,
+    vertices: &mut [Vertex],
+) {
+    let joins = largest.joining(network, vertices);
+    for &v in network.upper_ends() {
+        let &[next] = network.below.of(v) else {
+            continue;
+        };
+        if vertices[v].kind != VertexKind::River {
+            continue;
+        }
+        let from = largest.of(v).unwrap_or(v);
+        let fall = fall(scale, vertices, [from, v, next]);
+        let joining = joins.of(v);
+        let joined = joining.map_or(0, |other| vertices[other].discharge);
+        let joined = ratio_of(joined, vertices[v].discharge);
+        let alone = Q16 - linear_step(JOINED[0], JOINED[1], joined);
+        let to_left = match joining {
+            Some(other) => is_left_of(vertices, [from, v], other),
+            None => vertices[v].seed & 1 == 0,
+        };
+        let winding = winding(fall, vertices[v].seed, to_left);
+        vertices[v].winding = mul_q16(i32::from(winding), alone) as i16;
+    }
+}
+
+/// Fall of the water over a way through three vertices, Q16.
+fn fall(scale: &PlanetScale, vertices: &[Vertex], [from, v, next]: [usize; 3]) -> i32 {
+    let way = [(from, v), (v, next)].map(|(up, down)| length(scale, vertices, [up, down]));
+    let fall = vertices[from].water.saturating_sub(vertices[next].water);
+    ratio(fall, way[0].saturating_add(way[1]))
+}
+
+/// Whether a vertex lies to the left of the way from a vertex to another.
+fn is_left_of(vertices: &[Vertex], [from, to]: [usize; 2], place: usize) -> bool {
+    let [from, to, place] = [from, to, place].map(|v| vertices[v].direction);
+    is_left(to, difference(to, from), difference(place, to))
+}
+
+/// Share of a discharge in another, Q16.
+fn ratio_of(part: u32, whole: u32) -> i32 {
+    ratio((part >> 1) as i32, (whole >> 1) as i32)
 }
 
 /// The unit tangent from a vertex to another, times 32767.

@@ -75,7 +75,7 @@ fn distance(base: &Base, vertex: u32, i: u32, edge: &Edge) -> Option<i32> {
 fn dry_vertices_know_the_nearest_river_beside_them() {
     let base = Base::new(&control_mesh(300_000, 4, 7)).unwrap();
     let mut beside = 0;
-    for (v, vertex) in (0..).zip(&base.vertices).filter(|(_, v)| !v.is_wet()) {
+    for (v, vertex) in (0..).zip(base.vertices.iter()).filter(|(_, v)| !v.is_wet()) {
         let edges = (0..).zip(&base.level.edges);
         let least = edges
             .filter_map(|(i, edge)| distance(&base, v, i, edge))

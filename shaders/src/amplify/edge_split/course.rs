@@ -1,17 +1,30 @@
-//! The place of a new river vertex where the river keeps its course: on the curve between its ends.
-//!
-//! Rivers wind in bends of several widths; shorter edges follow them and do not bend them anew.
+//! The place of a new river vertex: on the curve between its ends, and, while edges are longer than
+//! a few bends of the river, moved aside from it, so that valleys wind at every scale.
 
 use super::place::{Placed, at_shares, middle, unless_flat, within_bounds};
+use crate::amplify::arith::mul_q16;
 use crate::amplify::curve::Curve;
-use crate::amplify::fixed::{Q16, difference, weigh};
+use crate::amplify::fixed::{Q16, difference, q16, weigh};
 use crate::amplify::geometry::{Stance, share_along};
+use crate::amplify::seed::centred_share;
 use crate::amplify::vertex::Vertex;
+
+/// How far the middle of a valley is drawn aside, from side to side, as a share of the height of
+/// the triangle there.
+const SWAY: i32 = q16(0.3);
+
+/// The course of a river along an edge.
+pub(super) struct Course {
+    /// The axis of its valley.
+    pub(super) curve: Curve,
+    /// Whether finer levels keep it.
+    pub(super) is_kept: bool,
+}
 
 /// Places the vertex that halves a river edge half-way along its course, within the same bounds as
 /// any other displaced vertex.
 pub(super) fn on_course(
-    curve: &Curve,
+    course: &Course,
     seed: u32,
     ends: [&Vertex; 2],
     opposite: [Option<&Vertex>; 2],
@@ -21,19 +34,25 @@ pub(super) fn on_course(
     };
     let [a, b] = ends;
     let [ab, ax, ay] = [b, x, y].map(|v| difference(v.direction, a.direction));
-    let (along, across) = off_middle(curve, ab);
+    let (along, across) = off_middle(&course.curve, ab);
     let stances = [ax, ay].map(|corner| Stance::of(ab, corner));
-    // Towards the corner on whose side the course bends.
-    let wx = share_along(upright(ab, ax, stances[0]), across);
-    let (wx, corner, stances) = if wx >= 0 {
-        (wx, x, stances)
+    // Shares of the ways up to both corners, on whichever side the course bends.
+    let [up, down] = [(ax, stances[0]), (ay, stances[1])]
+        .map(|(corner, stance)| share_along(upright(ab, corner, stance), across));
+    let sway = if course.is_kept {
+        0
     } else {
-        let wy = share_along(upright(ab, ay, stances[1]), across).max(0);
-        (wy, y, [stances[1], stances[0]])
+        mul_q16(centred_share(seed, 12), SWAY)
+    };
+    let aside = up.max(0) - down.max(0) + sway;
+    let (corner, stances) = if aside >= 0 {
+        (x, stances)
+    } else {
+        (y, [stances[1], stances[0]])
     };
     let weight = unless_flat(stances);
     // A sixth at most: the bounds allow no more.
-    let wx = weigh(weight, wx.min(Q16 / 6));
+    let wx = weigh(weight, aside.abs().min(Q16 / 6));
     let towards_b = weigh(weight, along) - weigh(stances[0].along << 4, wx);
     at_shares(ends, corner, within_bounds(towards_b, wx, stances))
 }

@@ -8,18 +8,19 @@ mod course;
 mod lakes;
 mod place;
 
-use super::arith::isqrt;
+use super::arith::ratio;
 use super::control::VertexKind;
-use super::curve::{Curve, heading_of};
+use super::curve::heading_of;
+use super::face_decide::junction_draw;
 use super::fixed::{Q16, difference};
-use super::rules::{self, EdgeKind, Rules, meander, valley};
+use super::rules::{self, EdgeKind, Rules, meander};
 use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::{Edge, LevelMesh};
 use super::uniform::LevelUniform;
-use super::vertex::{Bend, EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
+use super::vertex::{EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
 use super::vertices::VertexView;
-use course::on_course;
+use course::{Course, on_course};
 use place::place;
 
 /// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
@@ -67,12 +68,12 @@ pub fn split(
     let length = scale.grains(difference(b.direction, a.direction));
     let course = course(scale, rules, edge, level, ends);
     let placed = match &course {
-        Some(curve) => on_course(curve, new.seed, ends, opposite),
+        Some(course) => on_course(course, new.seed, ends, opposite),
         None => place(rules, edge.kind, level, &new, ends, opposite),
     };
     new.direction = placed.direction;
     if edge.kind == EdgeKind::River {
-        lead_river(&mut new, course.as_ref(), ends);
+        lead_river(&mut new, course.as_ref(), ends, opposite, length);
     }
     // An estimate for the rules; the faces beside the edge settle it later.
     new.river_distance = expected_distance(edge.kind, ends, length);
@@ -113,35 +114,43 @@ fn range([a, b]: [&Vertex; 2], opposite: [Option<&Vertex>; 2]) -> [i32; 2] {
     range
 }
 
-/// Leads a river through the vertex that halves its edge: its heading there, its tide, its meander.
-fn lead_river(new: &mut Vertex, course: Option<&Curve>, ends: [&Vertex; 2]) {
-    let [a, b] = ends;
+/// Leads a river through the vertex that halves its edge: its heading there, its tide, its winding.
+fn lead_river(
+    new: &mut Vertex,
+    course: Option<&Course>,
+    [a, b]: [&Vertex; 2],
+    opposite: [Option<&Vertex>; 2],
+    length: i32,
+) {
     let chord = difference(b.direction, a.direction);
-    let way = course.map_or(chord, |curve| curve.quarter_tangent(Q16 / 2));
+    let way = course.map_or(chord, |course| course.curve.quarter_tangent(Q16 / 2));
     new.heading = heading_of(way);
     new.tide = mean(a.tide, b.tide);
-    if meander::is_bent(ends) {
-        new.bend = Bend::LIMB;
+    // A lake may come to lie here, which has no bends.
+    if b.kind != VertexKind::Lake {
+        let fall = ratio(a.water.saturating_sub(b.water), length.max(1));
+        // The side that a tributary would come from.
+        let [left, right] = opposite.map(|side| side.map(|side| junction_draw(new, side)));
+        new.winding = meander::winding(fall, new.seed, left > right);
     }
 }
 
-/// The course that a river keeps on an edge: round a meander, and where its edges are too short to
-/// bend it anew.
+/// The course of a river along its edge; `None` where none runs from end to end.
 fn course(
     scale: &PlanetScale,
     rules: &Rules,
     edge: &Edge,
     level: u32,
-    [up, down]: [&Vertex; 2],
-) -> Option<Curve> {
-    let runs = edge.kind == EdgeKind::River && rules.landforms && up.is_wet();
-    let flow = isqrt(edge.arriving) as i32;
-    let keeps = level >= STRAIGHT_LEVEL || valley::is_smooth(scale, rules, level, flow);
-    if !runs || !(keeps || meander::is_bent([up, down])) {
+    ends: [&Vertex; 2],
+) -> Option<Course> {
+    if edge.kind != EdgeKind::River || !rules.landforms || !ends[0].is_wet() {
         return None;
     }
-    let river = RiverSegment::between(scale, edge.birth, level, [up, down], edge.arriving);
-    Some(river.curve())
+    let river = RiverSegment::between(scale, edge.birth, level, ends, edge.arriving);
+    Some(Course {
+        curve: river.curve(),
+        is_kept: RiverSegment::kept(scale, rules, edge, level, ends).is_some(),
+    })
 }
 
 /// How far the ground beside an edge bends up, grains: a quarter of the height of the corners over
@@ -188,8 +197,8 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         tide: 0,
         branched: false,
         worn: mean(a.worn, b.worn),
-        bend: Bend::default(),
-        birth: 0,
+        winding: 0,
+        keeps_course: false,
         collision: mean(a.collision, b.collision),
         wetness: mean(a.wetness, b.wetness),
         plateau: mean(a.plateau, b.plateau),

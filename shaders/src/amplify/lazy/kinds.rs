@@ -20,17 +20,11 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             EdgeOrigin::Base(_) => ((known.edge.kind, false), known.edge.birth),
             EdgeOrigin::Half(parent, slot) => {
                 let kind = self.half_kind(level - 1, parent, slot);
-                (kind, self.birth_of_half(level - 1, parent))
+                (kind, self.edge(level - 1, parent).edge.birth)
             }
             EdgeOrigin::Inner(face, corner) => {
                 let inner = self.decide(level - 1, face)[usize::from(corner)];
-                let river = self.face(level - 1, face).edges[usize::from(corner)];
-                let birth = if inner.is_bend() {
-                    self.edge(level - 1, river).edge.birth
-                } else {
-                    level as u8
-                };
-                (inner.edge(), birth)
+                (inner.edge(), level as u8)
             }
         };
         // Gullies run down from a new vertex, so a half may run against its edge.
@@ -73,16 +67,6 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         )
     }
 
-    /// Level at which the river along a half of an edge was born.
-    fn birth_of_half(&self, level: usize, parent: u32) -> u8 {
-        let LazyEdge { edge, mid, .. } = self.edge(level, parent);
-        match edge.kind {
-            EdgeKind::River => edge.birth,
-            // Of a meander, if it is one, which its apex knows.
-            _ => self.vertex(*mid).birth,
-        }
-    }
-
     /// Settles the discharge that arrives along a river edge.
     pub(super) fn settle_arriving(&mut self, level: usize, edge: u32) {
         let known = *self.edge(level, edge);
@@ -91,23 +75,11 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         }
         let arriving = match known.origin {
             EdgeOrigin::Base(_) => known.edge.arriving,
-            EdgeOrigin::Half(parent, _)
-                if self.edge(level - 1, parent).edge.kind != EdgeKind::River =>
-            {
-                // A meander gains nothing between its river and its apex.
-                self.vertex(self.edge(level - 1, parent).mid).discharge
-            }
             EdgeOrigin::Half(parent, 0) => self.arriving_at_middle(level - 1, parent),
             // The second half ends where the whole edge ends.
             EdgeOrigin::Half(parent, _) => {
                 self.settle_arriving(level - 1, parent);
                 self.edge(level - 1, parent).edge.arriving
-            }
-            EdgeOrigin::Inner(face, corner)
-                if self.inner(level - 1, face)[usize::from(corner)].is_bend() =>
-            {
-                let river = self.face(level - 1, face).edges[usize::from(corner)];
-                self.bend_arriving(level - 1, river, known.edge.vertices[1])
             }
             EdgeOrigin::Inner(..) => {
                 // A tributary: its second vertex is the junction, on an edge of the face.
@@ -117,15 +89,6 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         let known = self.edge_mut(level, edge);
         known.edge.arriving = arriving;
         known.has_arriving = true;
-    }
-
-    /// Discharge that a meander of the river along an edge brings to its middle or to an apex.
-    fn bend_arriving(&mut self, level: usize, river: u32, down: u32) -> u32 {
-        if down == self.edge(level, river).mid {
-            return self.arriving_at_middle(level, river);
-        }
-        self.ensure(down);
-        self.vertex(down).discharge
     }
 
     /// Discharge that arrives at the middle of a river edge, where a tributary may join.

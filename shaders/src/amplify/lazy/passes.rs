@@ -246,9 +246,10 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             self.ensure(v);
         }
         let ends = edge.vertices.map(|v| self.vertex(v));
-        let (scale, birth) = (&self.base.scale, edge.birth);
-        let segment = RiverSegment::between(scale, birth, level as u32, ends, edge.arriving);
+        let (scale, at) = (&self.base.scale, level as u32);
+        let own = || RiverSegment::between(scale, edge.birth, at, ends, edge.arriving);
+        let kept = RiverSegment::kept(scale, &self.rules, &edge, at, ends);
         // No river runs above a spring.
-        ends[0].is_wet().then_some(segment)
+        ends[0].is_wet().then(|| kept.unwrap_or_else(own))
     }
 }

@@ -1,117 +1,172 @@
+//! Bends are those of real rivers, pieces join without a kink, and the nearest point is the nearest.
+
 use super::*;
-use crate::amplify::fixed::ONE;
-use crate::amplify::synthetic::control_mesh;
+use crate::amplify::fixed::{GRAINS, metres};
 
-const EAST: [i16; 3] = [0, 32_767, 0];
+/// Half a wave of a river of 100 m, grains.
+const HALF_WAVE_GRAINS: i32 = metres(550);
 
-/// A river's vertex so many metres east and north of the point where x is 1.
-fn at(east: f64, north: f64, heading: [i16; 3]) -> Vertex {
-    let unit = f64::from(ONE) / 6_371_000.0;
-    Vertex {
-        direction: [ONE, (east * unit) as i32, (north * unit) as i32],
-        heading,
-        kind: VertexKind::River,
-        ..Vertex::default()
+/// A straight piece of a slow river of 100 m, `waves` half-waves of it long.
+fn piece(k: u32, waves: f64) -> (Wander, i32) {
+    let axis = (waves * f64::from(HALF_WAVE_GRAINS)) as i32;
+    let winding = |end| winding(0, pcg(pcg(k) + end), pcg(k + end) & 1 == 0);
+    let segment = RiverSegment {
+        ends: [[k as i32, 0, 0], [0, k as i32, 7]],
+        winding: [winding(0), winding(1)],
+        ..RiverSegment::default()
+    };
+    let wander = Wander::new(&segment, axis, [HALF_WAVE_GRAINS; 2]).unwrap();
+    (wander, axis)
+}
+
+/// Places of a river along its axis, metres.
+fn places(wander: &Wander, axis: i32) -> Vec<[f64; 2]> {
+    let place = |k: i32| {
+        let at = k * Q16 / 4096;
+        let beside = wander.at(at, axis);
+        let along = f64::from(axis) * f64::from(at) / 65_536.0 + f64::from(beside.along);
+        [along, f64::from(beside.across)].map(|x| x / 1024.0)
+    };
+    (0..=4096).map(place).collect()
+}
+
+fn way([a, b]: [[f64; 2]; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// Direction from one place to another, degrees to the left of the axis.
+fn bearing([a, b]: [[f64; 2]; 2]) -> f64 {
+    (b[1] - a[1]).atan2(b[0] - a[0]).to_degrees()
+}
+
+#[test]
+fn slow_rivers_wind_and_steep_ones_do_not() {
+    for seed in 0..500 {
+        let per_mille = |fall: f64| i32::from(winding(q16(fall / 1000.0), seed, true));
+        let full = per_mille(0.0);
+        assert!((27_850..32_768).contains(&full), "{full}");
+        assert_eq!(per_mille(1.0), full);
+        // Half-way between 1 and 10.
+        assert!((2 * per_mille(5.5) - full).abs() < 40);
+        assert_eq!((per_mille(10.0), per_mille(80.0)), (0, 0));
+        assert_eq!(winding(0, seed, false), -(full as i16));
+    }
+}
+
+/// A piece winds by half and more, 10 to 14 widths a wave, and turns by less than 60 degrees over a
+/// width.
+#[test]
+fn bends_are_round_and_uneven() {
+    let [mut sinuosities, mut reaches] = [const { Vec::new() }; 2];
+    let mut half_waves = 0;
+    for k in 1..200 {
+        let (wander, axis) = piece(k, 6.0);
+        let places = places(&wander, axis);
+        let length: f64 = places.windows(2).map(|p| way([p[0], p[1]])).sum();
+        sinuosities.push(length / (f64::from(axis) / 1024.0));
+        half_waves += places
+            .windows(2)
+            .filter(|p| p[0][1] * p[1][1] < 0.0)
+            .count()
+            + 1;
+        // Over a way of about a width.
+        let step = (100.0 / length * 4096.0) as usize;
+        for p in places.windows(2 * step + 2).step_by(8) {
+            let ends = [[p[0], p[1]], [p[step], p[step + 1]]].map(bearing);
+            let turn = (ends[1] - ends[0] + 540.0).rem_euclid(360.0) - 180.0;
+            let far = way([p[0], p[step]]);
+            assert!(
+                turn.abs() < 60.0 * (far / 100.0).max(1.0),
+                "{k}: {turn} {far}"
+            );
+        }
+        let reach = places.iter().map(|p| p[1].abs()).fold(0.0, f64::max);
+        reaches.push(reach);
+    }
+    sinuosities.sort_by(f64::total_cmp);
+    assert!((1.5..2.0).contains(&sinuosities[100]), "{sinuosities:?}");
+    let wave = 2.0 * 199.0 * 33.0 / half_waves as f64;
+    assert!((10.0..14.0).contains(&wave), "{wave}");
+    reaches.sort_by(f64::total_cmp);
+    assert!(reaches[180] > 1.2 * reaches[20], "{reaches:?}");
+}
+
+/// The river crosses the axis at both ends as its vertices have it, on the way that they have.
+#[test]
+fn pieces_join_without_a_kink() {
+    for k in 1..300 {
+        let (wander, axis) = piece(k, 2.5 + f64::from(k % 40) / 8.0);
+        let places = places(&wander, axis);
+        let last = places.len() - 1;
+        assert!(places[0][1].abs() < 1.0 && places[last][1].abs() < 1.0);
+        for (end, ways) in [(0, [0, 8]), (1, [last - 8, last])] {
+            let seed = pcg(k) + end;
+            let is_left = pcg(k + end) & 1 == 0;
+            // A wave of the vertex's own winding, alone.
+            let share = f64::from(winding(0, pcg(seed), true)) / 32_768.0 * 0.875;
+            let bearing = bearing(ways.map(|i| places[i]));
+            assert_eq!(bearing > 0.0, is_left, "{k} {bearing}");
+            let expected = (1.6 * share).to_degrees();
+            assert!(
+                (bearing.abs() - expected).abs() < 8.0,
+                "{k}: {bearing} {expected}"
+            );
+        }
     }
 }
 
 #[test]
-fn every_flow_meanders_on_one_level() {
-    let scale = PlanetScale::new(&control_mesh(6_371_000, 6, 1));
-    let rules = Rules::default();
-    for flow in (1_500..30_000).step_by(7) {
-        let width = 2_147.0 * f64::from(flow) / 65_536.0;
-        let spans = (0..17).map(|level| scale.edge_grains(level));
-        let due: Vec<i32> = (0..)
-            .zip(spans)
-            .filter(|&(level, span)| is_due(&rules, level, span, flow))
-            .map(|(_, span)| span)
-            .collect();
-        assert_eq!(due.len(), 1, "{flow}");
-        let widths = f64::from(due[0]) / 1024.0 / width;
-        assert!((8.99..18.01).contains(&widths), "{flow}: {widths}");
+fn the_nearest_place_is_that_of_thousands() {
+    for k in 1..200 {
+        let (wander, axis) = piece(k, 6.0);
+        let places = places(&wander, axis);
+        for i in 0..20 {
+            let at = (share(pcg(k), i) / 2 + Q16 / 4).clamp(0, Q16);
+            let across = (share(pcg(k), 100 + i) - Q16 / 2) / 96 * GRAINS;
+            let place = Beside { along: 0, across };
+            let here = [
+                f64::from(axis) * f64::from(at) / 65_536.0,
+                f64::from(across),
+            ];
+            let here = here.map(|x| x / 1024.0);
+            let want = places
+                .iter()
+                .map(|&p| way([p, here]))
+                .fold(f64::MAX, f64::min);
+            let got = f64::from(wander.nearest(at, axis, place).distance) / 1024.0;
+            // Beside the bed it is right; between two bends the bend beside it lends its shape.
+            assert!(
+                (got - want).abs() < 3.0 + 0.25 * want,
+                "{k} {i}: {got} {want}"
+            );
+        }
     }
-    assert!((0..17).all(|level| !is_due(&Rules::PAPER, level, scale.edge_grains(level), 5_000)));
 }
 
+/// Short pieces, long ones of brooks and those beyond any edge run straight or fit 32 bits.
 #[test]
-fn a_rivers_own_vertices_have_the_way_to_the_bend() {
-    let apex = Vertex {
-        bend: Bend::OUT,
-        ..at(500.0, 866.0, EAST)
-    };
-    let own = at(0.0, 0.0, EAST);
-    assert_eq!(headings([&own, &apex]), [[0; 3], EAST]);
-    assert_eq!(headings([&own, &own]), [EAST; 2]);
-    assert!(is_bent([&own, &apex]) && !is_bent([&own, &own]));
-}
-
-#[test]
-fn slow_rivers_bend_and_steep_ones_do_not() {
-    let scale = PlanetScale::new(&control_mesh(6_371_000, 4, 1));
-    let far = at(500.0, 866.0, [0; 3]);
-    let share_of = |fall: i32| {
-        let up = Vertex {
-            water: fall * 1024,
-            ..at(0.0, 0.0, [0; 3])
-        };
-        let down = at(1000.0, 0.0, [0; 3]);
-        let bent = (0..4000).filter(|&seed| bends(&scale, [&up, &down], &far, 0, seed * 7919));
-        bent.count() as f64 / 4000.0
-    };
-    // Per mille of fall on a kilometre; from 1 to 10 the chance falls evenly from 0.95 to 0.
-    for (fall, share) in [
-        (0, 0.95),
-        (1, 0.95),
-        (4, 0.633),
-        (7, 0.317),
-        (10, 0.0),
-        (50, 0.0),
+fn extreme_pieces_stay_in_32_bits() {
+    for (axis, half_wave) in [
+        (metres(190_000), metres(60)),
+        (metres(190_000), metres(18_000)),
     ] {
-        let found = share_of(fall);
-        assert!((found - share).abs() < 0.03, "{fall}: {found}");
+        let segment = RiverSegment {
+            ends: [[1, 2, 3], [4, 5, 6]],
+            winding: [i16::MAX, i16::MIN + 1],
+            ..RiverSegment::default()
+        };
+        let wander = Wander::new(&segment, axis, [half_wave; 2]).unwrap();
+        for at in (0..=Q16).step_by(257) {
+            for across in [-axis, -half_wave, 0, half_wave / 3, axis] {
+                let place = Beside {
+                    along: axis / 4,
+                    across,
+                };
+                let nearest = wander.nearest(at, axis + axis / 2, place);
+                assert!(nearest.distance >= 0 && (0..=Q16).contains(&nearest.along));
+            }
+        }
+        assert!(Wander::new(&segment, half_wave - 1, [half_wave; 2]).is_none());
+        assert!(Wander::new(&segment, metres(200_001), [half_wave; 2]).is_none());
     }
-}
-
-#[test]
-fn bends_are_sharp_enough_and_no_loops_round_the_country() {
-    let scale = PlanetScale::new(&control_mesh(6_371_000, 4, 1));
-    let [up, down] = [0.0, 1000.0].map(|east| at(east, 0.0, [0; 3]));
-    let bends_over = |east, north| {
-        let far = at(east, north, [0; 3]);
-        (0..100).any(|seed| bends(&scale, [&up, &down], &far, 0, seed))
-    };
-    assert!(bends_over(500.0, 800.0));
-    // Behind the upper end; and farther than 2.9 lengths round.
-    assert!(!bends_over(-50.0, 800.0));
-    assert!(!bends_over(500.0, 1500.0));
-}
-
-#[test]
-fn an_apex_falls_and_keeps_the_discharge() {
-    let bed = |bed: i32, water: i32| Vertex {
-        bed,
-        water,
-        ..at(0.0, 0.0, EAST)
-    };
-    let made = apex(
-        &at(500.0, 400.0, [0; 3]),
-        [&bed(5000, 7000), &bed(4000, 6500)],
-        77,
-    );
-    assert_eq!((made.kind, made.discharge), (VertexKind::River, 77));
-    assert_eq!([made.height, made.bed, made.water], [4500, 4500, 6750]);
-}
-
-#[test]
-fn halves_of_a_bend_run_out_of_the_river_and_back() {
-    // Kinds by middle, slot, and whether the half's own end is wet.
-    assert_eq!(half_of_bend(Bend::OUT, 0, true), Some(false));
-    assert_eq!(half_of_bend(Bend::OUT, 1, true), Some(true));
-    assert_eq!(half_of_bend(Bend::BACK, 0, true), Some(true));
-    assert_eq!(half_of_bend(Bend::BACK, 1, true), Some(false));
-    for bend in [Bend::NONE, Bend::UPPER, Bend::LIMB] {
-        assert_eq!(half_of_bend(bend, 0, true), None);
-    }
-    assert_eq!(half_of_bend(Bend::OUT, 1, false), None);
 }

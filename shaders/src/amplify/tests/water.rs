@@ -56,11 +56,12 @@ fn water_runs_downhill() {
 
 /// Once carved, along every piece of river that is drawn, into lakes and the sea too: no water rises
 /// downstream, and no bed but where it enters a lake. Neighbours may share a height, as the fall of
-/// a slow river on fine edges is less than a grain.
+/// a slow river on fine edges is less than a grain. Rivers of print and release follow their edges,
+/// ours wind about them.
 #[test]
 fn carved_water_runs_downhill() {
     let [mut rivers, mut mouths] = [0; 2];
-    for (rules, ground) in river_views() {
+    for (rules, ground) in river_views().filter(|(rules, _)| !rules.landforms) {
         let carved = carve_all(&ground.scale, &rules, &ground.vertices);
         let drawn = edges(&ground).filter(|(_, s)| s.mark != SplitMark::Split);
         for (edge, _) in drawn.filter(|(e, _)| e.kind == EdgeKind::River) {
@@ -77,7 +78,7 @@ fn carved_water_runs_downhill() {
             mouths += u32::from(down.kind == VertexKind::Sea);
         }
     }
-    assert!(rivers > 4_000 && mouths > 20, "{rivers} {mouths}");
+    assert!(rivers > 2_500 && mouths > 20, "{rivers} {mouths}");
 }
 
 /// Lake corners of one triangle have one level once carved, so every surface of hanging triangles
@@ -193,10 +194,7 @@ fn the_share_of_water_is_that_of_any_level() {
         sites.iter().map(share).sum::<f64>() / 5.0
     });
     let [least, most] = [f64::min, f64::max].map(|pick| shares.into_iter().reduce(pick).unwrap());
-    assert!(most > 0.008 && least > 0.7 * most, "{shares:?}");
-    // Meanders come with the levels down to the tenth, and make rivers longer.
-    let fine = &shares[2..];
-    assert!(fine.iter().all(|&share| share > 0.9 * most), "{shares:?}");
+    assert!(most > 0.008 && least > 0.8 * most, "{shares:?}");
 }
 
 /// Share of wet points in a square of 12 km around a direction.

@@ -8,11 +8,11 @@
 mod river;
 
 use super::control::VertexKind;
-use super::rules::{EdgeKind, Rules, meander, valley};
+use super::rules::{EdgeKind, Rules};
 use super::scale::PlanetScale;
 use super::topology::{Edge, EdgeSplit, Inner, Level, SplitMark};
 use super::uniform::LevelUniform;
-use super::vertex::{Bend, ValleySection, Vertex};
+use super::vertex::{ValleySection, Vertex};
 use super::vertices::{VertexView, Vertices};
 use river::NearestRiver;
 pub use river::{most_move, tributary};
@@ -98,33 +98,6 @@ pub struct VertexContext<'a> {
     pub beside: [Option<DrainBeside<'a>>; 4],
 }
 
-impl VertexContext<'_> {
-    /// The new vertex as the apex of a meander, if a face asks for one.
-    fn apex(&self, new: &Vertex) -> Option<Vertex> {
-        let bend = self.requests.bend;
-        if !bend.is_apex() {
-            return None;
-        }
-        // The river has the wet end of this edge, and lies along the next one in the winding of
-        // the face that asks: the first of the two of a face.
-        let wet = self.edge.vertices[usize::from(!self.ends[0].is_wet())];
-        let next = self.beside.iter().step_by(2).flatten();
-        let mut rivers = next.filter(|drain| drain.edge.kind == EdgeKind::River);
-        let river = rivers.find(|drain| drain.edge.vertices.contains(&wet))?;
-        let ([up, down], mid) = (river.ends, river.mid?);
-        let apex = if bend.has(Bend::OUT) {
-            // Of a distributary the middle knows the share.
-            meander::apex(new, [up, mid], up.discharge.min(mid.discharge))
-        } else {
-            meander::apex(new, [mid, down], river.edge.arriving)
-        };
-        Some(Vertex {
-            birth: river.edge.birth,
-            ..apex
-        })
-    }
-}
-
 /// Requests of faces to a new vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Requests {
@@ -134,8 +107,6 @@ pub struct Requests {
     pub river_tip: bool,
     /// Whether a tributary ends here.
     pub junction: bool,
-    /// How a meander leaves the vertex's edge.
-    pub bend: Bend,
 }
 
 impl Requests {
@@ -147,8 +118,6 @@ impl Requests {
             gully_tip: first == Inner::GullyToSecond || second == Inner::GullyToFirst,
             river_tip: first == Inner::RiverToSecond || second == Inner::RiverToFirst,
             junction: first == Inner::RiverToFirst || second == Inner::RiverToSecond,
-            bend: bend(first, [Bend::UPPER, Bend::LOWER])
-                .and(bend(second, [Bend::OUT, Bend::BACK])),
         }
     }
 
@@ -159,29 +128,15 @@ impl Requests {
             gully_tip: self.gully_tip | other.gully_tip,
             river_tip: self.river_tip | other.river_tip,
             junction: self.junction | other.junction,
-            bend: self.bend.and(other.bend),
         }
-    }
-}
-
-/// The member that an inner edge asks for: the first of a meander that comes back to its river's
-/// edge, the second of one that leaves it.
-const fn bend(inner: Inner, [to_first, to_second]: [Bend; 2]) -> Bend {
-    match inner {
-        Inner::BendToFirst => to_first,
-        Inner::BendToSecond => to_second,
-        _ => Bend::NONE,
     }
 }
 
 /// Everything that the faces around a new vertex settle of it; the rest stays as its edge made it.
 #[derive(Clone, Copy, Debug)]
 pub struct Settled {
-    /// It itself, if it is the apex of a meander.
-    apex: Option<Vertex>,
     kind: VertexKind,
     branched: bool,
-    bend: Bend,
     river: NearestRiver,
     section: ValleySection,
 }
@@ -190,11 +145,7 @@ impl Settled {
     /// Writes what was settled into the vertex.
     #[inline]
     pub fn write(&self, vertex: &mut Vertex) {
-        if let Some(apex) = self.apex {
-            *vertex = apex;
-        }
         vertex.kind = self.kind;
-        vertex.bend = self.bend;
         vertex.branched = self.branched;
         self.river.write(vertex);
         vertex.section = self.section;
@@ -213,10 +164,7 @@ pub fn resolve(
         gully_tip,
         river_tip,
         junction,
-        bend,
     } = around.requests;
-    let apex = around.apex(new);
-    let new = apex.as_ref().unwrap_or(new);
     // Only ground becomes a gully, and not where a tributary will spring.
     let becomes_gully = gully_tip && !river_tip && new.kind == VertexKind::Terrain;
     let kind = if becomes_gully {
@@ -226,18 +174,14 @@ pub fn resolve(
     };
     let river = river::nearest(scale, rules, level, new, around);
     // Beside a river the side is measured; elsewhere it stays the mean of the parents.
-    let section = if river.is_beside {
-        let mut at = *new;
-        river.write(&mut at);
-        valley::section(scale, rules, &at)
+    let section = if river.is_beside || river.is_near(scale, rules) {
+        river.section(scale, rules, *new)
     } else {
         new.section
     };
     Settled {
-        apex,
         kind,
         branched: junction,
-        bend: new.bend.and(bend),
         river,
         section,
     }

@@ -8,11 +8,17 @@ use super::{DrainBeside, VertexContext};
 use crate::amplify::control::VertexKind;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::mul_high;
-use crate::amplify::rules::valley::RiverPlace;
-use crate::amplify::rules::{EdgeKind, Rules, meander, valley};
+use crate::amplify::rules::valley::{Reach, RiverPlace};
+use crate::amplify::rules::{EdgeKind, Rules, valley};
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::seed::share;
-use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
+use crate::amplify::vertex::{FAR, RiverSegment, ValleySection, Vertex};
+
+/// Half-widths of a winding river within which no lesser river counts as nearer.
+const NEAR_BANK: i32 = 4;
+
+/// Half-widths of a river up to which its bends reach.
+const BENDS: i32 = 10;
 
 /// Discharge that a tributary brings to a junction: a quarter to a half of what its river has
 /// gained since the upstream vertex, so that what came from upstream and what the tributary brings
@@ -30,10 +36,14 @@ pub(super) struct NearestRiver {
     /// Distance to its bank, negative in its bed, and charges; grains.
     cost: i32,
     distance: i32,
+    /// Distance to the belt of its bends, grains.
+    belt: i32,
     along: i32,
     segment: RiverSegment,
     /// Whether it runs along a face of the vertex, or through an end of its edge.
     pub(super) is_beside: bool,
+    /// Whether it is the vertex's own, and keeps its course on finer levels.
+    keeps_course: bool,
 }
 
 impl NearestRiver {
@@ -42,10 +52,31 @@ impl NearestRiver {
         Self {
             cost: i32::MAX,
             distance: FAR,
+            belt: FAR,
             along: 0,
             segment: RiverSegment::default(),
             is_beside: false,
+            keeps_course: false,
         }
+    }
+
+    /// Whether the vertex lies among the bends of a river, which winds away from the edges beside
+    /// which valleys are measured.
+    pub(super) fn is_near(&self, scale: &PlanetScale, rules: &Rules) -> bool {
+        let reach = Reach::at(scale, rules, &self.segment, self.along);
+        self.segment.winding != [0, 0] && self.distance / BENDS < reach.half_bed
+    }
+
+    /// The side of its valley at a vertex, which rises beside the belt of its bends.
+    pub(super) fn section(
+        &self,
+        scale: &PlanetScale,
+        rules: &Rules,
+        mut vertex: Vertex,
+    ) -> ValleySection {
+        self.write(&mut vertex);
+        vertex.river_distance = vertex.river_distance.min(self.belt);
+        valley::section(scale, rules, &vertex)
     }
 
     /// Writes the river into a vertex.
@@ -54,6 +85,7 @@ impl NearestRiver {
         vertex.river = self.segment;
         vertex.river_distance = self.distance;
         vertex.river_along = self.along;
+        vertex.keeps_course = self.keeps_course;
     }
 }
 
@@ -101,26 +133,49 @@ impl Search<'_> {
         let distance = place.distance.min(FAR / 4);
         // Beyond its reach a tributary counts only where no other river is known.
         let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
-        let cost = distance - place.reach.half_bed + charge + beyond;
+        let bank = self.cost_of_bank(segment, distance, place.reach.half_bed);
+        let cost = bank + charge + beyond;
         if cost < self.found.cost {
             self.found.cost = cost;
             self.found.distance = distance;
+            self.found.belt = place.belt;
             self.found.along = place.along;
             self.found.segment = *segment;
         }
     }
 
+    /// Distance to a bank, negative in the bed. A winding river may come to the vertices that are
+    /// made around this one, and those of its edges that tell them of it lie on its axis: until it
+    /// is farther off than they are, it counts as the nearest.
+    fn cost_of_bank(&self, segment: &RiverSegment, distance: i32, half_bed: i32) -> i32 {
+        let bank = distance - half_bed;
+        if segment.winding == [0, 0] || bank <= 0 {
+            return bank;
+        }
+        let around = self.scale.edge_grains(self.level);
+        (bank - around.min(NEAR_BANK * half_bed)).max(bank / 64)
+    }
+
     /// Offers a wet vertex the river that it lies on, and a larger one in whose bed it lies.
     fn offer_itself(&mut self, around: &VertexContext) {
         let new = self.new;
-        let birth = around.edge.birth.max(new.birth);
-        let own =
-            RiverSegment::between(self.scale, birth, self.level + 1, [new, new], new.discharge);
+        let edge = around.edge;
+        let kept = if edge.kind == EdgeKind::River && new.kind == VertexKind::River {
+            RiverSegment::kept(self.scale, self.rules, edge, self.level, around.ends)
+        } else {
+            None
+        };
+        let point = || {
+            let ends = [new, new];
+            RiverSegment::between(self.scale, edge.birth, self.level + 1, ends, new.discharge)
+        };
+        let own = kept.unwrap_or_else(point);
         self.offer(&own, 0);
         if new.kind == VertexKind::River {
             self.offer_inherited(around, 2 * new.flow());
         }
         self.found.is_beside = true;
+        self.found.keeps_course = kept.is_some_and(|kept| kept == self.found.segment);
     }
 
     /// Offers the rivers along the edges of the two faces: their halves while edges still move,
@@ -130,11 +185,12 @@ impl Search<'_> {
             if drain.edge.kind != EdgeKind::River {
                 continue;
             }
-            let segments = if meander::may_bend(self.scale, self.rules, self.level, drain.ends) {
-                places_of(self.scale, self.level, drain)
-            } else {
-                segments_of(self.scale, self.level, drain)
-            };
+            let (scale, level) = (self.scale, self.level);
+            let segments =
+                match RiverSegment::kept(scale, self.rules, drain.edge, level, drain.ends) {
+                    Some(kept) => [Some(kept), None],
+                    None => segments_of(scale, level, drain),
+                };
             for segment in segments.iter().flatten() {
                 self.offer(segment, 0);
             }
@@ -167,14 +223,6 @@ impl Search<'_> {
     }
 }
 
-/// Places that a river passes though it may leave its edge between them: the edge's middle and its
-/// lower end.
-fn places_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
-    let birth = drain.edge.birth;
-    let place = |at: &Vertex| RiverSegment::between(scale, birth, level + 1, [at; 2], at.discharge);
-    [drain.mid, Some(drain.ends[1])].map(|at| at.map(place))
-}
-
 /// The newest segments that are known of a river edge of a level, upstream first.
 #[inline]
 fn segments_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
@@ -199,7 +247,7 @@ fn segments_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<
 pub fn most_move(scale: &PlanetScale, rules: &Rules, segment: &RiverSegment) -> i32 {
     let level = u32::from(segment.level);
     // A single vertex stays where it is.
-    let keeps_course = rules.landforms && valley::is_smooth(scale, rules, level, segment.flow[1]);
+    let keeps_course = valley::keeps_course(scale, rules, level, segment.flow[1]);
     if segment.is_point() || keeps_course || level >= STRAIGHT_LEVEL {
         0
     } else {

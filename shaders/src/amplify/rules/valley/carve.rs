@@ -23,8 +23,9 @@ const ROUND_EDGE: i32 = metres(2);
 /// That edge grows with the distance from the bed, 1 in 4: at the bed's rim there is none.
 const EDGE_GROWTH: i32 = 4;
 
-/// Half-beds from the bed's rim up to which no land lies lower than the flood plain.
-const PLAIN_WIDTH: i32 = 3;
+/// Half-beds from the bed's rim up to which no land lies lower than the flood plain: as far as
+/// rivers wind.
+const PLAIN_WIDTH: i32 = 10;
 
 /// From there on land may lie lower, by 1 in 40 of the distance.
 const LOW_LAND_SLOPE: i32 = 40;
@@ -75,7 +76,7 @@ pub fn carve(
             ground: vertex.bed.min(vertex.water),
             water: vertex.water,
         },
-        VertexKind::River => in_river(scale, rules, vertex),
+        VertexKind::River if is_in_bed(scale, rules, vertex) => in_river(scale, rules, vertex),
         _ if is_under_sea(vertex) => {
             // Relief that would emerge is held under the sea by its own bounds.
             let edge = scale.edge_grains(0);
@@ -98,6 +99,11 @@ pub fn carve(
 /// Whether the sea covers a vertex: coasts of ours stand at any height.
 fn is_under_sea(vertex: &Vertex) -> bool {
     vertex.kind == VertexKind::Sea || vertex.kind == VertexKind::Coast && vertex.height < 0
+}
+
+/// Whether a vertex lies in the bed of its river, which may wind past it.
+fn is_in_bed(scale: &PlanetScale, rules: &Rules, vertex: &Vertex) -> bool {
+    vertex.river_distance <= Reach::of(scale, rules, vertex).half_bed
 }
 
 /// A vertex of a river, in its own bed or in that of a larger river, whose water may stand higher

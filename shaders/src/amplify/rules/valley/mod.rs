@@ -9,13 +9,16 @@
 
 mod reach;
 
+mod place;
+
 mod plain;
 mod section;
 
 mod carve;
 
 pub use carve::{CarveCache, Carved, NO_WATER, carve};
-pub use reach::{Reach, RiverPlace, is_smooth};
+pub use place::{RiverPlace, wander};
+pub use reach::{Reach, keeps_course, width};
 pub use section::{archetype, section};
 
 #[cfg(test)]

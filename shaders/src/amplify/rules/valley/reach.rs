@@ -5,9 +5,8 @@
 //! wide as deep, the greatest rivers 60 times. Discharges are those of an Earth-sized planet: on
 //! a smaller one of the same climate they, and rivers, are smaller.
 
-use crate::amplify::arith::{mix, mul_q16, ratio, saturate, smoothstep, sqrt_q16, square};
-use crate::amplify::fixed::{GRAINS, Q16, metres, q16, weigh};
-use crate::amplify::geometry::share_along;
+use crate::amplify::arith::{mix, mul_q16, ratio, saturate, sqrt_q16, square};
+use crate::amplify::fixed::{GRAINS, Q16, metres, q16};
 use crate::amplify::rules::{Rules, estuary};
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::vertex::{RiverSegment, Vertex};
@@ -34,9 +33,12 @@ const BANK: [i32; 2] = [q16(0.25), GRAINS / 5];
 /// Most height of a bank over the water, grains.
 const HIGHEST_BANK: i32 = metres(4);
 
-/// Half-widths of a bed that the shortest edge which still bends the river is long: rivers wind in
-/// bends of ten to fourteen widths.
-const HALF_BEDS_IN_BEND: i32 = 8;
+/// Most widths of a river that the edge of a piece is long which finer levels keep whole: it has
+/// four to nine bends.
+const PIECE_WIDTHS: i32 = 48;
+
+/// First level whose rivers keep their course whatever their width: brooks of a metre.
+const LAST_COURSE_LEVEL: u32 = 10;
 
 /// Half-width of the bed of a river of a flow φ (Q16), grains.
 fn half_bed(scale: &PlanetScale, rules: &Rules, flow: i32) -> i32 {
@@ -46,75 +48,15 @@ fn half_bed(scale: &PlanetScale, rules: &Rules, flow: i32) -> i32 {
     (2 * mul_q16(on_earth, size)).max(LEAST_HALF_BED)
 }
 
-/// Whether a river of a flow φ (Q16) keeps its course on the edges of a level, which are shorter
-/// than its bends.
-pub fn is_smooth(scale: &PlanetScale, rules: &Rules, level: u32, flow: i32) -> bool {
-    let shortest_bend = half_bed(scale, rules, flow).saturating_mul(HALF_BEDS_IN_BEND);
-    scale.edge_grains(level) <= shortest_bend
+/// Width of a river of a flow φ (Q16), grains.
+pub fn width(scale: &PlanetScale, rules: &Rules, flow: i32) -> i32 {
+    2 * half_bed(scale, rules, flow)
 }
 
-/// How much a way along the river counts beyond the end of a piece, upstream and downstream; Q16.
-/// Beyond its upper end the bed narrows slowly, so that below a confluence it widens as slowly;
-/// beyond its lower end it stops, and the next piece goes on.
-const BEYOND_END: [i32; 2] = [q16(0.6), q16(1.9)];
-
-/// The place of a river that is nearest to a direction.
-#[derive(Clone, Copy, Debug)]
-pub struct RiverPlace {
-    /// The river there.
-    pub reach: Reach,
-    /// Where along its segment it is, Q16.
-    pub along: i32,
-    /// Distance to it, grains.
-    pub distance: i32,
-}
-
-impl RiverPlace {
-    /// The place of a segment's course that is nearest to a direction.
-    pub fn nearest(
-        scale: &PlanetScale,
-        rules: &Rules,
-        segment: &RiverSegment,
-        direction: [i32; 3],
-    ) -> Self {
-        let curve = segment.curve();
-        let (along, off) = curve.nearest(direction);
-        let mut place = Self {
-            reach: Reach::at(scale, rules, segment, along),
-            along,
-            distance: scale.grains(off),
-        };
-        if along == 0 || along == Q16 {
-            let tangent = if segment.is_point() {
-                segment.headings[0].map(|x| i32::from(x) << 14)
-            } else {
-                curve.quarter_tangent(along)
-            };
-            let is_lower = along == Q16 || segment.is_point();
-            let off = stretched(off, tangent, BEYOND_END[usize::from(is_lower)]);
-            place.stretch(scale.grains(off));
-        }
-        place
-    }
-
-    /// Takes another distance near the bed; away from it the true one stays.
-    fn stretch(&mut self, distance: i32) {
-        let bed = self.reach.half_bed;
-        let far = smoothstep(
-            bed.saturating_mul(2),
-            bed.saturating_mul(3).max(1),
-            self.distance,
-        );
-        if far < Q16 {
-            self.distance = mix(distance, self.distance, far);
-        }
-    }
-}
-
-/// A vector whose part along a tangent counts by a share of its length, Q16.
-fn stretched(off: [i32; 3], tangent: [i32; 3], share: i32) -> [i32; 3] {
-    let along = mul_q16(share_along(tangent, off), share - Q16);
-    [0, 1, 2].map(|i| off[i] + weigh(along, tangent[i]))
+/// Whether a river of a flow φ (Q16) keeps its course from the edges of a level on.
+pub fn keeps_course(scale: &PlanetScale, rules: &Rules, level: u32, flow: i32) -> bool {
+    let longest = width(scale, rules, flow).saturating_mul(PIECE_WIDTHS);
+    rules.landforms && (level >= LAST_COURSE_LEVEL || scale.edge_grains(level) <= longest)
 }
 
 /// The river at a point of it.
