@@ -19,24 +19,27 @@ impl RiverSegment {
         [up, down]: [&Vertex; 2],
         arriving: u32,
     ) -> Self {
+        let joins = !runs_into([up, down], arriving);
+        // At its lower end not the junction's flow: that holds the rivers that join there.
+        // Nor at its upper end that of all arms of a delta.
+        let flow = [up.discharge.min(arriving), arriving].map(|q| isqrt(q) as i32);
         let is_lake = [up, down].iter().all(|v| v.kind == VertexKind::Lake);
         Self {
             ends: [up.direction, down.direction],
             headings: [up.heading, arrival([up, down], arriving)],
             water: [up.water, down.water],
-            // At its lower end not the junction's flow: that holds the rivers that join there.
-            // Nor at its upper end that of all arms of a delta.
-            flow: [up.discharge.min(arriving), arriving].map(|q| isqrt(q) as i32),
+            flow,
             tide: [up.tide, down.tide],
-            waves: [up, down].map(|v| v.flow() as u16),
-            winding: [up.winding, down.winding],
+            // A smaller river joins with waves of its own, and straight.
+            waves: [flow[0], if joins { flow[1] } else { down.flow() }].map(|flow| flow as u16),
+            winding: [up.winding, if joins { 0 } else { down.winding }],
             reach: reach(scale, birth),
             level: level as u16,
             is_lake: u16::from(is_lake),
         }
     }
 
-    /// The piece of river that an edge of a level follows, where finer levels keep its course: that
+    /// The piece of its own river that an edge of a level follows, where finer levels keep it: that
     /// of a coarser level, of which the edge is a part, or the edge's own.
     pub fn kept(
         scale: &PlanetScale,
@@ -69,9 +72,13 @@ impl RiverSegment {
     }
 }
 
-/// Whether a river runs from end to end: a spring or a lake may yet come to lie in between.
+/// Whether a river of its own runs from end to end: a spring or a lake may yet come to lie in
+/// between, or it has come to a larger river.
 fn runs_on([up, down]: [&Vertex; 2]) -> bool {
-    up.kind == VertexKind::River && matches!(down.kind, VertexKind::River | VertexKind::Sea)
+    let is_alone = !up.is_in_larger_river() && !down.is_in_larger_river();
+    is_alone
+        && up.kind == VertexKind::River
+        && matches!(down.kind, VertexKind::River | VertexKind::Sea)
 }
 
 /// Widest half-width of the valley of a river that was born on a level, grains.
@@ -83,12 +90,20 @@ fn reach(scale: &PlanetScale, birth: u8) -> i32 {
     }
 }
 
+/// Whether a river goes on beyond the lower end of its piece: the sea and a larger river end it.
+fn runs_into([_, down]: [&Vertex; 2], arriving: u32) -> bool {
+    down.is_wet() && arriving >= down.discharge / 2
+}
+
 /// Heading of a river where it arrives at the lower end of its piece.
-fn arrival([up, down]: [&Vertex; 2], arriving: u32) -> [i16; 3] {
-    let runs_on = down.is_wet() && arriving >= down.discharge / 2;
-    if runs_on || !down.is_wet() {
+fn arrival(ends: [&Vertex; 2], arriving: u32) -> [i16; 3] {
+    let [up, down] = ends;
+    if runs_into(ends, arriving) {
+        return down.heading;
+    }
+    if !down.is_wet() {
         // The sea has no heading.
-        return if runs_on { down.heading } else { [0; 3] };
+        return [0; 3];
     }
     // A smaller river joins the larger one at an acute angle.
     let way = heading_of(difference(down.direction, up.direction));

@@ -203,6 +203,13 @@ impl Vertex {
         }
     }
 
+    /// Whether it is a vertex of a river that lies in the bed of a larger one.
+    #[inline]
+    pub fn is_in_larger_river(&self) -> bool {
+        let is_own = self.keeps_course || self.river.ends[0] == self.river.ends[1];
+        self.kind == VertexKind::River && self.river_distance < FAR && !is_own
+    }
+
     /// Whether water stands or runs here on land.
     #[inline]
     pub fn is_wet(&self) -> bool {

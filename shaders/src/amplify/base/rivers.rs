@@ -15,7 +15,7 @@ use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
 
 /// Share of a river that joins in the discharge of the vertex: up to the first it changes nothing,
 /// from the second on both run straight into one another.
-const JOINED: [i32; 2] = [q16(0.2), q16(0.5)];
+const JOINED: [i32; 2] = [q16(0.02), q16(0.12)];
 
 /// Settles what rivers carry and where they flow.
 pub(super) fn lay(

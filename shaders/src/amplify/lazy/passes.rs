@@ -250,6 +250,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         let own = || RiverSegment::between(scale, edge.birth, at, ends, edge.arriving);
         let kept = RiverSegment::kept(scale, &self.rules, &edge, at, ends);
         // No river runs above a spring.
-        ends[0].is_wet().then(|| kept.unwrap_or_else(own))
+        let is_lost = ends.iter().any(|end| end.is_in_larger_river());
+        kept.or_else(|| (ends[0].is_wet() && !is_lost).then(own))
     }
 }

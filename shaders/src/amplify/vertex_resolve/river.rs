@@ -160,19 +160,28 @@ impl Search<'_> {
     fn offer_itself(&mut self, around: &VertexContext) {
         let new = self.new;
         let edge = around.edge;
-        let kept = if edge.kind == EdgeKind::River && new.kind == VertexKind::River {
-            RiverSegment::kept(self.scale, self.rules, edge, self.level, around.ends)
+        let (scale, rules, level) = (self.scale, self.rules, self.level);
+        let is_river = edge.kind == EdgeKind::River && new.kind == VertexKind::River;
+        let ends = around.ends;
+        let kept = if is_river {
+            RiverSegment::kept(scale, rules, edge, level, ends)
         } else {
             None
         };
-        let point = || {
-            let ends = [new, new];
-            RiverSegment::between(self.scale, edge.birth, self.level + 1, ends, new.discharge)
-        };
-        let own = kept.unwrap_or_else(point);
-        self.offer(&own, 0);
+        let point =
+            || RiverSegment::between(scale, edge.birth, level + 1, [new, new], new.discharge);
+        // Between a larger river, into which its course has led, and their junction it has no other.
+        let is_lost = is_river && ends.iter().any(|end| end.is_in_larger_river());
+        if kept.is_some() || !is_lost {
+            self.offer(&kept.unwrap_or_else(point), 0);
+        }
         if new.kind == VertexKind::River {
-            self.offer_inherited(around, 2 * new.flow());
+            let least = if kept.is_none() && is_lost {
+                0
+            } else {
+                2 * new.flow()
+            };
+            self.offer_inherited(around, least);
         }
         self.found.is_beside = true;
         self.found.keeps_course = kept.is_some_and(|kept| kept == self.found.segment);
@@ -189,6 +198,7 @@ impl Search<'_> {
             let segments =
                 match RiverSegment::kept(scale, self.rules, drain.edge, level, drain.ends) {
                     Some(kept) => [Some(kept), None],
+                    None if drain.ends.iter().any(|end| end.is_in_larger_river()) => [None; 2],
                     None => segments_of(scale, level, drain),
                 };
             for segment in segments.iter().flatten() {
