@@ -10,7 +10,6 @@ use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::{metres, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{EdgeContext, Vertex};
-use core::ops::Range;
 
 /// Least share of the way up that the middle of a gully's edge stands (release).
 const LEAST_RISE: i32 = q16(0.4);
@@ -46,10 +45,10 @@ const GREAT_FLOW: i32 = q16(0.5);
 /// How much higher a gully's tip must stand to branch off another, grains (release).
 const LEAST_HILLSLOPE: i32 = metres(50);
 
-/// Levels whose new land may drain along its edge.
-const DRAIN_LEVELS: Range<u32> = 1..6;
+/// First level whose new land may drain along its edge.
+const FIRST_DRAIN_LEVEL: u32 = 1;
 
-/// First of them on which all of it does.
+/// First level on which all of it does.
 const FIRST_DRAINED_LEVEL: u32 = 4;
 
 /// Share of the new land that does on the levels before. Where every edge around a vertex of a trunk
@@ -134,7 +133,7 @@ pub fn is_gully(
 /// of them would show it.
 pub fn drains(rules: &Rules, level: u32, new: &Vertex, end: &Vertex, other: &Vertex) -> bool {
     rules.landforms
-        && DRAIN_LEVELS.contains(&level)
+        && (FIRST_DRAIN_LEVEL..rules.gully_levels).contains(&level)
         && new.kind == VertexKind::Terrain
         && (level >= FIRST_DRAINED_LEVEL || share(new.seed, 21) < DRAINED_SHARE)
         && new.height > end.height

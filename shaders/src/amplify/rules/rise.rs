@@ -190,3 +190,7 @@ const fn spur(level: u32) -> i32 {
         _ => q16(0.42),
     }
 }
+
+#[cfg(test)]
+#[path = "rise_tests.rs"]
+mod tests;
