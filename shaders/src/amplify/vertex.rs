@@ -241,6 +241,8 @@ pub struct EdgeContext<'a> {
     /// How far the ground beside the edge bends up: a quarter of the height of the opposite corners
     /// over the ends, grains.
     pub curvature: i32,
+    /// The corners opposite to the edge, on levels that know them.
+    pub beside: [Option<CornerBeside>; 2],
     /// Length of the edge, grains.
     pub length: i32,
     /// Mean length of the edges of its level, grains.
@@ -249,6 +251,15 @@ pub struct EdgeContext<'a> {
     pub level: u32,
     /// Radius of the planet, metres.
     pub radius_m: u32,
+}
+
+/// A corner of a face beside an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CornerBeside {
+    /// Its ground, grains.
+    pub height: i32,
+    /// How far it is from the new vertex, grains.
+    pub distance: i32,
 }
 
 /// The number of a control vertex's lake; 0 on dry land and in rivers. Vertices of a lake have its

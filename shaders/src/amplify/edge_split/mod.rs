@@ -18,7 +18,7 @@ use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::{Edge, LevelMesh};
 use super::uniform::LevelUniform;
-use super::vertex::{EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
+use super::vertex::{CornerBeside, EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
 use super::vertices::VertexView;
 use course::{Course, on_course};
 use place::place;
@@ -87,6 +87,7 @@ pub fn split(
         range: range(ends, opposite),
         is_dammed: lakes::is_dammed(ends, opposite),
         curvature: curvature(ends, opposite),
+        beside: opposite.map(|corner| corner.map(|v| beside(scale, &new, v))),
         length,
         span: scale.edge_grains(level),
         level,
@@ -103,6 +104,14 @@ pub fn split(
     };
     lakes::settle(rules, edge.kind, &mut new, a, b);
     new
+}
+
+/// A corner opposite to the edge that a new vertex halves, as the new vertex sees it.
+fn beside(scale: &PlanetScale, new: &Vertex, corner: &Vertex) -> CornerBeside {
+    CornerBeside {
+        height: corner.height,
+        distance: scale.grains(difference(corner.direction, new.direction)),
+    }
 }
 
 /// Lowest and highest ground of an edge's ends and of the corners beyond it.

@@ -27,39 +27,23 @@ pub const RESOLVED_LEVEL: u32 = 8;
 
 /// Share k by level at dry ground.
 const OPEN_GROUND: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.425),
-    q16(0.377),
-    q16(0.331),
-    q16(0.233),
-    q16(0.134),
-    q16(0.064),
-    q16(0.024),
+    q16(0.5),
+    q16(0.493),
+    q16(0.35),
+    q16(0.197),
+    q16(0.07),
+    0,
+    0,
     0,
 ];
 
 /// The same in the bed of a gully.
-const GULLY: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.422),
-    q16(0.34),
-    q16(0.26),
-    q16(0.167),
-    q16(0.095),
-    q16(0.05),
-    q16(0.022),
-    q16(0.006),
-];
+const GULLY: [i32; RESOLVED_LEVEL as usize] =
+    [q16(0.398), q16(0.264), q16(0.174), q16(0.057), 0, 0, 0, 0];
 
 /// The same in the bed of a river: less, for its valley floor stays.
-const RIVER: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.23),
-    q16(0.131),
-    q16(0.084),
-    q16(0.053),
-    q16(0.025),
-    q16(0.02),
-    0,
-    0,
-];
+const RIVER: [i32; RESOLVED_LEVEL as usize] =
+    [q16(0.293), q16(0.171), q16(0.096), q16(0.015), 0, 0, 0, 0];
 
 /// How much more land gains that is worn down altogether: its hills are laid on what slopes build.
 const WORN_GAIN: i32 = q16(0.1);

@@ -38,7 +38,7 @@ pub fn between_gullies(rules: &Rules, context: &EdgeContext) -> VertexGround {
 /// slope over half the edge, as far as the crust allows.
 fn height(rules: &Rules, context: &EdgeContext, least: i32, draw: i32) -> i32 {
     if rules.landforms {
-        return rise::height(rules, context, rise::DIVIDE_BULGE);
+        return rise::divide(rules, context);
     }
     if context.level >= rules.fine_level {
         return fine::height(rules, context);

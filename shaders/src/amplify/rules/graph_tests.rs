@@ -68,6 +68,7 @@ pub(super) fn halved(
         range: [a.height.min(b.height), a.height.max(b.height)],
         is_dammed: true,
         curvature: 0,
+        beside: [None; 2],
         length: edge_length(level),
         span: edge_length(level),
         level,

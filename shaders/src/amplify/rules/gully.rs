@@ -21,7 +21,7 @@ const DRAWN_RISE: i32 = q16(0.1);
 const HOLLOW_RISE: i32 = q16(0.13733);
 
 /// How much less hollow a gully is with every level.
-const HOLLOW_LOSS: i32 = q16(0.04425);
+const HOLLOW_LOSS: i32 = q16(0.026);
 
 /// Rise of a gully whose land lies below its river: this share of the edge, times its draw
 /// (release).
@@ -45,8 +45,18 @@ const GREAT_FLOW: i32 = q16(0.5);
 /// How much higher a gully's tip must stand to branch off another, grains (release).
 const LEAST_HILLSLOPE: i32 = metres(50);
 
-/// First level whose new land drains along its edge.
+/// First level whose new land may drain along its edge.
 const FIRST_DRAIN_LEVEL: u32 = 1;
+
+/// First level on which all of it does.
+const FIRST_DRAINED_LEVEL: u32 = 4;
+
+/// Share of the new land that does on the levels before. Where every edge around a vertex of a trunk
+/// valley led a drain into it, they cut its sides down to a plain.
+const DRAINED_SHARE: i32 = q16(0.4);
+
+/// Coarsest levels over which gullies become less hollow.
+const HOLLOW_LEVELS: u32 = 9;
 
 /// The vertex that halves a gully edge: 0.4..0.5 of the way up, in ours less at the coarse levels,
 /// so that the profile is hollow.
@@ -54,7 +64,7 @@ pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let xi = share(context.new.seed, 0);
     let (low, high) = ordered(context.a.height, context.b.height);
     let rise = if rules.landforms {
-        (HOLLOW_RISE + HOLLOW_LOSS * context.level.min(6) as i32).min(LEAST_RISE)
+        (HOLLOW_RISE + HOLLOW_LOSS * context.level.min(HOLLOW_LEVELS) as i32).min(LEAST_RISE)
     } else {
         LEAST_RISE
     };
@@ -118,13 +128,14 @@ pub fn is_gully(
 }
 
 /// Whether new dry land drains along the half of its edge that leads to `end`: to the lower end of
-/// an edge of the ground, while gullies still branch. So every vertex has a way down, and drainage
-/// is a tree at every scale. The control mesh's own edges have no drains: valleys along all of them
-/// would show it.
+/// an edge of the ground. On the coarse levels a part of it does, and drains stay apart; the rest
+/// keeps a way down that is no valley. The control mesh's own edges have no drains: valleys along all
+/// of them would show it.
 pub fn drains(rules: &Rules, level: u32, new: &Vertex, end: &Vertex, other: &Vertex) -> bool {
     rules.landforms
         && (FIRST_DRAIN_LEVEL..rules.gully_levels).contains(&level)
         && new.kind == VertexKind::Terrain
+        && (level >= FIRST_DRAINED_LEVEL || share(new.seed, 21) < DRAINED_SHARE)
         && new.height > end.height
         // Seeds decide between level ends, so that one half drains and not both.
         && (end.height, end.seed) < (other.height, other.seed)

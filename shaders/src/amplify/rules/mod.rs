@@ -18,6 +18,7 @@ pub mod ocean;
 pub mod coarse;
 pub mod coast;
 pub mod crest;
+pub mod divide;
 pub mod estuary;
 pub mod fine;
 pub mod fold;

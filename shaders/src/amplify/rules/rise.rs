@@ -1,50 +1,54 @@
 //! How high the ground between two drains stands: the common part of all graphs of ours.
 //!
 //! Real slopes rise from their drains as steeply as their rock lets them, and meet in crests. Every
-//! vertex drains down one of its edges. The middle of an edge follows from the edge's rise, the
-//! difference in height of its ends, and from its slope, the rise over half the edge at the land's
-//! steepness:
+//! vertex has a way down along one of its edges. The middle of an edge follows from the edge's rise,
+//! the difference in height of its ends, and from its slope, the rise over half the edge at the
+//! land's steepness:
 //!
-//! - ends of one height have a divide between them, and the middle bulges above both;
-//! - where the rise is a whole slope or more the edge is a hillside, and the middle lies below the
-//!   mean of its ends, as the profile of a gully is hollow;
+//! - ends of one height with lower ground on both sides have a divide between them ([`divide`]);
+//! - where the rise is a whole slope or more the edge is a hillside;
 //! - in between the two are mixed.
 //!
-//! The middle stands at most about a slope above the lower end, and a bulge takes at most a part of
-//! the room that is left under the crust elevation C. The middle always stands above the lower end,
-//! so that it can drain there and no closed hollow is made.
+//! From no corner around it does the middle stand steeper than its rock bears: so the sides of a
+//! valley rise from its floor evenly, whatever levels make them.
+//!
+//! An edge bulges once. Its halves, whose ends were made by different levels, never overtop their
+//! ends: crests that were made once go on without bumps, and a vertex, which was made above the lower
+//! end of its edge, keeps the way down to it for ever. So no closed hollow is made, drained or not.
 //!
 //! The numbers are chosen so that slopes and spectra are those of real relief.
 
+use super::divide::{evenness, gain};
 use super::fold::RiseDraws;
 use super::landform::steepness;
 use super::preset::Rules;
 use super::{FACE_LEVEL, fine};
-use crate::amplify::arith::{mix, mul_q16, ordered, ratio};
+use crate::amplify::arith::{mix, mul_q16, ordered};
+use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::{Q16, metres, q16};
 use crate::amplify::vertex::EdgeContext;
 
 /// Bulge of divides: between two drains, and on open ground.
-pub(super) const DIVIDE_BULGE: i32 = q16(1.37329);
+const DIVIDE_BULGE: i32 = q16(1.37329);
 
-/// Bulge of the slope between a drain and the land above it.
-pub(super) const SLOPE_BULGE: i32 = q16(0.1831);
-
-/// Least bulge, as a share of the full one, and how much the draw adds to it.
-const DRAWN_BULGE: [i32; 2] = [q16(0.12207), q16(1.2207)];
+/// Bulge of hillsides between a drain and the land above it.
+const SLOPE_BULGE: i32 = q16(0.1831);
 
 /// How much farther up than the hollow's share the draw may put the middle of a hillside.
 const DRAWN_HILLSIDE: i32 = q16(0.21362);
 
-/// The steepest ground over the lower end, as a share of the landform's slope, and how much the
-/// draw adds to it.
-const STEEPEST: [i32; 2] = [q16(0.94604), q16(0.45776)];
+/// The steepest ground over a corner, as a share of the landform's slope, and how much the draw adds
+/// to it.
+const STEEPEST: [i32; 2] = [q16(0.5), q16(0.2)];
 
 /// Least share of the way up at which the middle of an edge stands.
 const LEAST_RISE: i32 = q16(0.15259);
 
-/// Share of the bulge that worn land loses.
-const WORN_LOSS: i32 = q16(0.39673);
+/// The middle of half an edge keeps a sixteenth of the rise away from both ends.
+const LEAST_STEP: i32 = 16;
+
+/// How far the foot of a hillside over a gully is hollow: an eighth of the rise.
+const HOLLOW_FOOT: i32 = 8;
 
 /// Roughness of hillsides, as a share of that of fine ground: it breaks the facets of faces.
 const HILLSIDE_ROUGHNESS: i32 = q16(1.4);
@@ -55,32 +59,66 @@ const BENT_LEVELS: u32 = 4;
 /// Most rise of a slope, grains: beyond any crust, and products of it fit 32 bits on any planet.
 const MOST_SLOPE: i32 = metres(400_000);
 
-/// First level whose bulges fade where the land is worn.
-const FIRST_WORN_LEVEL: u32 = 3;
+/// Height of the middle of an edge between two drains or on open ground.
+pub fn divide(rules: &Rules, context: &EdgeContext) -> i32 {
+    height(rules, context, DIVIDE_BULGE)
+}
+
+/// Height of the middle of an edge between a drain and the land above it.
+pub fn hillslope(rules: &Rules, context: &EdgeContext) -> i32 {
+    // On longer edges there is a divide between the drain and the land.
+    let bulge = if is_small(context) {
+        SLOPE_BULGE
+    } else {
+        DIVIDE_BULGE
+    };
+    height(rules, context, bulge)
+}
+
+/// Whether an edge is half of one of the level before, and not one that cut a corner off a face.
+pub(super) const fn is_half(context: &EdgeContext) -> bool {
+    context.a.level != context.b.level
+}
 
 /// Height of the middle of an edge. `bulge` (Q16) is the share of the full slope by which it
 /// overtops the higher end.
-pub fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
+fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let (low, high) = ordered(context.a.height, context.b.height);
     let slope = slope(rules, context);
     let draws = RiseDraws::of(context);
     let bulge = mul_q16(bulge, draws.bulge);
-    let evenness = evenness(slope, high - low);
+    let evenness = evenness(context, slope);
     // Between level ends the ground is a crest, beside a whole slope a hillside, in between both.
-    let hillside = hillside(rules, context, draws.xi);
     // Squared, so that a hillside stays one until its ends are nearly level.
     let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
+    let even = mix(hillside(rules, context, draws.xi), high, towards_crest);
     let gain = gain(
+        rules,
         context,
         draws,
-        high,
         mul_q16(mul_q16(slope, evenness), bulge),
     );
-    let crest = mix(hillside, high, towards_crest) + gain + bend(context);
+    let crest = even + gain + bend(context);
+    let risen = crest
+        .min(steepest(rules, context, slope, draws.chi))
+        .max(least(context, low, high));
+    if is_small(context) || is_half(context) {
+        let step = (high - low) / LEAST_STEP;
+        risen.clamp(low + step, high - step)
+    } else {
+        risen
+    }
+}
 
-    // No rock stands steeper, drawn anew for each edge so that faces do not become planes.
-    let steepest = low + mul_q16(slope, STEEPEST[0] + mul_q16(draws.chi, STEEPEST[1]));
-    crest.min(steepest).max(least(context, low, high))
+/// The highest that the middle of an edge may stand over the corners around it, drawn anew for each
+/// edge so that faces do not become planes.
+fn steepest(rules: &Rules, context: &EdgeContext, slope: i32, chi: i32) -> i32 {
+    let share = STEEPEST[0] + mul_q16(chi, STEEPEST[1]);
+    let over_ends = context.a.height.min(context.b.height) + mul_q16(slope, share);
+    let steep = mul_q16(share, steepness(rules, context.new));
+    let corners = context.beside.iter().flatten();
+    let over_corners = corners.map(|c| c.height + mul_q16(c.distance, steep).min(MOST_SLOPE));
+    over_corners.fold(over_ends, i32::min)
 }
 
 /// How far the middle of a coarse edge bends up, grains. Faces that met at a crease along their edge
@@ -91,12 +129,6 @@ const fn bend(context: &EdgeContext) -> i32 {
     } else {
         0
     }
-}
-
-/// How level the ends of an edge are, Q16: 1 where they are, 0 where one stands a whole slope above
-/// the other.
-fn evenness(slope: i32, rise: i32) -> i32 {
-    ratio((slope - rise).max(0), slope.max(1))
 }
 
 /// Whether an edge is no longer than a hillside.
@@ -115,33 +147,26 @@ fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
     mul_q16(length / 2, steepness(rules, context.new)).min(MOST_SLOPE)
 }
 
-/// How much a crest gains over the higher end: a draw of the bulge, bounded by the room that the
-/// crust leaves.
-fn gain(context: &EdgeContext, draws: RiseDraws, high: i32, bulge: i32) -> i32 {
-    let new = context.new;
-    // Summits reach the crust elevation C and no more.
-    let room = (new.crust - high).max(0);
-    let free = mul_q16(
-        mul_q16(bulge, fading(context.level, i32::from(new.worn))),
-        DRAWN_BULGE[0] + mul_q16(draws.xi, DRAWN_BULGE[1]),
-    );
-    // Saturates, half-way there where the two are equal, so that summits stay apart.
-    let saturated = mul_q16(ratio(free, free + room + 1), part(context.level, draws.chi));
-    mul_q16(room, saturated)
-}
-
 /// Height of the middle of an edge on an even hillside.
 fn hillside(rules: &Rules, context: &EdgeContext, xi: i32) -> i32 {
     if is_small(context) {
         // On the face itself, so that an even slope stays even under sideways moves.
-        return context.face + mul_q16(fine::rough(rules, context), HILLSIDE_ROUGHNESS);
+        let rough = mul_q16(fine::rough(rules, context), HILLSIDE_ROUGHNESS);
+        return context.face - foot(context) + rough;
     }
     let (low, high) = ordered(context.a.height, context.b.height);
-    mix(
-        low,
-        high,
-        hollow(context.level) + mul_q16(xi, DRAWN_HILLSIDE),
-    )
+    mix(low, high, spur(context.level) + mul_q16(xi, DRAWN_HILLSIDE))
+}
+
+/// How far a hillside is hollow over the gully at its foot, grains.
+const fn foot(context: &EdgeContext) -> i32 {
+    let rise = context.b.height - context.a.height;
+    let lower = if rise < 0 { context.b } else { context.a };
+    if matches!(lower.kind, VertexKind::Gully) {
+        rise.abs() / HOLLOW_FOOT
+    } else {
+        0
+    }
 }
 
 /// The lowest that the middle of an edge may stand, so that it drains to the lower end.
@@ -156,43 +181,16 @@ fn least(context: &EdgeContext, low: i32, high: i32) -> i32 {
     }
 }
 
-/// Most that a crest takes of the room, between the least and the greatest draw; Q16. Little while
-/// edges are longer than the spacing of valleys: where a coarse vertex stood near C already, the
-/// land around it would fill up to a table under C, and no crest could stand out.
-fn part(level: u32, chi: i32) -> i32 {
-    /// By level; the last holds for all that follow.
-    const LEAST_AND_GREATEST: [[i32; 2]; 5] = [
-        [q16(0.06104), q16(0.39673)],
-        [q16(0.12207), q16(0.64087)],
-        [q16(0.24414), q16(0.91553)],
-        [q16(0.36621), q16(0.94604)],
-        [q16(0.42725), q16(0.91553)],
-    ];
-    let [least, greatest] = LEAST_AND_GREATEST[level.min(4) as usize];
-    mix(least, greatest, chi)
-}
-
-/// Bulges fade below the spacing of the smallest valleys, a kilometre or two: hillslopes are cut by
-/// shallow gullies only, and by fewer where the land is worn. Q16.
-const fn fading(level: u32, worn: i32) -> i32 {
-    let kept = match level {
-        0..=1 => q16(1.37329),
-        2..=3 => q16(1.03),
-        4 => q16(1.2207),
-        5 => q16(0.97656),
-        6 => q16(0.537),
-        7 => q16(0.366),
-        _ => q16(0.30518),
-    };
-    if level < FIRST_WORN_LEVEL {
-        kept
-    } else {
-        kept - mul_q16(mul_q16(kept, worn), WORN_LOSS)
+/// Least share of the rise that the middle of a hillside takes, Q16. On the coarsest levels little,
+/// so that valleys are wide; then nearly half: between gullies, which are hollow, spurs stand out.
+const fn spur(level: u32) -> i32 {
+    match level {
+        0 => q16(0.1831),
+        1 => q16(0.206),
+        _ => q16(0.42),
     }
 }
 
-/// Least share of the rise that the middle of a hillside takes: little, so that valleys are wide
-/// and crests stand out. Q16.
-const fn hollow(level: u32) -> i32 {
-    q16(0.1831) + q16(0.02289) * level as i32
-}
+#[cfg(test)]
+#[path = "rise_tests.rs"]
+mod tests;

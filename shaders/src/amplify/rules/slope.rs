@@ -58,7 +58,7 @@ fn common(rules: &Rules, context: &EdgeContext) -> Option<i32> {
     if context.level >= rules.fine_level {
         return Some(fine::height(rules, context));
     }
-    let ours = || rise::height(rules, context, rise::SLOPE_BULGE);
+    let ours = || rise::hillslope(rules, context);
     rules.landforms.then(ours)
 }
 

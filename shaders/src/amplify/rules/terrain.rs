@@ -21,6 +21,9 @@ const FULL_CRUST: i32 = metres(5_000);
 /// Least tangent that bounds hills in ours: that of 8.5°, in lands of hills alone.
 const LEAST_HILL_SLOPE: i32 = q16(0.15);
 
+/// The bound is that tangent's rise over this part of an edge in ours.
+const OUR_HILL_LIMIT: i32 = 64;
+
 /// Lowest terrace of old land that is barely dry, grains (release).
 const LOWEST_TERRACE: i32 = metres(3_700);
 
@@ -92,14 +95,20 @@ fn shaped(rules: &Rules, context: &EdgeContext) -> i32 {
     let new = context.new;
     let form = Landform::of(rules, new);
     let (low, high) = ordered(context.a.height, context.b.height);
-    let risen = rise::height(rules, context, rise::DIVIDE_BULGE);
+    let risen = rise::divide(rules, context);
     let lowest = lowest_terrace(form);
     let onset = [lowest, lowest + OUR_TERRACE_ONSET];
     let terraced = terraced(rules, context, form, onset, risen);
     // Hills must not overturn the slope they stand on.
-    let limit = mul_q16(context.length, form.steep.max(LEAST_HILL_SLOPE)) / 4;
+    let limit = mul_q16(context.length, form.steep.max(LEAST_HILL_SLOPE)) / OUR_HILL_LIMIT;
     let fading = peak_fading(new.crust, context.level);
-    let hilly = terraced + hills(rules, context, form, fading).clamp(-limit, limit);
+    // Half an edge does not overtop its ends, or vertices would lose their way down.
+    let hills = if rise::is_half(context) {
+        0
+    } else {
+        hills(rules, context, form, fading).clamp(0, limit)
+    };
+    let hilly = terraced + hills;
     let level = nodes::plateau(hilly, low + (high - low) / 2, i32::from(new.plateau));
     level.min(high.max(new.crust)).max(low + 1)
 }

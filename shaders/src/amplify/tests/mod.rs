@@ -11,6 +11,7 @@ mod range;
 mod shore;
 mod sight;
 mod topology;
+mod valleys;
 mod views;
 mod water;
 

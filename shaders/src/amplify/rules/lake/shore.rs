@@ -144,9 +144,7 @@ fn onto_land(rules: &Rules, context: &EdgeContext, even: i32, rise: i32) -> i32 
         return even;
     }
     let level = context.new.lake_level;
-    let slope = lifted(context, level, |lifted| {
-        rise::height(rules, lifted, rise::SLOPE_BULGE)
-    });
+    let slope = lifted(context, level, |lifted| rise::hillslope(rules, lifted));
     let inland = ratio(2 * even, rise.max(1));
     mix(even, slope - level, inland)
 }

@@ -1,0 +1,40 @@
+//! Valleys: the ground drains without hollows.
+
+use super::*;
+use crate::amplify::topology::Level;
+
+/// Lowest ground next to every vertex along the edges of a level; `None` away from them.
+fn lowest_beside(level: &Level, vertices: &[Vertex]) -> Vec<Option<i32>> {
+    let mut lowest: Vec<Option<i32>> = vec![None; vertices.len()];
+    for edge in &level.edges {
+        let [a, b] = edge.vertices.map(|v| v as usize);
+        for (here, there) in [(a, b), (b, a)] {
+            let height = vertices[there].height;
+            lowest[here] = Some(lowest[here].map_or(height, |low| low.min(height)));
+        }
+    }
+    lowest
+}
+
+/// Every vertex is made above an end of its edge, and what finer levels lay between the two falls
+/// towards that end: of dry land next to none is a pit. Where every level drew crests of its own
+/// along all edges it was one vertex of thirty.
+#[test]
+fn land_has_no_hollows() {
+    const LEVEL: u32 = 6;
+    let base = planet();
+    let [mut land, mut pits] = [0, 0];
+    for k in 0..6 {
+        let ground = refined(&base, &View::disc(direction(k), 20_000, LEVEL));
+        let lowest = lowest_beside(&ground.levels[LEVEL as usize], &ground.vertices);
+        for (vertex, lowest) in ground.vertices.iter().zip(lowest) {
+            let is_land = matches!(vertex.kind, VertexKind::Terrain | VertexKind::Gully);
+            if let Some(lowest) = lowest.filter(|_| is_land && vertex.level > 0) {
+                land += 1;
+                pits += u32::from(lowest >= vertex.height);
+            }
+        }
+    }
+    assert!(land > 1_000, "{land}");
+    assert!(pits * 200 < land, "{pits} of {land}");
+}
