@@ -10,8 +10,7 @@
 //! One file is one pass: columns in, columns out, and a list of items, each of which reads what it
 //! needs and writes itself alone, so any number of items can be done at once and in any order. All of
 //! them run on the CPU. They use no operation that WGSL's 32-bit integers lack (products of 64 bits
-//! are built from halves), so a compute pass can have the same bits: [`twins`] lists the modules that
-//! have theirs in WGSL beside them.
+//! are built from halves, see [`fixed`]), so a compute pass can have the same bits.
 //!
 //! | pass | once per | reads | writes |
 //! |---|---|---|---|
@@ -92,6 +91,11 @@
 //! it at the coarse ones; the middle of a fine edge is right to half a unit a component. Faces keep
 //! their orientation by a bound on the sideways displacement that is proved in [`edge_split`]'s
 //! tests. Heights are right to a grain, 1 mm.
+//!
+//! # Twins
+//!
+//! [`twins`] lists the modules that have a twin in WGSL beside them. Products of 64 bits are taken
+//! as such here, by [`fixed`] and [`arith`], and by halves there: the only functions that differ.
 
 pub mod arith;
 pub mod curve;

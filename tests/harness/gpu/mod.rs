@@ -12,6 +12,7 @@ pub use words::Words;
 
 use fastrand::Rng;
 use std::fmt::Debug;
+use std::iter::repeat_with;
 
 /// Inputs that a function is tried on; sixteen times as many in a soak.
 const INPUTS: usize = 1 << 16;
@@ -87,8 +88,8 @@ fn inputs<A: Words>(function: &str, input: impl Fn(A) -> Option<A>) -> Vec<A> {
     let count = if soak { 16 * INPUTS } else { INPUTS };
     let seed = function.bytes().fold(1, |seed, b| seed * 31 + u64::from(b));
     let mut random = Rng::with_seed(seed);
-    let mut draw = || A::read(&mut std::iter::repeat_with(|| word(&mut random)));
-    let tries = std::iter::repeat_with(|| draw()).take(64 * count);
+    let draw = || A::read(&mut repeat_with(|| word(&mut random)));
+    let tries = repeat_with(draw).take(64 * count);
     let inputs: Vec<A> = tries.filter_map(input).take(count).collect();
     assert_eq!(inputs.len(), count, "{function} refuses too many inputs");
     inputs
