@@ -51,6 +51,13 @@ fn cross(u: vec3<i32>, v: vec3<i32>) -> vec3<i32> {
     return u.yzx * v.zxy - u.zxy * v.yzx;
 }
 
+// Whether a small vector points to the left of another, seen from outside at a direction.
+fn is_left(up: vec3<i32>, along: vec3<i32>, v: vec3<i32>) -> bool {
+    let shift = common_shift(along, v);
+    let turn = shifted(cross(shifted(along, shift), shifted(v, shift)), 14u);
+    return product(turn, shifted(up, 17u)) > 0;
+}
+
 // Where a point lies beside a line: the share of the way in Q16 at the point nearest to it, and
 // the vector from there to it.
 struct NearestPoint {
