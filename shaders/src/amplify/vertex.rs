@@ -135,6 +135,9 @@ pub struct Vertex {
     pub oceanic: u16,
     /// Age of the ocean floor, 1/64 My.
     pub ocean_age: u16,
+    /// Relief of the sea floor before it fades towards the shore, grains; 0 at a vertex of level 0,
+    /// which draws it when it is asked for. See [`ocean`](super::rules::ocean).
+    pub swell: i32,
     /// Fold direction (undirected, tangent), components times 32767; zero where there is none.
     pub fold: [i16; 3],
     /// Ridge direction of the ocean floor (undirected, tangent), components times 32767; zero where
@@ -182,6 +185,7 @@ impl Vertex {
             hills: control.hills,
             oceanic: control.oceanic,
             ocean_age: control.ocean_age,
+            swell: 0,
             fold: control.fold,
             ridge: control.ridge,
         }

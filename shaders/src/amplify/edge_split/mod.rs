@@ -13,7 +13,8 @@ use super::control::VertexKind;
 use super::curve::heading_of;
 use super::face_decide::junction_draw;
 use super::fixed::{Q16, difference};
-use super::rules::{self, EdgeKind, Rules, meander};
+use super::rules::ocean::OceanCache;
+use super::rules::{self, EdgeKind, Rules, meander, ocean};
 use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::{Edge, LevelMesh};
@@ -41,6 +42,7 @@ pub fn edge_split(
         rules,
         level,
     } = uniform;
+    let mut cache = OceanCache::default();
     for (&e, new) in halved.iter().zip(new) {
         let edge = &mesh.edges[e as usize];
         let ends = vertices.gather(edge.vertices);
@@ -51,10 +53,12 @@ pub fn edge_split(
             [None; 2]
         };
         *new = split(scale, rules, edge, level, ends, opposite);
+        ocean::settle(&mut cache, new, ends);
     }
 }
 
-/// The vertex that halves an edge of a level. `ends` are those of the edge, in its order.
+/// The vertex that halves an edge of a level, but for the sea floor's relief. `ends` are those of the
+/// edge, in its order.
 pub fn split(
     scale: &PlanetScale,
     rules: &Rules,
@@ -72,6 +76,7 @@ pub fn split(
         None => place(rules, edge.kind, level, &new, ends, opposite),
     };
     new.direction = placed.direction;
+    new.swell = placed.swell;
     if edge.kind == EdgeKind::River {
         lead_river(&mut new, course.as_ref(), ends, opposite, length);
     }
@@ -214,6 +219,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         hills: mean(a.hills, b.hills),
         oceanic: mean(a.oceanic, b.oceanic),
         ocean_age: mean(a.ocean_age, b.ocean_age),
+        swell: 0,
         fold: undirected_mean(a.fold, b.fold),
         ridge: undirected_mean(a.ridge, b.ridge),
     }

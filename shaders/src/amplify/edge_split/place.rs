@@ -12,7 +12,7 @@ use crate::amplify::arith::{linear_step, ratio};
 use crate::amplify::fixed::{Q16, difference, lift, mul_high, q16, square_q32, weigh};
 use crate::amplify::geometry::{Q12, Stance};
 use crate::amplify::rules::shift::{Shift, shift};
-use crate::amplify::rules::{EdgeKind, Rules};
+use crate::amplify::rules::{EdgeKind, Rules, ocean};
 use crate::amplify::vertex::Vertex;
 
 /// Greatest barycentric share of a far corner that a displaced vertex may have: positive in the
@@ -37,6 +37,8 @@ pub(super) struct Placed {
     pub(super) direction: [i32; 3],
     /// Height of the flat face, grains.
     pub(super) face: i32,
+    /// [`Vertex::swell`] there, grains.
+    pub(super) swell: i32,
 }
 
 /// Places the vertex that halves an edge: at the middle, moved sideways within its safe zone, on
@@ -69,11 +71,13 @@ pub(super) fn place(
 pub(super) fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
     let ab = difference(b.direction, a.direction);
     let odd = (seed >> 7 & 1) as i32;
+    let [s, t] = ocean::swells([a, b]);
     let middle = [0, 1, 2].map(|i| a.direction[i] + ((ab[i] + odd) >> 1));
     Placed {
         // Both shares are ½, so the deficit is a quarter of the edge's square.
         direction: lift(middle, square_q32(ab) / 4),
         face: a.height + (b.height - a.height) / 2,
+        swell: s + (t - s) / 2,
     }
 }
 
@@ -101,9 +105,11 @@ fn displaced(
 /// The place whose shares of the edge's end and of a corner are given.
 pub(super) fn at_shares([a, b]: [&Vertex; 2], x: &Vertex, [wb, wx]: [i32; 2]) -> Placed {
     let [ab, ax] = [b, x].map(|v| difference(v.direction, a.direction));
+    let on_face = |[a, b, x]: [i32; 3]| a + weigh(wb, b - a) + weigh(wx, x - a);
     Placed {
         direction: blend(a.direction, ab, ax, wb, wx),
-        face: a.height + weigh(wb, b.height - a.height) + weigh(wx, x.height - a.height),
+        face: on_face([a, b, x].map(|v| v.height)),
+        swell: on_face(ocean::swells([a, b, x])),
     }
 }
 

@@ -13,6 +13,7 @@ use super::base::Base;
 use super::control::VertexKind;
 use super::ground::FINEST;
 use super::rules::Rules;
+use super::rules::ocean::OceanCache;
 use super::sparse::Places;
 use super::topology::{Edge, Face, Inner, NONE};
 use super::vertex::Vertex;
@@ -134,6 +135,7 @@ pub struct LazyGround<B> {
     origins: Vec<(u8, u32)>,
     levels: Vec<LazyLevel>,
     placed: BasePlaces,
+    sea: Box<OceanCache>,
 }
 
 impl<B: Deref<Target = Base>> LazyGround<B> {
@@ -146,6 +148,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             origins: Vec::new(),
             levels: vec![LazyLevel::default(); FINEST as usize + 1],
             placed: BasePlaces::default(),
+            sea: Box::default(),
         }
     }
 

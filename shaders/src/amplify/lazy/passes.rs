@@ -4,7 +4,7 @@ use super::{LazyEdge, LazyGround, VertexProgress};
 use crate::amplify::base::Base;
 use crate::amplify::edge_split::{self, STRAIGHT_LEVEL};
 use crate::amplify::face_decide::{self, FaceContext};
-use crate::amplify::rules::EdgeKind;
+use crate::amplify::rules::{EdgeKind, ocean};
 use crate::amplify::topology::{Inner, NONE};
 use crate::amplify::vertex::{RiverSegment, Vertex};
 use crate::amplify::vertex_resolve::{DrainBeside, Requests, Settled, VertexContext, resolve};
@@ -68,7 +68,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             mid,
             ..
         } = *self.edge(level, edge);
-        let new = edge_split::split(
+        let mut new = edge_split::split(
             &self.base.scale,
             &self.rules,
             &edge_now,
@@ -76,6 +76,8 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
             ends.map(|v| self.vertex(v)),
             opposite.map(|v| self.vertex_at(v)),
         );
+        let ends = ends.map(|v| &self.vertices[v as usize]);
+        ocean::settle(&mut self.sea, &mut new, ends);
         self.vertices[mid as usize] = new;
         let known = self.edge_mut(level, edge);
         // Faces read the kind that the edge gave, whichever of them settles the vertex first.

@@ -5,12 +5,17 @@
 //! and fine gradient noise. The first two follow the recorded ridge direction r, are strong where
 //! the floor is young and are buried by sediment as it ages. All fade out towards the shore, and
 //! none rises above the sea.
+//!
+//! All three are dear, and are drawn at vertices of coarse levels alone, 200 m apart on an
+//! Earth-sized planet. Finer ones lie between their edges' ends, off by a draw that halves with the
+//! level: the spectrum goes on as the noise's would, at the price of land.
 
 pub mod phasor;
 
 use super::noise::{CornerCache, fbm};
 use crate::amplify::arith::{length, mul_q16, ratio, saturate, smoothstep, square};
 use crate::amplify::fixed::{ONE, Q16, metres, million_years, q16};
+use crate::amplify::seed::share;
 use crate::amplify::vertex::Vertex;
 use phasor::{PacketCache, StripeNoise};
 
@@ -88,12 +93,19 @@ impl Roughness {
     }
 }
 
+/// Last level whose vertices draw the long waves.
+const SWELL_LEVEL: u8 = 8;
+
+/// Most by which a vertex of the level after leaves the mean of its edge, grains; on each later
+/// level it is [`FINE`]'s gain of that. Its mean square is that of the octave of its level.
+const GRIT: i32 = 1_517;
+
 /// Noise drawn for the last vertex: vertices of a patch share most of it. It saves work and changes
 /// no result.
 #[derive(Clone, Debug, Default)]
 pub struct OceanCache {
-    /// One per octave: waves of 6.5 km to 1.6 m.
-    fine: [CornerCache; 13],
+    /// One per octave: waves of 6.5 km to 400 m.
+    fine: [CornerCache; 5],
     /// One per octave: waves of 104 to 13 km.
     coarse: [CornerCache; 4],
     faults: PacketCache,
@@ -107,16 +119,65 @@ pub fn relief(cache: &mut OceanCache, vertex: &Vertex, edge: i32) -> i32 {
     if depth <= 0 {
         return 0;
     }
+    // Small planets have small oceans.
+    let size = ratio(edge, FULL_RELIEF_EDGE);
+    let offset = mul_q16(swell(cache, vertex), size);
+    // At most half the depth upwards, so that no relief reaches the surface.
+    mul_q16(offset, smoothstep(0, FULL_RELIEF_DEPTH, depth)).min(depth / 2)
+}
+
+/// Relief of the sea floor at a vertex, grains, as on an Earth-sized planet and far from shores.
+fn swell(cache: &mut OceanCache, vertex: &Vertex) -> i32 {
+    if vertex.level == 0 {
+        drawn(cache, vertex)
+    } else {
+        vertex.swell
+    }
+}
+
+/// The relief that a vertex of a coarse level draws, grains. On land there is none.
+fn drawn(cache: &mut OceanCache, vertex: &Vertex) -> i32 {
+    if vertex.height >= 0 {
+        return 0;
+    }
     let fine = FINE.at(&mut cache.fine, vertex);
     let coarse = COARSE.at(&mut cache.coarse, vertex);
     let rough = mul_q16(FINE.height, fine) + mul_q16(COARSE.height, coarse);
     // No spreading is even: hills of one patch are up to five times as high as another's.
     let uneven = Q16 / 4 + saturate(Q16 / 2 + coarse);
-    // Small planets have small oceans.
-    let size = ratio(edge, FULL_RELIEF_EDGE);
-    let offset = mul_q16(rough + ridge_relief(cache, vertex, uneven), size);
-    // At most half the depth upwards, so that no relief reaches the surface.
-    mul_q16(offset, smoothstep(0, FULL_RELIEF_DEPTH, depth)).min(depth / 2)
+    rough + ridge_relief(cache, vertex, uneven)
+}
+
+/// The relief between vertices of an edge and of the faces beside it needs that of each; 0 where the
+/// new vertex draws its own.
+pub fn swells<const N: usize>(vertices: [&Vertex; N]) -> [i32; N] {
+    // An edge has the level of one of its ends.
+    if vertices.iter().all(|v| v.level < SWELL_LEVEL) {
+        return [0; N];
+    }
+    vertices.map(|vertex| match vertex.level {
+        0 => drawn(&mut OceanCache::default(), vertex),
+        _ => vertex.swell,
+    })
+}
+
+/// Settles the relief at the vertex that halves an edge, which has that of the flat face there.
+pub fn settle(cache: &mut OceanCache, new: &mut Vertex, ends: [&Vertex; 2]) {
+    if new.level <= SWELL_LEVEL {
+        new.swell = drawn(cache, new);
+    } else {
+        new.swell += grit(new, ends);
+    }
+}
+
+/// How far the vertex that halves an edge lies off the sea floor between its ends, grains.
+fn grit(new: &Vertex, ends: [&Vertex; 2]) -> i32 {
+    if ends.iter().all(|end| end.height >= 0) {
+        return 0;
+    }
+    let finer = SWELL_LEVEL + 1..new.level;
+    let most = finer.fold(GRIT, |most, _| mul_q16(most, FINE.gain));
+    mul_q16(2 * share(new.seed, 14) - Q16, most)
 }
 
 /// The ridge's direction, of unit length, and how far the directions around agree, 0..1 in Q16. Mean
@@ -187,83 +248,4 @@ pub(super) fn across(direction: [i32; 3], axis: [i16; 3]) -> [i16; 3] {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::amplify::control::VertexKind;
-    use crate::amplify::fixed::GRAINS;
-
-    /// The relief at a vertex, from an empty cache.
-    fn relief(vertex: &Vertex, edge: i32) -> i32 {
-        super::relief(&mut OceanCache::default(), vertex, edge)
-    }
-
-    fn floor(y: i32, age_my: u16, depth_m: i32) -> Vertex {
-        Vertex {
-            direction: [ONE - 3_000, y, 40_000_000],
-            height: -depth_m * GRAINS,
-            kind: VertexKind::Sea,
-            oceanic: 65_535,
-            ocean_age: age_my * 64,
-            ridge: [0, 32_767, 0],
-            ..Vertex::default()
-        }
-    }
-
-    fn spread(age: u16, depth: i32) -> f64 {
-        let values: Vec<f64> = (0..2_000)
-            .map(|i| f64::from(relief(&floor(i * 400_000, age, depth), 52_000 * GRAINS)) / 1024.0)
-            .collect();
-        let mean = values.iter().sum::<f64>() / 2_000.0;
-        (values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / 2_000.0).sqrt()
-    }
-
-    #[test]
-    fn young_floor_is_rougher_than_old() {
-        assert!(spread(2, 2_600) > 1.3 * spread(150, 5_500));
-        assert!(
-            (60.0..400.0).contains(&spread(2, 2_600)),
-            "{}",
-            spread(2, 2_600)
-        );
-    }
-
-    #[test]
-    fn shelves_are_smooth_and_stay_under_water() {
-        assert!(spread(100, 100) < 12.0, "{}", spread(100, 100));
-        for i in 0..2_000 {
-            for depth in [1, 10, 300, 3_000] {
-                let vertex = floor(i * 777_777, 5, depth);
-                assert!(vertex.height + relief(&vertex, 52_000 * GRAINS) < 0);
-            }
-        }
-        assert_eq!(relief(&floor(1, 1, -5), 52_000 * GRAINS), 0);
-    }
-
-    /// Where the ridge's directions around a place are at right angles their mean is one of two, by
-    /// chance. Whichever it is, the floor is the same: no scarp opens between the two.
-    #[test]
-    fn directions_that_disagree_make_no_scarp() {
-        for i in 0..2_000 {
-            let at = |z| Vertex {
-                ridge: [0, 16_383, z],
-                ..floor(i * 400_000, 2, 2_600)
-            };
-            let [a, b] = [16_383, -16_383].map(|z| relief(&at(z), 52_000 * GRAINS));
-            assert_eq!(a, b, "{i}");
-        }
-    }
-
-    /// A mean direction is shorter than those that it is the mean of. Its length is no wavelength:
-    /// stripes keep theirs, and grow shallower.
-    #[test]
-    fn short_directions_bend_no_stripes() {
-        for i in 0..2_000 {
-            let at = |y| Vertex {
-                ridge: [0, y, 0],
-                ..floor(i * 400_000, 2, 2_600)
-            };
-            let [whole, short] = [32_767, 31_500].map(|y| relief(&at(y), 52_000 * GRAINS));
-            assert!((whole - short).abs() < 200, "{i}: {whole} {short}");
-        }
-    }
-}
+mod tests;
