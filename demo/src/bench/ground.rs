@@ -5,9 +5,8 @@ use crate::headless::Headless;
 use bevy::math::DVec3;
 use bevy_pangaea::climate::{Climate, ClimateMaps};
 use bevy_pangaea::control::{Bake, BakeFrame, BakeRules, BakeSource};
-use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::hydrology::BASE_SPACING;
-use bevy_pangaea::hydrology::{BaseMesh, Drainage, RiverNetwork};
+use bevy_pangaea::crust::{PlanetSurface, Surface};
+use bevy_pangaea::hydrology::{BASE_SPACING, BaseMesh, Drainage, RiverNetwork, Terrain};
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::query::{Ground, GroundError, LEVELS, PlanetGround, Rules};
 use bevy_pangaea::random::{Purpose, Stream};
@@ -32,14 +31,26 @@ pub(super) struct GroundTimings {
     pub(super) vertices: usize,
     /// Points, triangles and winds of the base mesh, once per seed, ms.
     pub(super) base_mesh_ms: f64,
+    /// Its edges and faces, and where its vertices lie between samples; once per seed and lattice,
+    /// ms.
+    pub(super) frame_ms: f64,
+    /// Crust at the vertices and its landforms, ms.
+    pub(super) terrain_ms: f64,
     /// Climate, ms.
     pub(super) climate_ms: f64,
     /// Coasts, drainage, rivers and lakes, ms.
     pub(super) drainage_ms: f64,
+    /// The rest of the bake: the control mesh, packed, ms.
+    pub(super) control_ms: f64,
     /// All that follows a running simulation, ms.
     pub(super) bake_ms: f64,
     /// The control mesh made ready for queries, once per bake and not part of `bake_ms`, ms.
     pub(super) ground_ms: f64,
+    /// What is between a surface and its first height, ms: the bake and the ground; on a planet
+    /// that was just loaded the base mesh and the frame come before.
+    pub(super) wait_ms: f64,
+    /// A whole wait after loading, ms.
+    pub(super) first_wait_ms: f64,
     /// A height of the finest level at a fresh random point, one thread, µs.
     pub(super) fresh_us: f64,
     /// The same within 100 m of the last, median over places, µs.
@@ -58,12 +69,13 @@ pub(super) fn ground_timings(headless: &Headless) -> Result<Option<GroundTimings
     let (base, base_mesh_ms) = timed(|| BaseMesh::new(planet.seed, BASE_SPACING));
     let base = base.map_err(CliError::input)?;
     let lattice = headless.get::<Lattice>()?;
-    let frame = Arc::new(BakeFrame::with_base(base, BASE_SPACING, Some(lattice)));
+    let (frame, frame_ms) = timed(|| BakeFrame::with_base(base, BASE_SPACING, Some(lattice)));
+    let frame = Arc::new(frame);
     let (maps, rules) = (ClimateMaps::default(), BakeRules::default());
     let source = BakeSource::Surface(surface);
     let (bake, bake_ms) = timed(|| Bake::new(&frame, planet.radius, &source, &maps, &rules));
     let bake = bake.map_err(CliError::input)?;
-    let (climate_ms, drainage_ms) = parts_of_bake(planet, &frame, &bake, &maps);
+    let [terrain_ms, climate_ms, drainage_ms] = parts_of_bake(planet, surface, &bake, &maps);
     let (ground, ground_ms) = timed(|| PlanetGround::of_bake(&bake, Rules::default()));
     let Ok(ground) = ground else {
         return Ok(None);
@@ -71,31 +83,34 @@ pub(super) fn ground_timings(headless: &Headless) -> Result<Option<GroundTimings
     Ok(Some(GroundTimings {
         vertices: bake.control.vertices.len(),
         base_mesh_ms,
+        frame_ms,
+        terrain_ms,
         climate_ms,
         drainage_ms,
+        control_ms: (bake_ms - terrain_ms - climate_ms - drainage_ms).max(0.0),
         bake_ms,
         ground_ms,
+        wait_ms: bake_ms + ground_ms,
+        first_wait_ms: base_mesh_ms + frame_ms + bake_ms + ground_ms,
         fresh_us: fresh(&ground)?,
         near_us: near(&ground)?,
         collider_ms: collider(&ground)?,
     }))
 }
 
-/// Milliseconds of the climate and of the drainage of a bake, each made again.
-fn parts_of_bake(
-    planet: &Planet,
-    frame: &BakeFrame,
-    bake: &Bake,
-    maps: &ClimateMaps,
-) -> (f64, f64) {
-    let (base, terrain) = (&frame.base, &bake.terrain);
+/// Milliseconds of the terrain, of the climate and of the drainage of a bake, each made again.
+fn parts_of_bake(planet: &Planet, surface: &Surface, bake: &Bake, maps: &ClimateMaps) -> [f64; 3] {
+    let base = &bake.frame.base;
+    let transfer = bake.frame.transfer.as_ref();
+    let (again, terrain_ms) = timed(|| transfer.map(|t| Terrain::from_surface(base, t, surface)));
+    let terrain = again.as_ref().unwrap_or(&bake.terrain);
     let (climate, climate_ms) = timed(|| {
         let elevation_km = terrain.elevation_km();
         Climate::new(&base.mesh, &base.winds, &elevation_km, maps)
     });
     let network = RiverNetwork::default();
     let (_, drainage_ms) = timed(|| Drainage::new(base, planet.radius, terrain, &climate, network));
-    (climate_ms, drainage_ms)
+    [terrain_ms, climate_ms, drainage_ms]
 }
 
 /// A result, and how many milliseconds it took.

@@ -24,7 +24,7 @@ pub(super) fn table(rows: &[BenchRow]) -> String {
     for row in rows {
         text += &step_line(row);
     }
-    text + &stage_table(rows) + &ground_table(rows)
+    text + &stage_table(rows) + &ground_tables(rows)
 }
 
 fn step_line(row: &BenchRow) -> String {
@@ -62,42 +62,51 @@ fn stage_table(rows: &[BenchRow]) -> String {
     text
 }
 
-/// A line for each row that has a ground.
-fn ground_table(rows: &[BenchRow]) -> String {
-    let mut text = format!(
-        "\n{:>9} {:>9} {:>10} {:>10} {:>11} {:>8} {:>9} {:>9} {:>9} {:>12}\n",
-        "samples",
-        "vertices",
-        "base ms",
-        "climate ms",
-        "drainage ms",
-        "bake ms",
-        "ground ms",
-        "fresh us",
-        "near us",
-        "collider ms"
-    );
-    for row in rows {
-        if let Some(ground) = &row.ground {
-            text += &ground_line(row.samples, ground);
-        }
-    }
-    text
+/// The head of a column, the digits of its figures, and their value.
+type GroundColumn = (&'static str, usize, fn(&GroundTimings) -> f64);
+
+/// What is made before a height can be asked for.
+const BAKE_COLUMNS: [GroundColumn; 10] = [
+    ("base ms", 0, |ground| ground.base_mesh_ms),
+    ("frame ms", 0, |ground| ground.frame_ms),
+    ("terrain ms", 1, |ground| ground.terrain_ms),
+    ("climate ms", 1, |ground| ground.climate_ms),
+    ("drainage ms", 1, |ground| ground.drainage_ms),
+    ("control ms", 1, |ground| ground.control_ms),
+    ("bake ms", 0, |ground| ground.bake_ms),
+    ("ground ms", 0, |ground| ground.ground_ms),
+    ("wait ms", 0, |ground| ground.wait_ms),
+    ("first wait ms", 0, |ground| ground.first_wait_ms),
+];
+
+/// What heights cost.
+const QUERY_COLUMNS: [GroundColumn; 4] = [
+    ("vertices", 0, |ground| ground.vertices as f64),
+    ("fresh us", 1, |ground| ground.fresh_us),
+    ("near us", 1, |ground| ground.near_us),
+    ("collider ms", 1, |ground| ground.collider_ms),
+];
+
+/// Two tables with a line for each row that has a ground.
+fn ground_tables(rows: &[BenchRow]) -> String {
+    ground_table(rows, &BAKE_COLUMNS) + &ground_table(rows, &QUERY_COLUMNS)
 }
 
-fn ground_line(samples: u32, ground: &GroundTimings) -> String {
-    format!(
-        "{samples:>9} {:>9} {:>10.0} {:>10.1} {:>11.1} {:>8.0} {:>9.0} {:>9.1} {:>9.1} {:>12.1}\n",
-        ground.vertices,
-        ground.base_mesh_ms,
-        ground.climate_ms,
-        ground.drainage_ms,
-        ground.bake_ms,
-        ground.ground_ms,
-        ground.fresh_us,
-        ground.near_us,
-        ground.collider_ms,
-    )
+fn ground_table(rows: &[BenchRow], columns: &[GroundColumn]) -> String {
+    let mut text = format!("\n{:>9}", "samples");
+    for (head, ..) in columns {
+        let _ = write!(text, " {head:>14}");
+    }
+    text.push('\n');
+    for row in rows {
+        let Some(ground) = &row.ground else { continue };
+        let _ = write!(text, "{:>9}", row.samples);
+        for &(_, digits, value) in columns {
+            let _ = write!(text, " {:>14.digits$}", value(ground));
+        }
+        text.push('\n');
+    }
+    text
 }
 
 /// A number with so many digits, or a dash where there is none.

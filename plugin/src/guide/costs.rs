@@ -29,6 +29,7 @@
 //! | climate | 0.09 s | in the background |
 //! | rivers | 0.05 s | in the background |
 //! | whole bake, with control maps | 0.15 to 0.25 s | in the background |
+//! | the ground of a bake, made ready for questions | 0.1 s | where [`PlanetGround`] is made |
 //! | height of the finest level at a fresh point | 0.15 ms | where it is asked for |
 //! | height near the last one | 10 µs | where it is asked for |
 //! | collider of 64 m at 0.4 m | 30 ms | where it is asked for |
@@ -49,6 +50,7 @@
 //! [`Crust::BYTES`]: crate::crust::Crust::BYTES
 //! [`BakeSettings`]: crate::control::BakeSettings
 //! [`ClockControls::frame_budget`]: crate::planet::ClockControls::frame_budget
+//! [`PlanetGround`]: crate::query::PlanetGround
 //! [`PlanetState::spawn`]: crate::spawn::PlanetState::spawn
 //! [`PlanetState`]: crate::spawn::PlanetState
 //! [`StageTimings`]: crate::schedule::StageTimings

@@ -114,3 +114,21 @@ impl Transfer {
         (vertices.map(|v| v as usize), weights)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sphere::relaxed;
+
+    #[test]
+    fn a_base_mesh_is_that_of_whole_meshes_one_after_the_other() {
+        let base = BaseMesh::new(3, 0.04).unwrap();
+        let random = SphereMesh::from_points(poisson_disk(3, 0.04)).unwrap();
+        let mesh = SphereMesh::from_points(relaxed(&random, 3)).unwrap();
+        assert_eq!(base.mesh.points(), mesh.points());
+        assert_eq!(base.mesh.triangles(), mesh.triangles());
+        let noise = Noise::new(3, Purpose::BaseRelief, 0);
+        let at = |&p: &DVec3| noise.fractal(p, 42.0, 2) as f32;
+        assert_eq!(base.noise, mesh.points().iter().map(at).collect::<Vec<_>>());
+    }
+}
