@@ -42,6 +42,7 @@ pub fn split(
         None => place(rules, edge.kind, level, &new, ends, opposite),
     };
     new.direction = placed.direction;
+    new.crust = rules::fold::summits(rules, level, &new, ends);
     if edge.kind == EdgeKind::River {
         lead_river(&mut new, course.as_ref(), ends);
     }

@@ -126,7 +126,10 @@ fn gain(context: &EdgeContext, draws: RiseDraws, high: i32, bulge: i32) -> i32 {
         DRAWN_BULGE[0] + mul_q16(draws.xi, DRAWN_BULGE[1]),
     );
     // Saturates, half-way there where the two are equal, so that summits stay apart.
-    let saturated = mul_q16(ratio(free, free + room + 1), part(context.level, draws.chi));
+    let saturated = mul_q16(
+        ratio(free, free + room + 1),
+        part(context.level, draws.chi).max(draws.crest),
+    );
     mul_q16(room, saturated)
 }
 
