@@ -77,6 +77,7 @@ pub fn split(
     };
     new.direction = placed.direction;
     new.swell = placed.swell;
+    new.crust = rules::fold::summits(rules, level, &new, ends);
     if edge.kind == EdgeKind::River {
         lead_river(&mut new, course.as_ref(), ends, opposite, length);
     }

@@ -67,7 +67,8 @@ pub(super) fn gain(rules: &Rules, context: &EdgeContext, draws: RiseDraws, bulge
     );
     let room = room(rules, context);
     // Saturates, half-way there where the two are equal, so that summits stay apart.
-    let saturated = mul_q16(ratio(free, free + room + 1), part(context.level, draws.chi));
+    let part = part(context.level, draws.chi).max(draws.crest);
+    let saturated = mul_q16(ratio(free, free + room + 1), part);
     mul_q16(room, saturated)
 }
 

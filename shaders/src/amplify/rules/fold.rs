@@ -5,32 +5,107 @@
 //! and bulges great, and synclines, where both are low. They bend with the axis, fork and end. All
 //! coarse levels see the same stripes, so a crest goes on from one edge to the next.
 //!
-//! An axis has no sign: which flank of a fold is the steeper (vergence) would need the side of the
-//! belt's front, which the control mesh does not carry.
+//! Ranges of one spacing and one height are no belt:
+//!
+//! - Great ranges and folds lie over each other. Their packets hold few waves and differ in their
+//!   wavelengths: ranges are unevenly spaced, lie en echelon and end.
+//! - Along the axis culminations, in which all ranges are high, change with depressions.
+//! - The level that summits reach sinks in troughs: basins lie between ranges of unequal height.
+//! - Crests lean to the belt's front, on whose side they are steep (vergence). The front lies where
+//!   the crust falls off: an axis has no sign.
+//! - Age wears great ranges down first. Ridges of folded strata are left of old belts, as in the
+//!   Appalachians; land that was never folded has none.
 
+use super::noise::{CornerCache, fbm};
 use super::ocean::phasor::{PacketCache, StripeNoise};
 use super::ocean::{across, unit_axis};
-use crate::amplify::arith::{mix, mul_q16, smoothstep};
-use crate::amplify::fixed::{Q16, q16};
+use super::preset::Rules;
+use crate::amplify::arith::{
+    length, linear_step, mix, mul_q16, ratio, saturate, smoothstep, square,
+};
+use crate::amplify::fixed::{Q16, difference, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{EdgeContext, Vertex};
 
-/// Packets of 104 km, with folds every 23 km: ranges of the Zagros and of the Appalachians stand 10
-/// to 30 km apart.
-const FOLDS: StripeNoise = StripeNoise {
+/// Great ranges, 35 km apart in the mean: packets of 104 km, three waves each.
+const RANGES: StripeNoise = StripeNoise {
     cell: 25,
-    waves: q16(4.5),
+    waves: q16(3.0),
+    spread: q16(0.4),
     seed: 0xf01d_0001,
+};
+
+/// Folds, 14 km apart in the mean: ridges of the Zagros and of the Appalachians stand 10 to 30 km
+/// apart.
+const FOLDS: StripeNoise = StripeNoise {
+    cell: 24,
+    waves: q16(3.6),
+    spread: q16(0.35),
+    seed: 0xf01d_0002,
 };
 
 /// One beyond the last level that folds shape: its edges are shorter than a sixth of a fold.
 const FOLD_LEVELS: u32 = 5;
 
-/// Agreement of the packets at which folds set in, and at which they are full.
-const FOLD_PRESENCE: [i32; 2] = [q16(0.1), q16(0.2)];
+/// How much great ranges and folds count on a level; the last holds for all that follow.
+const WEIGHTS: [[i32; 2]; 3] = [[q16(1.2), 0], [q16(0.7), q16(0.9)], [q16(0.2), q16(1.4)]];
+
+/// Agreement of the packets at which stripes set in, and at which they are full.
+const PRESENCE: [i32; 2] = [q16(0.05), q16(0.15)];
+
+/// Culminations and depressions: noise whose waves are 200 and 100 km long.
+const CULMINATION_CELL: u32 = 26;
+const CULMINATION_SEED: u32 = 0xf01d_0003;
+
+/// Noise at which a depression ends, and from which on a culmination is full.
+const CULMINATION: [i32; 2] = [q16(-0.3), q16(0.1)];
+
+/// Share of their grip on the draws that folds keep in a depression.
+const DEPRESSED: i32 = q16(0.7);
+
+/// Strength that age leaves to great ranges and to folds of old belts.
+const WORN: [i32; 2] = [0, q16(0.9)];
+
+/// Presence of hills in forelands that were never folded, at most, and in old belts.
+const HILLS: [i32; 2] = [q16(0.72), q16(0.95)];
 
 /// How much a full anticline adds to a bulge, and a syncline takes from it.
 const FOLDED_BULGE: i32 = q16(0.8);
+
+/// Least share of the room that the crest of a full anticline takes.
+const CREST: i32 = q16(0.9);
+
+/// How far the level that summits reach sinks from a range's crest to the trough beside it, as a
+/// share of the relief; by level. Level 0 has great ranges, level 1 folds: each has edges of half a
+/// wave of its own.
+const SUNKEN: [i32; 2] = [q16(0.3), q16(0.1)];
+
+/// How far a crest leans to its front at most.
+const VERGENCE: i32 = q16(0.6);
+
+/// Slope of the crust across folds at which they lean as far as they may: 10 m per km.
+const FRONTAL_SLOPE: i32 = q16(0.01);
+
+/// The level that summits reach at the vertex that halves an edge, grains: on the crest of a range
+/// the mean of its ends', in the basin beside it little above their ground.
+pub fn summits(rules: &Rules, level: u32, new: &Vertex, [a, b]: [&Vertex; 2]) -> i32 {
+    let is_folded = rules.landforms && new.fold != [0; 3];
+    let Some(&sunken) = SUNKEN.get(level as usize).filter(|_| is_folded) else {
+        return new.crust;
+    };
+    let [a, b] = [a, b].map(|end| end.height.max(0));
+    let relief = (new.crust - a - (b - a) / 2).max(0);
+    let axis = Axis::of(new, 0);
+    let [ranges, folds] = axis.strengths();
+    let wave = if level == 0 {
+        axis.wave(RANGES, ranges)
+    } else {
+        axis.wave(FOLDS, folds)
+    };
+    // In a depression crests sink, too.
+    let low = (Q16 - wave.height).max((Q16 - axis.culmination()) / 2);
+    new.crust - mul_q16(relief, mul_q16(mul_q16(low, wave.share), sunken))
+}
 
 /// Random numbers of an edge's rise, and how folds change its bulge; Q16.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +116,8 @@ pub(super) struct RiseDraws {
     pub(super) chi: i32,
     /// Factor of the bulge.
     pub(super) bulge: i32,
+    /// Least share of the room that a crest takes.
+    pub(super) crest: i32,
 }
 
 impl RiseDraws {
@@ -54,37 +131,141 @@ impl RiseDraws {
                 xi,
                 chi,
                 bulge: Q16,
+                crest: 0,
             };
         }
-        let Fold { height, presence } = Fold::at(new);
+        let Fold {
+            height,
+            presence,
+            culmination,
+        } = Fold::at(context);
+        let strength = mul_q16(presence, culmination);
         Self {
             xi: mix(xi, height, presence),
             chi: mix(chi, height, presence),
-            bulge: Q16 + mul_q16(mul_q16(2 * height - Q16, presence), FOLDED_BULGE),
+            bulge: Q16 + mul_q16(mul_q16(2 * height - Q16, strength), FOLDED_BULGE),
+            crest: mul_q16(mul_q16(square(height), strength), CREST),
         }
     }
 }
 
-/// Where in a fold a vertex lies; shares in Q16.
+/// Where in a fold the middle of an edge lies; shares in Q16.
 #[derive(Clone, Copy, Debug)]
 struct Fold {
     /// 0 in the syncline, 1 on the anticline.
     height: i32,
     /// How far the land is folded.
     presence: i32,
+    /// 0 in a depression along the axis, 1 in a culmination.
+    culmination: i32,
 }
 
 impl Fold {
-    fn at(vertex: &Vertex) -> Self {
-        // Scaled, or folds would widen where axes differ.
-        let (unit, agreement) = unit_axis(vertex.fold);
-        let axis = across(vertex.direction, unit);
-        let stripes = FOLDS.at(&mut PacketCache::default(), vertex.direction, axis);
-        let [onset, full] = FOLD_PRESENCE;
-        let presence = smoothstep(onset, full, stripes.presence);
+    fn at(context: &EdgeContext) -> Self {
+        let axis = Axis::of(context.new, lean(context));
+        let [ranges, folds] = axis.strengths();
+        let waves = [axis.wave(RANGES, ranges), axis.wave(FOLDS, folds)];
+        let weights = WEIGHTS[context.level.min(2) as usize];
+        let swing = [0, 1].map(|k| {
+            let Wave { height, share } = waves[k];
+            mul_q16(mul_q16(height - Q16 / 2, share), weights[k])
+        });
+        let share = waves[0].share.max(waves[1].share);
+        let culmination = axis.culmination();
         Self {
-            height: (stripes.cosine + Q16) / 2,
-            presence: mul_q16(presence, 2 * agreement),
+            height: saturate(Q16 / 2 + swing[0] + swing[1]),
+            presence: mul_q16(share, mix(DEPRESSED, Q16, culmination)),
+            culmination,
         }
     }
 }
+
+/// A set of stripes at a place; shares in Q16.
+struct Wave {
+    /// 0 in the trough, 1 on the crest.
+    height: i32,
+    /// How far it is there.
+    share: i32,
+}
+
+/// The way that folds run at a vertex.
+struct Axis<'a> {
+    vertex: &'a Vertex,
+    /// Across them; a unit tangent times 32767.
+    across: [i16; 3],
+    /// How far neighbours' axes agree, Q16.
+    agreement: i32,
+    /// How far crests lean towards `across`, Q16.
+    lean: i32,
+}
+
+impl<'a> Axis<'a> {
+    fn of(vertex: &'a Vertex, lean: i32) -> Self {
+        // Scaled, or folds would widen where axes differ.
+        let (unit, size) = unit_axis(vertex.fold);
+        Self {
+            vertex,
+            across: across(vertex.direction, unit),
+            agreement: 2 * size,
+            lean,
+        }
+    }
+
+    /// A set of stripes of such a strength.
+    fn wave(&self, stripes: StripeNoise, strength: i32) -> Wave {
+        if strength == 0 {
+            return Wave {
+                height: Q16 / 2,
+                share: 0,
+            };
+        }
+        let cache = &mut PacketCache::default();
+        let phasor = stripes.at(cache, self.vertex.direction, self.across);
+        // The sine is positive on the flank that `across` points to: the crest moves there.
+        let lean = mul_q16(mul_q16(phasor.sine, phasor.cosine), self.lean);
+        let [onset, full] = PRESENCE;
+        Wave {
+            height: saturate((phasor.cosine + lean + Q16) / 2),
+            share: mul_q16(smoothstep(onset, full, phasor.presence), strength),
+        }
+    }
+
+    /// What age has left of great ranges and of folds, Q16.
+    fn strengths(&self) -> [i32; 2] {
+        let [foreland, belt] = HILLS;
+        let old = linear_step(foreland, belt, i32::from(self.vertex.hills));
+        let worn = i32::from(self.vertex.worn);
+        WORN.map(|left| mul_q16(mix(Q16, mul_q16(left, old), worn), self.agreement))
+    }
+
+    /// How high ranges stand, from depressions along the axis to culminations; Q16.
+    fn culmination(&self) -> i32 {
+        let noise = fbm(
+            &mut [CornerCache::default(); 2],
+            self.vertex.direction,
+            CULMINATION_CELL,
+            Q16 / 2,
+            CULMINATION_SEED,
+        );
+        let [depression, full] = CULMINATION;
+        smoothstep(depression, full, noise)
+    }
+}
+
+/// How far crests at the middle of an edge lean across their axis, Q16: to the side on which the
+/// crust falls off, less the nearer the edge comes to the axis.
+fn lean(context: &EdgeContext) -> i32 {
+    let across = Axis::of(context.new, 0).across;
+    let way = difference(context.b.direction, context.a.direction);
+    let unit = (length(way[0], way[1], way[2]) >> 15).max(1);
+    let part = |i: usize| (way[i] / unit).clamp(-0x8000, 0x8000) * i32::from(across[i]) / 0x8000;
+    let cosine = 2 * (part(0) + part(1) + part(2));
+    let fall = (context.a.crust - context.b.crust) / 2;
+    let full = mul_q16(context.length / 2, FRONTAL_SLOPE).max(1);
+    let share = ratio(fall.abs(), full) * fall.signum();
+    mul_q16(mul_q16(share, cosine.clamp(-Q16, Q16)), VERGENCE)
+}
+
+#[cfg(test)]
+#[path = "fold_tests.rs"]
+mod tests;

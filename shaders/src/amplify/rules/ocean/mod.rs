@@ -45,10 +45,14 @@ const COARSE: Roughness = Roughness {
     seed: 0x0cea_0002,
 };
 
+/// How far wavelengths of faults and hills differ from their mean, Q16.
+const PITCH_SPREAD: i32 = q16(0.15);
+
 /// Transform faults: packets of 200 km, three waves each, run on as far as they agree.
 const FAULTS: StripeNoise = StripeNoise {
     cell: 26,
     waves: q16(3.0),
+    spread: PITCH_SPREAD,
     seed: 0x0cea_0003,
 };
 
@@ -56,6 +60,7 @@ const FAULTS: StripeNoise = StripeNoise {
 const HILLS: StripeNoise = StripeNoise {
     cell: 22,
     waves: q16(2.0),
+    spread: PITCH_SPREAD,
     seed: 0x0cea_0004,
 };
 

@@ -11,9 +11,6 @@ use crate::amplify::arith::{cos_turn, isqrt, mul_q16, ratio, signed_ratio};
 use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::rules::noise::cell_hash;
 
-/// A packet's wavelength lies within this share of the noise's, so that stripes are no grating.
-const PITCH_SPREAD: i32 = q16(0.15);
-
 /// Weight of all packets from which on a point counts as covered by them: three quarters of the
 /// mean, 0.46 of a packet at its middle. Where all are far the nearest alone would decide, and its
 /// region would end in a scarp.
@@ -31,6 +28,9 @@ pub struct StripeNoise {
     pub cell: u32,
     /// Wavelengths in a cell, Q16.
     pub waves: i32,
+    /// A packet's wavelength lies within this share of the noise's, so that stripes are no grating;
+    /// Q16.
+    pub spread: i32,
     /// Where the random numbers begin.
     pub seed: u32,
 }
@@ -40,6 +40,9 @@ pub struct StripeNoise {
 pub struct Phasor {
     /// Cosine of the phase, -1..1 in Q16: 1 on crests, -1 in troughs.
     pub cosine: i32,
+    /// Sine of the phase, -1..1 in Q16: 1 on the flank a quarter wave along the axis from a crest. It
+    /// changes its sign with the axis.
+    pub sine: i32,
     /// How far the packets agree, 0..1 in Q16: 0 where stripes fork or end.
     pub presence: i32,
 }
@@ -129,7 +132,7 @@ impl StripeNoise {
             + mul_q16(away[1], 2 * i32::from(axis[1]))
             + mul_q16(away[2], 2 * i32::from(axis[2]));
         let drawn = (packet.hash >> 7 & 0xffff) as i32;
-        let pitch = Q16 - PITCH_SPREAD + mul_q16(drawn, 2 * PITCH_SPREAD);
+        let pitch = Q16 - self.spread + mul_q16(drawn, 2 * self.spread);
         // A phase of 0 or ½ makes the noise even in its axis.
         let half_turn = ((packet.hash >> 31) << 15) as i32;
         (mul_q16(along, mul_q16(self.waves, pitch)) >> (self.cell - 16)) + half_turn
@@ -165,6 +168,7 @@ impl PacketSum {
             } else {
                 signed_ratio(x, size)
             },
+            sine: if size == 0 { 0 } else { signed_ratio(y, size) },
             presence: mul_q16(ratio(size, weight.max(1)), ratio(self.weight, FULL_WEIGHT)),
         }
     }
