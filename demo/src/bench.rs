@@ -17,7 +17,7 @@ use crate::output::{check_file, json, print, say, write_file};
 /// If a file for the timings is refused, or a planet cannot be grown.
 pub fn bench(args: &BenchArgs) -> Result<(), CliError> {
     if let Some(path) = &args.json {
-        check_file(path)?;
+        check_file(path, [])?;
     }
     let mut rows = Vec::new();
     for &samples in &args.samples.0 {

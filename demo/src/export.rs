@@ -4,13 +4,14 @@ use crate::cli::ExportArgs;
 use crate::error::CliError;
 use crate::ground::{bake_planet, ground};
 use crate::interrupt;
-use crate::output::say;
+use crate::output::{check_apart, say};
 use crate::progress;
+use crate::source::load_planet;
 use crate::values::{BoxSpec, PixelsSpec, RegionSpec, TilesSpec};
+use bevy_pangaea::io::check_outputs;
 use bevy_pangaea::io::export::{
     ExportArea, ExportError, ExportFiles, ExportFormat, ExportJob, Exported,
 };
-use bevy_pangaea::io::{check_outputs, load_planet};
 use bevy_pangaea::query::{
     AzimuthalEquidistant, DegreeBox, FieldGround, GridProjection, Ground, GroundError, MapGrid,
     MapSquare, TileBlock,
@@ -149,6 +150,10 @@ fn check_output(args: &ExportArgs, shape: &Shape) -> Result<(), CliError> {
     shape.check(format)?;
     if args.range.is_some() && !format.has_greys() {
         return Err(ExportError::NoGreys(format.name()).into());
+    }
+    let field = args.field.height_field.as_deref();
+    for output in files.outputs() {
+        check_apart(output.path(), args.ground.files().chain(field))?;
     }
     Ok(check_outputs(&files.outputs())?)
 }

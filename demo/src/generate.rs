@@ -36,7 +36,9 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     let maps = MapSet::default();
     let mut files = Files::new(&args.out, file_names(&maps))?;
     let scenario_out = args.scenario_out.as_deref();
-    scenario_out.map_or(Ok(()), check_file)?;
+    if let Some(path) = scenario_out {
+        check_file(path, args.climate.files())?;
+    }
     let (state, timings) = grow(&recipe, climate, plan)?;
     let digest = add_planet(&state, &mut files)?;
     let scenario = scenario_of(&state);

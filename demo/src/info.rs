@@ -4,11 +4,12 @@ use crate::cli::InfoArgs;
 use crate::error::CliError;
 use crate::headless::Headless;
 use crate::output::{check_file, print, write_file};
+use crate::source::load_planet;
 use bevy_pangaea::authoring::Recording;
 use bevy_pangaea::climate::{ClimateMaps, EquirectMap};
 use bevy_pangaea::hydrology::TerrainMaps;
 use bevy_pangaea::io::scenario::scenario_of;
-use bevy_pangaea::io::{PlanetFileKind, Stats, Timings, digest, load_planet, map_digest, save};
+use bevy_pangaea::io::{PlanetFileKind, Stats, Timings, digest, map_digest, save};
 use bevy_pangaea::planet::Planet;
 use std::fmt::Write;
 use std::path::Path;
@@ -19,7 +20,9 @@ use std::path::Path;
 /// If the file is refused, or the scenario cannot be written.
 pub fn info(args: &InfoArgs) -> Result<(), CliError> {
     let scenario_out = args.scenario_out.as_deref();
-    scenario_out.map_or(Ok(()), check_file)?;
+    if let Some(path) = scenario_out {
+        check_file(path, [args.file.as_path()])?;
+    }
     let state = load_planet(&args.file)?;
     let format = format(&args.file)?;
     if let Some(path) = scenario_out {

@@ -16,6 +16,8 @@ mod interrupt;
 #[cfg(unix)]
 mod memory;
 mod output;
+
+mod dem;
 mod progress;
 mod threads;
 
@@ -45,10 +47,10 @@ mod explorer;
 #[cfg(test)]
 mod fuzz_tests;
 
-use bevy_pangaea::io::load_planet;
 use clap::{Parser, error::ErrorKind};
 use cli::{Cli, Command};
 use error::CliError;
+use source::load_planet;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -59,14 +61,11 @@ fn main() -> ExitCode {
     exit(prepare(&cli).and_then(|()| run(&cli)))
 }
 
-/// Gets ready for the end of memory, and starts the threads of commands.
+/// Gets ready for the end of memory, and starts the threads of parallel work.
 fn prepare(cli: &Cli) -> Result<(), CliError> {
     #[cfg(unix)]
     ending::start(output::abandon)?;
-    match &cli.command {
-        None => Ok(()),
-        Some(command) => threads::start(command.threads()),
-    }
+    threads::start(cli.command.as_ref().and_then(Command::threads))
 }
 
 fn run(cli: &Cli) -> Result<(), CliError> {
@@ -89,7 +88,7 @@ fn run(cli: &Cli) -> Result<(), CliError> {
 fn explore(cli: &Cli) -> Result<(), CliError> {
     let recipe = cli.start.recipe.checked()?;
     if let Some(path) = &cli.capture {
-        output::check_file(path)?;
+        output::check_file(path, cli.start.open.as_deref())?;
     }
     let open = match &cli.start.open {
         Some(path) => Some((Box::new(load_planet(path)?), path.clone())),

@@ -7,8 +7,9 @@ use crate::headless::Headless;
 use crate::interrupt;
 use crate::output::{Files, say_written};
 use crate::progress;
+use crate::source::load_planet;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::{load_planet, png};
+use bevy_pangaea::io::png;
 use bevy_pangaea::overlay::{MapProjection, Overlay};
 use std::fmt::Display;
 

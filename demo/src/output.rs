@@ -125,12 +125,39 @@ fn missing_folders(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// Refuses a path at which no file can be written, before minutes are spent on its content.
+/// Refuses a path at which no file can be written, before minutes are spent on its content, and one
+/// of the files that the command `reads`.
 ///
 /// # Errors
-/// If it cannot be written.
-pub fn check_file(path: &Path) -> Result<(), CliError> {
+/// If it cannot be written, or is to be read.
+pub fn check_file<'a>(
+    path: &Path,
+    reads: impl IntoIterator<Item = &'a Path>,
+) -> Result<(), CliError> {
+    check_apart(path, reads)?;
     Ok(check_outputs(&[Output::named(path)])?)
+}
+
+/// Refuses to write over a file that the command `reads`: a slip, by which a planet would be lost.
+///
+/// # Errors
+/// Names the file.
+pub fn check_apart<'a>(
+    path: &Path,
+    reads: impl IntoIterator<Item = &'a Path>,
+) -> Result<(), CliError> {
+    let Ok(place) = fs::canonicalize(path) else {
+        return Ok(());
+    };
+    let is_there = |read: &Path| fs::canonicalize(read).is_ok_and(|read| read == place);
+    // A device is no file that could be lost.
+    if place.is_file() && reads.into_iter().any(is_there) {
+        let path = path.display();
+        return Err(CliError::input(format!(
+            "cannot write {path}: the command reads it"
+        )));
+    }
+    Ok(())
 }
 
 /// Writes one file, whole or not at all.

@@ -61,7 +61,13 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     // All that can be refused is refused before the planet grows.
     let source = PlanetSource::new(args.planet.as_deref(), &args.growth)?;
     let climate = args.climate.load()?;
-    check_file(&args.out)?;
+    check_file(
+        &args.out,
+        args.planet
+            .as_deref()
+            .into_iter()
+            .chain(args.climate.files()),
+    )?;
     let view = view(&args.camera, source.radius());
     let globe = Globe {
         overlay: args.overlay,

@@ -13,8 +13,8 @@ use crate::ground::{bake_planet, ground};
 use crate::headless::Headless;
 use crate::output::{self, check_file, print, write_file};
 use crate::progress;
+use crate::source::load_planet;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::load_planet;
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::relief_stats::{CLASSES, ReliefClass, SiteInput, class_relief, sites};
 use figures::{ReliefFigures, all_figures, compare};
@@ -28,7 +28,7 @@ use tiles::tile_figures;
 /// passed over with a warning.
 pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
     if let Some(path) = &args.json {
-        check_file(path)?;
+        check_file(path, args.ground.files())?;
     }
     let climate = args.ground.climate.load()?;
     // A folder without a good tile is refused before the planet is measured.

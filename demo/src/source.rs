@@ -4,10 +4,21 @@ use crate::cli::GrowthArgs;
 use crate::error::CliError;
 use crate::growth::GrowthPlan;
 use crate::headless::{Headless, initial_planet};
-use bevy_pangaea::io::load_planet;
+use crate::output::say;
+use bevy_pangaea::io::load_planet_with_notes;
 use bevy_pangaea::planet::PlanetRecipe;
 use bevy_pangaea::spawn::PlanetState;
 use std::path::Path;
+
+/// The planet of a file; what is to say of its maps is said.
+///
+/// # Errors
+/// If the file, or one that it names, is refused.
+pub fn load_planet(path: &Path) -> Result<PlanetState, CliError> {
+    let loaded = load_planet_with_notes(path)?;
+    loaded.notes.iter().for_each(|note| say(note));
+    Ok(loaded.planet)
+}
 
 /// A planet, or all that is needed to grow it.
 pub enum PlanetSource {

@@ -3,8 +3,8 @@
 
 use crate::error::CliError;
 use crate::output::say;
-use bevy_pangaea::climate::{ClimateField, ClimateMaps, EquirectMap};
-use bevy_pangaea::io::{LoadedMap, MapQuantity, load_map_of};
+use bevy_pangaea::climate::{ClimateField, ClimateMaps};
+use bevy_pangaea::io::load_climate_maps;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -21,7 +21,7 @@ pub struct ClimateArgs {
     /// it tells their unit, such as K, degF, m or kg m-2 s-1, they are converted, and others are
     /// refused. A grey .png needs a sidecar NAME.json {"min", "max"}: the values of black and white.
     /// Voids, pixels without a value, are filled from the planet's own climate. Rasters wider than
-    /// 32,768 pixels count by the means of their pixels.
+    /// 8192 pixels count by the means of their pixels.
     #[arg(long, value_name = "MAP")]
     pub temperature: Option<PathBuf>,
     /// Map of the rain of a year in mm
@@ -33,29 +33,24 @@ pub struct ClimateArgs {
 }
 
 impl ClimateArgs {
-    /// Reads the maps, and says how many voids the planet's own climate will fill.
+    /// Reads the maps, and says what is to say of them.
     ///
     /// # Errors
     /// Names the first file that cannot be read, is no map of a planet, or has values that no
     /// climate has.
     pub fn load(&self) -> Result<ClimateMaps, CliError> {
-        let mut maps = ClimateMaps::default();
-        for field in ClimateField::ALL {
-            let Some(path) = self.file(field) else {
-                continue;
-            };
-            let quantity = MapQuantity::of(field);
-            let LoadedMap { map, warnings } = load_map_of(path, quantity, quantity.greys())?;
-            maps.set(field, map.clone());
-            // What was read before is good: it is this file that is refused.
-            maps.check()
-                .map_err(|problem| CliError::input(format!("{}: {problem}", path.display())))?;
-            tell_voids(path, &map);
-            for warning in warnings {
-                say(&format!("warning: {}: {warning}", path.display()));
-            }
-        }
-        Ok(maps)
+        let given = ClimateField::ALL.into_iter();
+        let files = given.filter_map(|field| Some((field, self.file(field)?)));
+        let loaded = load_climate_maps(files)?;
+        loaded.notes.iter().for_each(|note| say(note));
+        Ok(loaded.maps)
+    }
+
+    /// The files of the maps.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        ClimateField::ALL
+            .into_iter()
+            .filter_map(|field| self.file(field))
     }
 
     /// The file of the map of a field.
@@ -66,18 +61,5 @@ impl ClimateArgs {
             ClimateField::Wetness => &self.wetness,
         };
         file.as_deref()
-    }
-}
-
-/// Says how many voids of a map are filled.
-fn tell_voids(path: &Path, map: &EquirectMap) {
-    let [width, height] = map.size().map(u64::from);
-    if map.voids() > 0 {
-        say(&format!(
-            "{}: {} voids of {} pixels are filled from the planet's own climate",
-            path.display(),
-            map.voids(),
-            width * height
-        ));
     }
 }

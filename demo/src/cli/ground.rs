@@ -7,7 +7,7 @@ use crate::values::{
     level, pixels, place, region, sites, tiles,
 };
 use clap::{ArgGroup, Args};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The planet whose ground is asked for.
 #[derive(Args, Debug)]
@@ -25,6 +25,15 @@ pub struct GroundArgs {
     /// Maps that replace fields of the climate.
     #[command(flatten)]
     pub climate: ClimateArgs,
+}
+
+impl GroundArgs {
+    /// The files of the planet and its maps.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        [self.planet.as_path()]
+            .into_iter()
+            .chain(self.climate.files())
+    }
 }
 
 /// Options of `export`.
@@ -112,9 +121,10 @@ pub struct ReliefArgs {
     pub ground: GroundArgs,
     /// Folder of tiles of real ground to compare with
     ///
-    /// Files are .hgt, GeoTIFF, or grey PNG with a sidecar NAME.json {metres_per_pixel,
-    /// metres_per_unit}, or min_m and max_m for black and white. Others, such as previews and tiles
-    /// of voids, are passed over with a warning.
+    /// Files are .hgt, as they are or in .hgt.zip and .hgt.gz, GeoTIFF, or grey PNG with a sidecar
+    /// NAME.json {metres_per_pixel, metres_per_unit}, or min_m and max_m for black and white. Others,
+    /// such as previews and tiles of voids, are passed over with a warning. Tiles of more than 16
+    /// million pixels count by the means of their blocks, which is said.
     #[arg(long, value_name = "DIR")]
     pub dem: Option<PathBuf>,
     /// Most sites of a class, 1 to 20

@@ -1,5 +1,6 @@
 //! A height field that is laid upon the ground, as options of `export` and `query`.
 
+use crate::dem::tell_means;
 use crate::error::CliError;
 use crate::values::{PlaceSpec, place};
 use bevy_pangaea::io::load_dem;
@@ -18,7 +19,7 @@ pub struct HeightFieldArgs {
     /// An elevation model in metres above sea level, north up, in the true size of its pixels: .hgt,
     /// GeoTIFF, or grey PNG with a sidecar NAME.json {metres_per_pixel, metres_per_unit}. Over an
     /// eighth of its shorter side it blends into the ground around it; levels finer than its pixels
-    /// add the planet's roughness.
+    /// add the planet's roughness. Of more than 16 million pixels blocks count by their means.
     #[arg(long, value_name = "FILE")]
     pub height_field: Option<PathBuf>,
     /// Middle of the height field in degrees [default: the place that the file tells]
@@ -42,6 +43,7 @@ impl HeightFieldArgs {
             return Ok(None);
         };
         let tile = load_dem(path)?;
+        tell_means(path, &tile);
         let place = self.height_field_at.map(|at| (at.lat, at.lon));
         let Some((lat, lon)) = place.or(tile.centre) else {
             return Err(CliError::input(format!(

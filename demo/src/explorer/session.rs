@@ -11,7 +11,7 @@ use super::saving::{SaveContent, SaveOutcome, SaveQueue, SaveRequest};
 use super::state::{Action, PresetRead, Selection, ShownPlanet};
 use bevy::prelude::*;
 use bevy_pangaea::hydrology::TerrainMaps;
-use bevy_pangaea::io::{self, PlanetFileKind};
+use bevy_pangaea::io::{self, LoadedPlanet, PlanetFileKind};
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::schedule::StepCursor;
 use bevy_pangaea::spawn::PlanetState;
@@ -33,7 +33,7 @@ struct PlanetJob {
 
 enum JobResult {
     Grown(Box<PlanetState>),
-    Loaded(Box<PlanetState>, PathBuf),
+    Loaded(Box<LoadedPlanet>, PathBuf),
     Preset(Box<PresetRead>),
 }
 
@@ -126,8 +126,8 @@ fn grow(recipe: &PlanetRecipe) -> Result<JobResult, String> {
 }
 
 fn load(path: PathBuf) -> Result<JobResult, String> {
-    let state = io::load_planet(&path).map_err(text)?;
-    Ok(JobResult::Loaded(Box::new(state), path))
+    let loaded = io::load_planet_with_notes(&path).map_err(text)?;
+    Ok(JobResult::Loaded(Box::new(loaded), path))
 }
 
 fn read_preset(path: PathBuf) -> Result<JobResult, String> {
@@ -167,7 +167,10 @@ pub fn finish_jobs(world: &mut World) {
             replace(world, *state);
             note(world, format!("a new planet from seed {seed}"));
         }
-        Ok(JobResult::Loaded(state, path)) => show_loaded(world, *state, &path),
+        Ok(JobResult::Loaded(loaded, path)) => {
+            show_loaded(world, loaded.planet, &path);
+            loaded.notes.into_iter().for_each(|text| note(world, text));
+        }
         Ok(JobResult::Preset(preset)) => {
             note(world, format!("read {}", preset.path.display()));
             world.write_message(*preset);

@@ -1,6 +1,7 @@
 //! The elevation models of a folder, and what is wrong with those that are passed over.
 
 use super::figures::ReliefFigures;
+use crate::dem::tell_means;
 use crate::error::CliError;
 use crate::output::say;
 use bevy_pangaea::io::{dem_files, load_dem};
@@ -43,6 +44,7 @@ fn tile_relief(path: &Path) -> Result<ReliefStats, CliError> {
     let tile = load_dem(path)?;
     let relief =
         ReliefStats::of(&tile.grid).ok_or_else(|| refused(path, "the tile is too small"))?;
+    tell_means(path, &tile);
     let share = tile.voids as f64 / tile.grid.values.len() as f64;
     if share > MOST_VOIDS {
         let percent = (100.0 * share).round();

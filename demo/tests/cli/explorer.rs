@@ -1,5 +1,7 @@
 //! The explorer refuses on the terminal what it can, before it opens a window.
 
+#[cfg(target_os = "linux")]
+use crate::program::pangaea_within;
 use crate::program::{assert_contains, assert_refused_in, stderr};
 use std::fs;
 use std::process::Command;
@@ -45,4 +47,15 @@ fn without_a_display_the_explorer_points_to_the_commands() {
     assert_eq!(output.status.code(), Some(1), "{text}");
     assert_eq!(text.lines().count(), 1, "{text}");
     assert_contains(&text, &["DISPLAY", "pangaea --help"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn without_room_for_threads_the_explorer_says_so_in_one_line() {
+    let folder = TempDir::new().unwrap();
+    let output = pangaea_within(120_000, folder.path(), &[]);
+    let text = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert_eq!(text.lines().count(), 1, "{text}");
+    assert_contains(&text, &["error: ", "thread"]);
 }

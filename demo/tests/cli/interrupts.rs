@@ -1,5 +1,7 @@
 //! Signals end a command and leave nothing; a full disk is an error.
 
+#[cfg(target_os = "linux")]
+use crate::program::pangaea_within;
 use crate::program::{begun, names_in, pangaea, planet, stderr};
 use std::fs;
 use std::io::Read;
@@ -37,6 +39,33 @@ fn signals_end_a_command_and_leave_nothing() {
         assert_ended_by(signal, code, child, "");
         assert!(names_in(folder.path()).is_empty(), "{signal}");
     }
+}
+
+/// The mesh of so many samples takes longer than a command is given to end by itself.
+const LONG: [&str; 5] = ["generate", "--samples", "1000000", "--out", "a/b"];
+
+#[test]
+fn a_signal_in_work_that_does_not_look_for_it_leaves_nothing() {
+    let folder = TempDir::new().unwrap();
+    let child = begun(folder.path(), &LONG, Stdio::null());
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while !folder.path().join("a/b").exists() && Instant::now() < deadline {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert_ended_by("TERM", 143, child, "");
+    assert!(names_in(folder.path()).is_empty());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_end_of_memory_is_one_line_and_leaves_nothing() {
+    let folder = TempDir::new().unwrap();
+    let output = pangaea_within(400_000, folder.path(), &LONG);
+    let text = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.starts_with("error: memory is full"), "{text}");
+    assert_eq!(text.lines().count(), 1, "{text}");
+    assert!(names_in(folder.path()).is_empty());
 }
 
 #[test]

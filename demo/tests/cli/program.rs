@@ -33,6 +33,20 @@ pub(super) fn begun(folder: &Path, args: &[&str], input: Stdio) -> Child {
         .expect("the program starts")
 }
 
+/// Runs the program with at most so many KiB of addresses.
+#[cfg(target_os = "linux")]
+pub(super) fn pangaea_within(kibibytes: u32, folder: &Path, args: &[&str]) -> Output {
+    let limited = format!("ulimit -v {kibibytes} && exec \"$0\" \"$@\"");
+    Command::new("sh")
+        .args(["-c", &limited, env!("CARGO_BIN_EXE_pangaea")])
+        .args(args)
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .stdin(Stdio::null())
+        .output()
+        .expect("the program starts")
+}
+
 /// Runs the program, asserts that it succeeds, and returns its standard output.
 pub(super) fn succeed(folder: &Path, args: &[&str]) -> String {
     succeed_with_input(folder, args, "")

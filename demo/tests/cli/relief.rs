@@ -1,10 +1,15 @@
 //! Relief statistics of a planet, beside those of real tiles.
 
+#[cfg(target_os = "linux")]
+use crate::program::pangaea_within;
 use crate::program::{
     assert_contains, assert_refused, assert_refused_in, pangaea, planet, read_json, stderr, succeed,
 };
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use serde_json::Value;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 const CLASSES: [&str; 4] = ["young_himalayan", "young_andean", "old_belts", "plains"];
@@ -186,4 +191,103 @@ fn a_folder_without_a_good_tile_is_refused_in_one_line() {
     let args = ["relief", "planet.pangaea", "--dem", "tiles"];
     let words = ["tiles", "N00E006.hgt", "only voids", "1 more"];
     assert_refused_in(folder.path(), &args, &words);
+}
+
+/// A GeoTIFF of `side` x `side` heights of one byte, 300 m and below: pixels of 10 m, in strips of
+/// 1000 rows that are all alike.
+fn wide_raster(side: u32) -> Vec<u8> {
+    const ROWS: u32 = 1000;
+    let row: Vec<u8> = (0..side).map(|x| (x / 100 % 200) as u8).collect();
+    let mut packed = ZlibEncoder::new(Vec::new(), Compression::fast());
+    for _ in 0..ROWS {
+        packed.write_all(&row).unwrap();
+    }
+    let strip = packed.finish().unwrap();
+    let count = side / ROWS;
+    let mut values = Vec::new();
+    // Behind the head, the strip and twelve entries.
+    let start = 8 + strip.len() as u32 + 2 + 12 * 12 + 4;
+    let mut place = |bytes: Vec<u8>| {
+        let at = start + values.len() as u32;
+        values.extend(bytes);
+        at
+    };
+    let offsets = place(8_u32.to_le_bytes().repeat(count as usize));
+    let lengths = place((strip.len() as u32).to_le_bytes().repeat(count as usize));
+    let scale = place([10.0_f64, 10.0, 0.0].map(f64::to_le_bytes).concat());
+    let tie = place(
+        [0.0_f64, 0.0, 0.0, 4e5, 5e6, 0.0]
+            .map(f64::to_le_bytes)
+            .concat(),
+    );
+    let keys = [1_u16, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9001];
+    let keys = place(keys.map(u16::to_le_bytes).concat());
+    // Tag, type, number of values, value or its place.
+    let entries = [
+        [256, 4, 1, side],
+        [257, 4, 1, side],
+        [258, 3, 1, 8],
+        [259, 3, 1, 8],
+        [262, 3, 1, 1],
+        [273, 4, count, offsets],
+        [277, 3, 1, 1],
+        [278, 4, 1, ROWS],
+        [279, 4, count, lengths],
+        [33_550, 12, 3, scale],
+        [33_922, 12, 6, tie],
+        [34_735, 3, 12, keys],
+    ];
+    let mut file = b"II\x2a\0".to_vec();
+    file.extend((8 + strip.len() as u32).to_le_bytes());
+    file.extend(strip);
+    file.extend((entries.len() as u16).to_le_bytes());
+    for [tag, kind, count, value] in entries {
+        file.extend([tag as u16, kind as u16].map(u16::to_le_bytes).concat());
+        file.extend([count, value].map(u32::to_le_bytes).concat());
+    }
+    file.extend([0; 4]);
+    file.extend(values);
+    file
+}
+
+/// Memory that a model may take, threads included.
+#[cfg(target_os = "linux")]
+const FEW_KIBIBYTES: u32 = 900_000;
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_raster_of_many_pixels_takes_little_memory() {
+    let folder = planet();
+    let tiles = folder.path().join("tiles");
+    fs::create_dir(&tiles).unwrap();
+    // Whole it has 3.6 GB of heights.
+    fs::write(tiles.join("wide.tif"), wide_raster(30_000)).unwrap();
+    let args = [
+        "relief",
+        "planet.pangaea",
+        "--sites",
+        "1",
+        "--json",
+        "r.json",
+        "--dem",
+        "tiles",
+    ];
+    let output = pangaea_within(FEW_KIBIBYTES, folder.path(), &args);
+    let said = stderr(&output);
+    assert!(output.status.success(), "{said}");
+    assert_contains(
+        &said,
+        &[
+            "warning",
+            "wide.tif",
+            "30000 x 30000 pixels",
+            "3750 x 3750 means",
+        ],
+    );
+    let figures = read_json(&folder.path().join("r.json"));
+    // Steps of 1 m and cliffs of 199 m every 200 km: all windows of 10 km have a range of 10 m.
+    let range = figures["tiles"]["wide"]["relief10_median_m"]
+        .as_f64()
+        .unwrap();
+    assert!((range - 10.0).abs() < 0.6, "{range}");
 }

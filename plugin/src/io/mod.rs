@@ -22,7 +22,7 @@
 //! ```
 //!
 //! Input is never trusted: every error is one line that names the file, and no input makes a loader
-//! panic or allocate more than the input's own size allows. Output is there whole or not at all.
+//! panic, or allocate more than the input's own size allows, 128 MiB apart. Output is there whole or not at all.
 
 mod error;
 
@@ -79,7 +79,9 @@ pub use files::{
     MarkedJson, Output, abandon_outputs, check_outputs, is_marked, write_all, write_atomically,
 };
 #[cfg(feature = "dem")]
-pub use maps::{LoadedMap, MapFileError, MapQuantity, load_map, load_map_of};
+pub use maps::{
+    LoadedClimate, LoadedMap, MapFileError, MapQuantity, load_climate_maps, load_map, load_map_of,
+};
 pub use preset::{PlanetPreset, PlanetRecipeLoader, PresetPlugin, load_preset};
 pub use save::{load, save};
 pub use scenario::{load_scenario, save_scenario};
@@ -87,5 +89,5 @@ pub use scenario::{load_scenario, save_scenario};
 pub use sidecar::Sidecar;
 pub use stats::{Stats, Timings};
 #[cfg(feature = "dem")]
-pub use terrain::{PlanetFileKind, load_planet};
+pub use terrain::{LoadedPlanet, PlanetFileKind, load_planet, load_planet_with_notes};
 pub use text::TextError;

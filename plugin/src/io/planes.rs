@@ -7,13 +7,20 @@
 use super::SaveError;
 use super::codec::invalid;
 use miniz_oxide::deflate::compress_to_vec;
-use miniz_oxide::inflate::decompress_to_vec_with_limit;
+use miniz_oxide::inflate::stream::{InflateState, inflate};
+use miniz_oxide::{DataFormat, MZFlush, MZStatus};
 
 /// Bytes of a number, and planes.
 const PLANES: usize = 4;
 
 /// zlib's own default: higher levels take far longer for little.
 const LEVEL: u8 = 6;
+
+/// DEFLATE makes no more than 1032 bytes of one.
+const MOST_DEFLATION: usize = 1040;
+
+/// Bytes that are unpacked at a time.
+const CHUNK_BYTES: usize = 1 << 15;
 
 /// Packs numbers.
 pub(super) fn pack(values: &[f32]) -> Vec<u8> {
@@ -28,33 +35,74 @@ pub(super) fn pack(values: &[f32]) -> Vec<u8> {
     compress_to_vec(&planes, LEVEL)
 }
 
-/// The `count` numbers that were packed. A stream that holds more is left after so many: memory
-/// goes by what the bytes really hold, at most by `count`.
+/// The `count` numbers that were packed. Memory goes by `count`, which the bytes must be able to
+/// hold.
 ///
 /// # Errors
 /// [`SaveError::Invalid`] for bytes that [`pack`] did not make of so many numbers.
 pub(super) fn unpack(bytes: &[u8], count: usize) -> Result<Vec<f32>, SaveError> {
     let torn = || invalid(format!("a map of {count} pixels cannot be unpacked"));
     let length = count.checked_mul(PLANES).ok_or_else(torn)?;
-    let mut planes = decompress_to_vec_with_limit(bytes, length).map_err(|_| torn())?;
-    if planes.len() != length {
+    if length > bytes.len().saturating_mul(MOST_DEFLATION) {
         return Err(torn());
     }
-    if count == 0 {
-        return Ok(Vec::new());
+    let mut numbers = NumberPlanes::new(count);
+    let mut state = InflateState::new_boxed(DataFormat::Raw);
+    let (mut chunk, mut rest) = (vec![0; CHUNK_BYTES], bytes);
+    loop {
+        let step = inflate(&mut state, rest, &mut chunk, MZFlush::None);
+        rest = &rest[step.bytes_consumed..];
+        numbers
+            .take(&chunk[..step.bytes_written])
+            .ok_or_else(torn)?;
+        match step.status {
+            Ok(MZStatus::Ok) if step.bytes_consumed + step.bytes_written > 0 => {}
+            Ok(MZStatus::StreamEnd) => break,
+            _ => return Err(torn()),
+        }
     }
-    planes.chunks_exact_mut(count).for_each(sum_up);
-    let byte = |plane: usize, i: usize| planes[plane * count + i];
-    let value = |i| f32::from_le_bytes([byte(0, i), byte(1, i), byte(2, i), byte(3, i)]);
-    Ok((0..count).map(value).collect())
+    numbers.finish().ok_or_else(torn)
 }
 
-/// Makes bytes of their differences.
-fn sum_up(plane: &mut [u8]) {
-    let mut last = 0_u8;
-    for byte in plane {
-        last = last.wrapping_add(*byte);
-        *byte = last;
+/// Numbers while their planes come.
+struct NumberPlanes {
+    bits: Vec<u32>,
+    /// Bytes that have come.
+    taken: usize,
+    /// The last byte of the plane.
+    last: u8,
+}
+
+impl NumberPlanes {
+    fn new(count: usize) -> Self {
+        Self {
+            bits: vec![0; count],
+            taken: 0,
+            last: 0,
+        }
+    }
+
+    /// Takes the next differences; `None` if they are too many.
+    fn take(&mut self, differences: &[u8]) -> Option<()> {
+        let count = self.bits.len();
+        for difference in differences {
+            let plane = self.taken.checked_div(count)?;
+            let place = self.taken % count;
+            if plane == PLANES {
+                return None;
+            }
+            let before = if place == 0 { 0 } else { self.last };
+            self.last = before.wrapping_add(*difference);
+            self.bits[place] |= u32::from(self.last) << (8 * plane);
+            self.taken += 1;
+        }
+        Some(())
+    }
+
+    /// The numbers, if all have come.
+    fn finish(self) -> Option<Vec<f32>> {
+        let is_whole = self.taken == PLANES * self.bits.len();
+        is_whole.then(|| self.bits.into_iter().map(f32::from_bits).collect())
     }
 }
 
@@ -101,6 +149,9 @@ mod tests {
         for count in [0, 1, 999, 1001, usize::MAX / 8, usize::MAX] {
             assert!(unpack(&packed, count).is_err(), "{count}");
         }
+        // A constant map packs as well as any.
+        let constant = vec![0.0; 1 << 20];
+        assert_eq!(unpack(&pack(&constant), 1 << 20), Ok(constant));
         for end in 0..packed.len() {
             assert!(unpack(&packed[..end], 1000).is_err(), "{end}");
         }

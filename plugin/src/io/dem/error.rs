@@ -5,8 +5,8 @@ use thiserror::Error;
 /// Most pixels to a side.
 pub(in crate::io) const MAX_SIDE: u32 = 100_000;
 
-/// Size of the largest file that is read.
-pub(super) const MAX_BYTES: u64 = 1 << 30;
+/// Size of the largest text that is read.
+pub(super) const MAX_BYTES: u64 = 1 << 26;
 
 /// Why bytes are no elevation model.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -14,18 +14,21 @@ pub enum DemError {
     /// Files with the name's extension are not read.
     #[error("elevation models are .hgt, .tif, .tiff or .png files")]
     Extension,
-    /// Archives are not unpacked.
-    #[error("it is an archive: unpack it")]
+    /// The archive is of something else than .hgt files, which alone are read from archives.
+    #[error("it is an archive, from which only .hgt files are read: unpack it")]
     Archive,
-    /// The file is larger than any that is read.
-    #[error("the file is larger than {MAX_BYTES} bytes")]
+    /// The archive holds no, or several, .hgt files.
+    #[error("the archive holds {0} .hgt files; it must be one")]
+    ArchiveContent(usize),
+    /// A text or an archive is larger than any that is read.
+    #[error("the file is too large for one of its kind")]
     TooLarge,
     /// An .hgt file of a size that none has.
     #[error(
         "an .hgt file has 1201 x 1201, 1801 x 3601, 3601 x 3601 or 7201 x 7201 values of two \
          bytes, not {0} bytes"
     )]
-    HgtSize(usize),
+    HgtSize(u64),
     /// An .hgt file whose name is no corner.
     #[error("an .hgt file is named by its south west corner, like N44W072.hgt")]
     HgtName,

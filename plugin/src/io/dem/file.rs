@@ -3,7 +3,8 @@
 use super::error::{DemError, MAX_BYTES};
 use crate::io::IoError;
 use crate::io::limited::read_at_most;
-use std::fs::File;
+use std::fs::{self, File};
+use std::io;
 use std::path::Path;
 
 /// The extension of a file in lower case, without the number that a copy may have behind it.
@@ -22,9 +23,16 @@ pub(in crate::io) fn extension(path: &Path) -> Option<String> {
     Some(extension.to_ascii_lowercase())
 }
 
-/// Opens a file to be read a part at a time.
+/// Opens a file to be read a part at a time. A pipe is refused: opening it would wait for a writer.
 pub(in crate::io) fn open(path: &Path) -> Result<File, IoError> {
-    File::open(path).map_err(|source| IoError::read(path, source))
+    let unread = |source| IoError::read(path, source);
+    let facts = fs::metadata(path).map_err(unread)?;
+    if !facts.is_file() && !facts.is_dir() {
+        return Err(unread(io::Error::other(
+            "it is a pipe or a device, and no file",
+        )));
+    }
+    File::open(path).map_err(unread)
 }
 
 /// The bytes of a file that is not too large.

@@ -1,10 +1,12 @@
 //! Pictures of heights: grey PNGs, whose scale a sidecar tells.
 
 use super::error::{DemError, invalid};
-use super::picture::{Grey, Greys};
+use super::picture::{Grey, fold_rows};
+use super::shrink::ShrunkRaster;
 use super::tile::{Dem, check_size};
 use crate::io::sidecar::Sidecar;
 use crate::io::text;
+use std::io::{BufRead, Seek};
 
 /// Reads the sidecar of a picture of heights.
 ///
@@ -52,14 +54,22 @@ impl GreyScale {
 }
 
 /// Reads a picture of heights; `void` is the level of voids.
-pub(super) fn read(bytes: &[u8], sidecar: &Sidecar, void: Option<f64>) -> Result<Dem, DemError> {
+pub(super) fn read(
+    source: impl BufRead + Seek,
+    sidecar: &Sidecar,
+    void: Option<f64>,
+) -> Result<Dem, DemError> {
     let scale = GreyScale::of(sidecar)?;
     let height = |grey: Grey| {
         grey.unless(void)
             .map_or(f32::NAN, |grey| scale.height(grey))
     };
-    let Greys { size, values } = Greys::read(bytes, check_size, height)?;
+    let start = |pixels: [u32; 2]| {
+        check_size(pixels[0], pixels[1])?;
+        ShrunkRaster::new(pixels, [false; 2])
+    };
+    let raster = fold_rows(source, start, height, ShrunkRaster::add)?;
     let down = sidecar.metres_per_pixel;
     let pixel_m = [sidecar.metres_per_pixel_across.unwrap_or(down), down];
-    Dem::new(size, values, pixel_m, sidecar.lat.zip(sidecar.lon))
+    raster.finish(pixel_m, sidecar.lat.zip(sidecar.lon))
 }

@@ -3,7 +3,9 @@
 
 use super::error::{DemError, invalid};
 use super::geotiff::PamFile;
+use super::shrink::ShrunkRaster;
 use super::tile::{Dem, degrees_to_metres};
+use std::io::Read;
 
 const VOID: i16 = -32_768;
 
@@ -11,18 +13,37 @@ const VOID: i16 = -32_768;
 /// degrees north on some files have one every two seconds along a row and every second down.
 const SIZES: [[u32; 2]; 4] = [[1201, 1201], [1801, 3601], [3601, 3601], [7201, 7201]];
 
-/// Reads the content of a file of this name.
-pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Dem, DemError> {
+/// Reads a file of this name and of so many bytes.
+pub(super) fn read(name: &str, length: u64, mut source: impl Read) -> Result<Dem, DemError> {
     let (south, west) = corner(name).ok_or(DemError::HgtName)?;
-    let len = |size: &[u32; 2]| 2 * size[0] as usize * size[1] as usize;
-    let size = SIZES.into_iter().find(|size| len(size) == bytes.len());
-    let size = size.ok_or(DemError::HgtSize(bytes.len()))?;
-    let (pairs, _) = bytes.as_chunks();
-    let values = pairs.iter().map(|&pair| height(pair)).collect();
+    let bytes = |size: &[u32; 2]| 2 * u64::from(size[0]) * u64::from(size[1]);
+    let size = SIZES.into_iter().find(|size| bytes(size) == length);
+    let size = size.ok_or(DemError::HgtSize(length))?;
+    let mut raster = ShrunkRaster::new(size, [false; 2])?;
+    let mut row = vec![0; 2 * size[0] as usize];
+    for y in 0..size[1] as usize {
+        source.read_exact(&mut row).map_err(unread)?;
+        let (pairs, _) = row.as_chunks();
+        let heights: Vec<f32> = pairs.iter().map(|&pair| height(pair)).collect();
+        raster.add(y * heights.len(), &heights);
+    }
+    // An archive checks its sum at the end.
+    if source.read(&mut [0]).map_err(unread)? > 0 {
+        return Err(DemError::HgtSize(length + 1));
+    }
     let steps = size.map(|side| 1.0 / f64::from(side - 1));
     let centre = (south + 0.5, west + 0.5);
     let pixel_m = degrees_to_metres(steps, centre.0)?;
-    Dem::new(size, values, pixel_m, Some(centre))
+    raster.finish(pixel_m, Some(centre))
+}
+
+/// Is there a corner in a name?
+pub(super) fn is_name(name: &str) -> bool {
+    corner(name).is_some()
+}
+
+fn unread(error: std::io::Error) -> DemError {
+    invalid(format!("the file cannot be read: {error}"))
 }
 
 /// Refuses a side file that names another void.
@@ -120,6 +141,10 @@ mod tests {
         bytes
     }
 
+    fn read(name: &str, bytes: &[u8]) -> Result<Dem, DemError> {
+        super::read(name, bytes.len() as u64, bytes)
+    }
+
     #[test]
     fn values_are_big_endian_metres_and_voids_are_filled() {
         let dem = read("N44W072", &file(1201 * 1201)).unwrap();
@@ -139,8 +164,10 @@ mod tests {
             (7201, 7201, [0.5, 0.5]),
         ] {
             let dem = read("N59E010", &file(columns * rows)).unwrap();
-            assert_eq!((dem.grid.width, dem.grid.height), (columns, rows));
-            let [across, down] = dem.grid.pixel_m;
+            assert_eq!(dem.pixels, [columns, rows]);
+            assert_eq!(dem.is_shrunk(), columns == 7201);
+            let share = dem.grid.width as f64 / columns as f64;
+            let [across, down] = dem.grid.pixel_m.map(|side| side * share);
             let cosine = 0.507_538_4; // of 59.5 degrees
             assert!((down - seconds[1] * 30.887_3).abs() < 1e-3, "{down}");
             assert!(
@@ -155,7 +182,7 @@ mod tests {
     fn other_files_are_refused() {
         let bytes = file(1201 * 1201);
         let short = read("N44W072", &bytes[1..]);
-        assert_eq!(short, Err(DemError::HgtSize(bytes.len() - 1)));
+        assert_eq!(short, Err(DemError::HgtSize(bytes.len() as u64 - 1)));
         assert_eq!(read("Matterhorn", &bytes), Err(DemError::HgtName));
         let voids = [0x80, 0x00].repeat(1201 * 1201);
         assert_eq!(read("N44W072", &voids), Err(DemError::OnlyVoids));

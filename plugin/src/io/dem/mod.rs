@@ -6,14 +6,17 @@
 //! picture   greys of a PNG, in whatever form it holds them
 //! grey      *.png: greys with a sidecar NAME.json
 //! file      files by their names, and their content
+//! archive   *.hgt.zip, *.hgt.gz: one .hgt file
 //! voids     missing values, filled from their neighbours
 //! tile      a tile of ground, and the checks that all formats share
+//! means     means of cells
+//! shrink    rasters of more pixels than are held
 //! ```
 //!
 //! A file may be a copy that a browser or `wget` made and put a number behind: `N44W072.hgt (1)`,
 //! `N44W072.hgt.1`.
 //!
-//! Heights come out in m, rows from the north. Degrees of an .hgt file have the lengths of the
+//! Heights come out in m, rows from the north; those of more than 2^24 pixels as means of blocks. Degrees of an .hgt file have the lengths of the
 //! Earth's, those of a GeoTIFF the lengths on the ellipsoid that it names, or the Earth's.
 //!
 //! Files beside a raster that change its numbers are read, too: GDAL's NAME.EXT.aux.xml and
@@ -27,6 +30,10 @@ mod voids;
 
 mod tile;
 
+mod means;
+
+mod shrink;
+
 pub(super) mod geotiff;
 
 pub(super) mod picture;
@@ -35,16 +42,22 @@ mod grey;
 
 mod hgt;
 
+mod archive;
+
 pub use error::DemError;
 pub(super) use error::MAX_SIDE;
 pub(super) use file::{extension, open, read_limited};
+pub(super) use means::CellMeans;
 pub use tile::Dem;
 
 use super::IoError;
+use super::limited::read_at_most;
 use super::sidecar::{self, Sidecar};
 use error::invalid;
 use geotiff::SideFiles;
-use std::fs;
+use std::ffi::OsStr;
+use std::fs::{self, File};
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 /// The files in a folder whose extensions are those of elevation models, packed ones included,
@@ -99,16 +112,18 @@ pub fn load_dem(path: &Path) -> Result<Dem, IoError> {
         DemFormat::Hgt => {
             hgt::check_void(&SideFiles::load_place(path)?.pam).map_err(refused)?;
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            hgt::read(&name, &read_limited(path)?)
+            let file = open(path)?;
+            hgt::read(&name, length(path, &file)?, BufReader::new(file))
+        }
+        DemFormat::PackedHgt => {
+            let bytes = read_at_most(path, archive::MOST_BYTES)?;
+            archive::read(path, &bytes.ok_or_else(|| refused(DemError::TooLarge))?)
         }
         DemFormat::GeoTiff => geotiff::read(open(path)?, SideFiles::load(path)?),
         DemFormat::Grey => {
             let beside = SideFiles::load_place(path)?;
-            grey::read(
-                &read_limited(path)?,
-                &load_sidecar(path)?,
-                beside.pam.void(),
-            )
+            let scale = load_sidecar(path)?;
+            grey::read(BufReader::new(open(path)?), &scale, beside.pam.void())
         }
     };
     dem.map_err(refused)
@@ -128,16 +143,29 @@ fn load_sidecar(picture: &Path) -> Result<Sidecar, IoError> {
     grey::parse_sidecar(&read_limited(&path)?).map_err(|source| IoError::dem(&path, source))
 }
 
-/// Is it an elevation model in an archive, such as N44W072.hgt.zip? It is not read, but named.
+/// Bytes of a file.
+fn length(path: &Path, file: &File) -> Result<u64, IoError> {
+    let facts = file
+        .metadata()
+        .map_err(|source| IoError::read(path, source))?;
+    Ok(facts.len())
+}
+
+/// Is it an elevation model in an archive that is not read, such as tile.tif.zip? It is named.
 fn is_packed(path: &Path) -> bool {
     let is_archive = matches!(DemFormat::of(path), Err(DemError::Archive));
     is_archive && DemFormat::of(&path.with_extension("")).is_ok()
+}
+
+fn is_hgt(name: Option<&OsStr>) -> bool {
+    name.is_some_and(|name| extension(Path::new(name)).as_deref() == Some("hgt"))
 }
 
 /// The formats of elevation models.
 #[derive(Clone, Copy)]
 enum DemFormat {
     Hgt,
+    PackedHgt,
     GeoTiff,
     Grey,
 }
@@ -149,6 +177,7 @@ impl DemFormat {
             Some("hgt") => Ok(Self::Hgt),
             Some("tif" | "tiff") => Ok(Self::GeoTiff),
             Some("png") => Ok(Self::Grey),
+            Some("zip" | "gz") if is_hgt(path.file_stem()) => Ok(Self::PackedHgt),
             Some("zip" | "gz") => Err(DemError::Archive),
             _ => Err(DemError::Extension),
         }

@@ -12,13 +12,14 @@
 
 use super::error::{DemError, invalid};
 use png::{ColorType, Decoder, Info, Limits, Reader};
-use std::io::Cursor;
+use std::io::{BufRead, Seek};
 
 /// Memory that the decoder may take besides the pixels.
 const DECODER_BYTES: usize = 64 << 20;
 
-/// Deflate shrinks nothing more than so many times (1032): a short file never takes much memory.
-const MAX_DEFLATION: usize = 1100;
+/// Most bytes of the pixels of an interlaced picture, all of which are held: its last row comes last,
+/// and the others in pieces.
+const MOST_INTERLACED_BYTES: usize = 128 << 20;
 
 /// A level of grey.
 #[derive(Clone, Copy, Debug)]
@@ -43,87 +44,61 @@ impl Grey {
     }
 }
 
-/// Values of the pixels of a picture.
-pub(in crate::io) struct Greys {
-    /// Pixels to a row, and rows.
-    pub(in crate::io) size: [u32; 2],
-    /// A value for each grey, NaN for voids; rows from the top.
-    pub(in crate::io) values: Vec<f32>,
-}
-
-impl Greys {
-    /// Reads the `value` of every pixel, unless `check` refuses the size.
-    pub(in crate::io) fn read<E: From<DemError>>(
-        bytes: &[u8],
-        check: impl FnOnce(u32, u32) -> Result<(), E>,
-        value: impl Fn(Grey) -> f32,
-    ) -> Result<Self, E> {
-        let mut values = Vec::new();
-        let size = each_row(bytes, check, value, |row| {
-            values.extend_from_slice(row);
-            Ok(())
-        })?;
-        Ok(Self { size, values })
-    }
-}
-
-/// Columns and rows of a picture.
-pub(in crate::io) fn size(bytes: &[u8]) -> Result<[u32; 2], DemError> {
-    let reader = decoder(bytes).read_info().map_err(refused)?;
-    Ok([reader.info().width, reader.info().height])
-}
-
-/// Hands on the `value` of every pixel, a row at a time from the top, unless `check` refuses the
-/// size; returns the size.
-pub(in crate::io) fn each_row<E: From<DemError>>(
-    bytes: &[u8],
-    check: impl FnOnce(u32, u32) -> Result<(), E>,
+/// Reads a picture a row at a time: `start` is told its columns and rows, `take` the number of the
+/// first pixel of each row and the `value` of its greys, NaN for voids; rows come from the top.
+///
+/// # Errors
+/// Those of `start`, and [`DemError::Invalid`] for what is no grey picture.
+pub(in crate::io) fn fold_rows<R: BufRead + Seek, T, E: From<DemError>>(
+    source: R,
+    start: impl FnOnce([u32; 2]) -> Result<T, E>,
     value: impl Fn(Grey) -> f32,
-    mut take: impl FnMut(&[f32]) -> Result<(), E>,
-) -> Result<[u32; 2], E> {
-    let mut reader = decoder(bytes).read_info().map_err(refused)?;
-    let size = [reader.info().width, reader.info().height];
-    check(size[0], size[1])?;
+    take: impl Fn(&mut T, usize, &[f32]),
+) -> Result<T, E> {
+    let mut reader = decoder(source).read_info().map_err(refused)?;
+    let [width, height] = [reader.info().width, reader.info().height];
+    let mut all = start([width, height])?;
     let form = PixelForm::new(reader.info());
-    let mut values = vec![0.0; size[0] as usize];
+    let mut values = vec![0.0; width as usize];
     let mut y = 0;
-    rows(&mut reader, bytes.len(), |row| {
+    rows(&mut reader, |row| {
         for (x, place) in values.iter_mut().enumerate() {
             let grey = form.grey(row, x).map_err(|why| at([x, y], &why))?;
             *place = grey.map_or(f32::NAN, &value);
         }
+        take(&mut all, y * width as usize, &values);
         y += 1;
-        take(&values)
+        Ok(())
     })?;
-    Ok(size)
+    Ok(all)
 }
 
-fn decoder(bytes: &[u8]) -> Decoder<Cursor<&[u8]>> {
+fn decoder<R: BufRead + Seek>(source: R) -> Decoder<R> {
     let limits = Limits {
         bytes: DECODER_BYTES,
     };
-    let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), limits);
+    let mut decoder = Decoder::new_with_limits(source, limits);
     decoder.set_ignore_text_chunk(true);
     decoder.set_ignore_iccp_chunk(true);
     decoder
 }
 
-/// Hands on the rows of a picture, a file of `len` bytes, from the top.
-fn rows<E: From<DemError>>(
-    reader: &mut Reader<Cursor<&[u8]>>,
-    len: usize,
-    mut take: impl FnMut(&[u8]) -> Result<(), E>,
-) -> Result<(), E> {
+/// Hands on the rows of a picture from the top.
+fn rows<R: BufRead + Seek>(
+    reader: &mut Reader<R>,
+    mut take: impl FnMut(&[u8]) -> Result<(), DemError>,
+) -> Result<(), DemError> {
     if !reader.info().interlaced {
         while let Some(row) = reader.next_row().map_err(refused)? {
             take(row.data())?;
         }
         return Ok(());
     }
-    // The last row comes last and the others in pieces, so that all of them are in memory.
     let all = reader.output_buffer_size().unwrap_or(usize::MAX);
-    if all > len.saturating_mul(MAX_DEFLATION) {
-        return Err(invalid("the file is too short for so many pixels").into());
+    if all > MOST_INTERLACED_BYTES {
+        return Err(invalid(
+            "an interlaced picture of so many pixels is not read: save it without interlacing",
+        ));
     }
     let mut pixels = vec![0; all];
     let frame = reader.next_frame(&mut pixels).map_err(refused)?;

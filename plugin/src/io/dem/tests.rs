@@ -112,11 +112,21 @@ fn a_text_that_is_longer_than_the_file_is_refused() {
 #[test]
 fn pictures_are_scaled_by_their_sidecar() {
     let feet = br#"{ "metres_per_pixel": 92.6, "metres_per_unit": 0.3048 }"#;
-    let dem = grey::read(&grey_png(), &grey::parse_sidecar(feet).unwrap(), None).unwrap();
+    let dem = grey::read(
+        Cursor::new(grey_png()),
+        &grey::parse_sidecar(feet).unwrap(),
+        None,
+    )
+    .unwrap();
     assert_eq!((dem.grid.pixel_m, dem.centre), ([92.6; 2], None));
     assert!((dem.grid.row(2)[3] - 115.0 * 0.3048).abs() < 1e-4);
     let range = br#"{"min_m": -100, "max_m": 65435, "metres_per_pixel": 5, "lat": 1, "lon": 2}"#;
-    let dem = grey::read(&grey_png(), &grey::parse_sidecar(range).unwrap(), None).unwrap();
+    let dem = grey::read(
+        Cursor::new(grey_png()),
+        &grey::parse_sidecar(range).unwrap(),
+        None,
+    )
+    .unwrap();
     assert_eq!((dem.grid.values[0], dem.centre), (0.0, Some((1.0, 2.0))));
 }
 
@@ -143,7 +153,7 @@ fn pictures_of_8_bits_are_scaled_by_their_sidecar() {
     ] {
         let sidecar = format!(r#"{{"metres_per_pixel": 90, {scale}}}"#);
         let sidecar = grey::parse_sidecar(sidecar.as_bytes()).unwrap();
-        let dem = grey::read(&picture, &sidecar, None).unwrap();
+        let dem = grey::read(Cursor::new(&picture), &sidecar, None).unwrap();
         assert_eq!(dem.grid.values, heights, "{scale}");
     }
 }
@@ -174,7 +184,7 @@ fn sidecars_without_a_scale_are_refused() {
     for pixel in ["0", "-1", "1e9"] {
         let text = format!(r#"{{"metres_per_pixel": {pixel}, "metres_per_unit": 1}}"#);
         let sidecar = grey::parse_sidecar(text.as_bytes()).unwrap();
-        let refused = grey::read(&grey_png(), &sidecar, None);
+        let refused = grey::read(Cursor::new(grey_png()), &sidecar, None);
         assert!(matches!(refused, Err(DemError::Invalid(_))), "{pixel}");
     }
 }
@@ -190,6 +200,7 @@ fn folder_of_bad_files() -> tempfile::TempDir {
         ("b.tif", &tif[..tif.len() / 2]),
         ("c.tif", b"II*\0"),
         ("a.hgt.zip", b"PK"),
+        ("a.tif.zip", b"PK"),
     ] {
         fs::write(folder.path().join(name), bytes).unwrap();
     }
@@ -206,7 +217,8 @@ fn files_are_refused_in_one_line_that_names_them() {
         ("b.tif", "b.tif"),
         ("c.tif", "c.tif"),
         ("missing.tif", "missing.tif"),
-        ("a.hgt.zip", "unpack"),
+        ("a.hgt.zip", "damaged archive"),
+        ("a.tif.zip", "unpack"),
     ] {
         let error = load_dem(&folder.path().join(name)).unwrap_err();
         let text = error.to_string();
@@ -284,7 +296,7 @@ fn read_kind(kind: u8, bytes: &[u8]) -> Result<Dem, DemError> {
         return geotiff::read(Cursor::new(bytes), SideFiles::default());
     }
     let sidecar = br#"{"metres_per_pixel": 30, "metres_per_unit": 1}"#;
-    grey::read(bytes, &grey::parse_sidecar(sidecar)?, None)
+    grey::read(Cursor::new(bytes), &grey::parse_sidecar(sidecar)?, None)
 }
 
 proptest! {

@@ -9,13 +9,15 @@ use crate::query::HeightGrid;
 const EARTH_RADIUS_M: f64 = 6_371_008.8;
 
 /// Greatest height or depth in m; no ground is that high, and beyond it f32 loses metres.
-const MAX_HEIGHT_M: f32 = 1e6;
+pub(super) const MAX_HEIGHT_M: f32 = 1e6;
 
 /// A tile of real ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dem {
-    /// Heights in m without voids.
+    /// Heights in m without voids; of a file of more pixels than are held, the means of its blocks.
     pub grid: HeightGrid,
+    /// Columns and rows of the file.
+    pub pixels: [usize; 2],
     /// Latitude and longitude of the middle in degrees, if the file tells.
     pub centre: Option<(f64, f64)>,
     /// Number of voids that were filled.
@@ -55,9 +57,15 @@ impl Dem {
         };
         Ok(Self {
             grid,
+            pixels: [width, height],
             centre,
             voids,
         })
+    }
+
+    /// Whether the grid has the means of the file's pixels instead of them.
+    pub fn is_shrunk(&self) -> bool {
+        self.pixels != [self.grid.width, self.grid.height]
     }
 }
 

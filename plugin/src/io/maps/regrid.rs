@@ -4,15 +4,15 @@
 //!
 //! So archives come in as they are: a map that begins at another meridian is turned, one whose rows
 //! go north is turned over, values at nodes (361 x 181) become those of the cells between, latitudes
-//! that a map does not reach are void, and rasters wider than a map can be become means while they
+//! that a map does not reach are void, and rasters of more than 8192 columns become means while they
 //! are read.
 
 use super::error::MapFileError;
 use crate::climate::{EquirectMap, MapError};
-use crate::io::dem::DemError;
-use crate::room::try_reserve;
+use crate::io::dem::{CellMeans, DemError};
+use core::ops::RangeInclusive;
 
-/// Columns of a map whose raster is wider than a map can be: pixels of 5 km on the Earth.
+/// Most columns of a map: pixels of 5 km on the Earth, a fifth of an edge of the base mesh.
 const MOST_COLUMNS: u32 = 8192;
 
 /// The place of a pixel that is in no cell.
@@ -82,21 +82,15 @@ impl Regrid {
         }
     }
 
-    /// An empty map.
-    pub(super) fn map(self) -> Result<MapMeans, DemError> {
+    /// An empty map, whose values are possible within a range.
+    pub(super) fn map(self, possible: RangeInclusive<f32>) -> Result<MapMeans, DemError> {
         let cells = self.width as usize * self.height as usize;
-        let counts = if self.is_one_to_one { 0 } else { cells };
-        let no_room = |_| DemError::Memory(4 * (cells + counts) as u64);
-        let mut means = MapMeans {
-            values: Vec::new(),
-            counts: Vec::new(),
+        Ok(MapMeans {
+            means: CellMeans::new(cells, self.is_one_to_one)?,
             grid: self,
-        };
-        try_reserve(&mut means.values, cells).map_err(no_room)?;
-        means.values.resize(cells, f32::NAN);
-        try_reserve(&mut means.counts, counts).map_err(no_room)?;
-        means.counts.resize(counts, 0);
-        Ok(means)
+            possible,
+            impossible: None,
+        })
     }
 }
 
@@ -150,7 +144,7 @@ fn whole(extent: [f64; 4], [width, height]: [u32; 2]) -> Option<[f64; 4]> {
 
 /// Rows of a map that a raster of so many becomes: as many, or a whole part of them.
 fn shrunk(rows: u32) -> u32 {
-    if rows <= EquirectMap::MAX_SIDE / 2 {
+    if rows <= MOST_COLUMNS / 2 {
         return rows;
     }
     let mut part = (2 * rows).div_ceil(MOST_COLUMNS);
@@ -170,9 +164,10 @@ fn cells(place: f64) -> [i64; 2] {
 /// A map while its raster is read.
 pub(super) struct MapMeans {
     grid: Regrid,
-    values: Vec<f32>,
-    /// How often something counted in each cell; empty where it is once.
-    counts: Vec<u32>,
+    means: CellMeans,
+    possible: RangeInclusive<f32>,
+    /// The first value that is not possible, and its cell.
+    impossible: Option<(usize, f32)>,
 }
 
 impl MapMeans {
@@ -180,52 +175,31 @@ impl MapMeans {
     pub(super) fn add(&mut self, place: usize, values: &[f32]) {
         let across = self.grid.columns.len();
         let pairs = &self.grid.columns[place % across..];
-        for row in self.grid.rows[place / across]
-            .into_iter()
-            .filter(|row| *row != NOWHERE)
-        {
+        for row in self.grid.rows[place / across] {
+            if row == NOWHERE {
+                continue;
+            }
             let first = row as usize * self.grid.width as usize;
-            let cells = &mut self.values[first..];
-            match self.counts.get_mut(first..) {
-                Some(counts) if !counts.is_empty() => average(cells, counts, pairs, values),
-                _ => place_all(cells, pairs, values),
+            for (columns, &value) in pairs.iter().zip(values) {
+                for column in columns.iter().filter(|column| **column != NOWHERE) {
+                    let cell = first + *column as usize;
+                    self.means.add(cell, value);
+                    if !value.is_nan() && !self.possible.contains(&value) {
+                        self.impossible.get_or_insert((cell, value));
+                    }
+                }
             }
         }
     }
 
-    /// The map.
+    /// The map. An impossible value stands for its whole cell: means would hide it from whoever
+    /// checks the map.
     pub(super) fn finish(self) -> Result<EquirectMap, MapError> {
-        EquirectMap::new(self.grid.width, self.grid.height, self.values)
-    }
-}
-
-/// Puts values into cells that have no other.
-fn place_all(cells: &mut [f32], pairs: &[[u32; 2]], values: &[f32]) {
-    for ([column, _], value) in pairs.iter().zip(values) {
-        cells[*column as usize] = *value;
-    }
-}
-
-/// Takes values into the means of their cells.
-fn average(cells: &mut [f32], counts: &mut [u32], pairs: &[[u32; 2]], values: &[f32]) {
-    let known = pairs
-        .iter()
-        .zip(values)
-        .filter(|(_, value)| !value.is_nan());
-    for (pair, value) in known {
-        for cell in pair
-            .iter()
-            .filter(|cell| **cell != NOWHERE)
-            .map(|cell| *cell as usize)
-        {
-            counts[cell] += 1;
-            let mean = if counts[cell] == 1 {
-                *value
-            } else {
-                cells[cell]
-            };
-            cells[cell] = mean + (value - mean) / counts[cell] as f32;
+        let mut values = self.means.finish();
+        if let Some((cell, value)) = self.impossible {
+            values[cell] = value;
         }
+        EquirectMap::new(self.grid.width, self.grid.height, values)
     }
 }
 
@@ -242,7 +216,7 @@ mod tests {
     ) -> EquirectMap {
         let mut means = Regrid::new(size, Some(extent), is_turned)
             .unwrap()
-            .map()
+            .map(f32::NEG_INFINITY..=f32::INFINITY)
             .unwrap();
         for y in 0..size[1] {
             let row: Vec<f32> = (0..size[0]).map(|x| value(x, y)).collect();
@@ -304,8 +278,19 @@ mod tests {
         assert_eq!(grid.columns[6 * 5..6 * 6], [[5, 5]; 6]);
         assert_eq!(grid.rows[21_599], [3599, 3599]);
         assert!(!grid.is_one_to_one);
-        let small = Regrid::new([32_768, 16_384], Some(WHOLE), [false; 2]).unwrap();
+        let small = Regrid::new([8192, 4096], Some(WHOLE), [false; 2]).unwrap();
         assert!(small.is_one_to_one);
+    }
+
+    #[test]
+    fn impossible_values_are_not_hidden_by_means() {
+        // 12,000 columns become 6000.
+        let grid = Regrid::new([12_000, 6000], Some(WHOLE), [false; 2]).unwrap();
+        let mut means = grid.map(0.0..=1.0).unwrap();
+        means.add(0, &[0.5, f32::NAN, 0.5, -9999.0, 0.5, 0.5]);
+        let map = means.finish().unwrap();
+        assert_eq!(map.size(), [6000, 3000]);
+        assert_eq!(map.values()[..3], [0.5, -9999.0, 0.5]);
     }
 
     #[test]

@@ -23,7 +23,7 @@
 //! - Causes of the ledger are known by their place: new ones come last.
 //! - The version counts changes that older programs could not read right. Version 4 added the
 //!   section `CLIM`: the maps that replace fields of the climate, compressed without loss, together
-//!   at most 2^29 pixels. Version 3 is still read; older ones are not.
+//!   at most 2^27 pixels. Version 3 is still read; older ones are not.
 //! - The section `TERR` holds the maps that a planet is made of, in the same way.
 
 use super::codec::Decoder;
@@ -48,8 +48,9 @@ const HEADER_BYTES: usize = 12;
 /// Bytes of the hash at the end.
 const HASH_BYTES: usize = 32;
 
-/// Larger files hold no planet: two million samples take 140 MB, the largest maps 2 GiB.
-const MAX_FILE_BYTES: u64 = 3 << 30;
+/// Larger files hold no planet: two million samples take 140 MB, the largest maps 512 MiB for each
+/// of two sections.
+const MAX_FILE_BYTES: u64 = 2 << 30;
 
 /// Passes bytes on, and hashes them.
 struct Hashing<W> {

@@ -10,9 +10,10 @@ use crate::io::SaveError;
 use crate::io::codec::{Decoder, Encoder, invalid};
 use crate::io::planes::{pack, unpack};
 
-/// Most pixels of all maps of a section together: 2 GiB of numbers. It bounds the memory that a
-/// file can ask for, whose bytes may stand for a thousand times as many.
-const MAX_MAP_PIXELS: u64 = 1 << 29;
+/// Most pixels of all maps of a section together: 512 MiB of numbers, four maps of the largest size
+/// that is read from files. It bounds the memory that a file can ask for, whose bytes may stand for
+/// a thousand times as many.
+const MAX_MAP_PIXELS: u64 = 1 << 27;
 
 /// Least bytes of a map: lengths of its name and values, its size.
 const LEAST_BYTES: usize = 20;
@@ -105,12 +106,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_save_holds_one_map_of_the_largest_size_and_no_more() {
-        let side = EquirectMap::MAX_SIDE;
-        let largest = pixels([side, side / 2]);
+    fn a_save_holds_four_maps_of_the_largest_size_and_no_more() {
+        let largest = 4 * pixels([8192, 4096]);
         assert_eq!(within_limit(largest), Ok(()));
         let problem = within_limit(largest + 1).unwrap_err().to_string();
-        assert!(problem.contains("536870913 pixels"), "{problem}");
+        assert!(problem.contains("134217729 pixels"), "{problem}");
         assert_eq!(check_pixels(core::iter::empty()), Ok(()));
     }
 }

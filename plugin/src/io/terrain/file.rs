@@ -1,10 +1,13 @@
 //! The fields of a terrain file, and the planet that they describe.
 
 use super::elevation::HeightUnit;
-use crate::climate::{ClimateField, ClimateMaps, EARTH_RADIUS, EquirectMap};
+use super::loaded::LoadedPlanet;
+use crate::climate::{ClimateField, EARTH_RADIUS, EquirectMap};
 use crate::hydrology::TerrainMaps;
 use crate::io::IoError;
-use crate::io::maps::{MapFileError, MapQuantity, load_map_of, reduced};
+use crate::io::maps::{
+    LoadedClimate, MapFileError, MapQuantity, load_climate_maps, load_map_of, reduced,
+};
 use crate::io::text::TextError;
 use crate::planet::Planet;
 use crate::spawn::PlanetState;
@@ -54,18 +57,24 @@ impl TerrainFile {
     }
 
     /// The planet of a file at `path`.
-    pub(super) fn planet(&self, path: &Path) -> Result<PlanetState, IoError> {
+    pub(super) fn planet(&self, path: &Path) -> Result<LoadedPlanet, IoError> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let planet = Planet {
             radius: self.radius,
             seed: self.seed,
         };
-        let (terrain, climate) = (self.terrain(folder)?, self.climate(folder)?);
+        let terrain = self.terrain(folder)?;
+        let climate = self.climate(folder)?;
         let state = PlanetState::from_maps(planet, terrain).map_err(|error| {
             let problem = error.to_string();
             TextError { line: 0, problem }.in_file(path)
         })?;
-        Ok(PlanetState { climate, ..state })
+        let planet = PlanetState {
+            climate: climate.maps,
+            ..state
+        };
+        let notes = climate.notes;
+        Ok(LoadedPlanet { planet, notes })
     }
 
     fn terrain(&self, folder: &Path) -> Result<TerrainMaps, IoError> {
@@ -93,20 +102,16 @@ impl TerrainFile {
         Ok(maps)
     }
 
-    fn climate(&self, folder: &Path) -> Result<ClimateMaps, IoError> {
-        let mut maps = ClimateMaps::default();
-        for (file, field) in [
+    fn climate(&self, folder: &Path) -> Result<LoadedClimate, IoError> {
+        let fields = [
             (&self.temperature, ClimateField::Temperature),
             (&self.rain, ClimateField::Rain),
             (&self.wetness, ClimateField::Wetness),
-        ] {
-            let Some(file) = file else { continue };
-            let path = folder.join(file);
-            let quantity = MapQuantity::of(field);
-            maps.set(field, load_map_of(&path, quantity, quantity.greys())?.map);
-            maps.check()
-                .map_err(|error| IoError::map(&path, MapFileError::Map(error)))?;
-        }
-        Ok(maps)
+        ];
+        let given = fields
+            .into_iter()
+            .filter_map(|(file, field)| Some((field, folder.join(file.as_ref()?))));
+        let files: Vec<(ClimateField, PathBuf)> = given.collect();
+        load_climate_maps(files.iter().map(|(field, path)| (*field, path.as_path())))
     }
 }

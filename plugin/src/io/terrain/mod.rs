@@ -28,12 +28,17 @@
 //!
 //! ```text
 //! elevation  the map of the elevation, in km
+//! loaded     a planet, and what to say of it
 //! file       the fields of a terrain file, and the planet that they describe
 //! ```
 
 mod elevation;
 
+mod loaded;
+
 mod file;
+
+pub use loaded::LoadedPlanet;
 
 use self::file::TerrainFile;
 use super::dem::extension;
@@ -94,8 +99,16 @@ impl PlanetFileKind {
 /// # Errors
 /// [`IoError`] names the file that cannot be read, or is refused: that of a map where it is a map.
 pub fn load_planet(path: &Path) -> Result<PlanetState, IoError> {
+    Ok(load_planet_with_notes(path)?.planet)
+}
+
+/// The same, with what its user should know of its maps.
+///
+/// # Errors
+/// As [`load_planet`].
+pub fn load_planet_with_notes(path: &Path) -> Result<LoadedPlanet, IoError> {
     match PlanetFileKind::of(path) {
-        PlanetFileKind::Save => save::load(path),
+        PlanetFileKind::Save => Ok(save::load(path)?.into()),
         PlanetFileKind::Terrain => {
             let file: TerrainFile =
                 parse(&read_text(path)?).map_err(|problem| problem.in_file(path))?;

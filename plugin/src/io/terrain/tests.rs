@@ -168,6 +168,30 @@ fn maps_that_no_planet_is_made_of_are_named() {
 }
 
 #[test]
+fn voids_of_maps_of_the_climate_are_noted() {
+    let folder = TempDir::new().unwrap();
+    map(&folder, "m.png", [-3000.0, 1000.0], east);
+    // Wetness of 1, two pixels of which are transparent.
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 4, 2);
+    encoder.set_color(png::ColorType::GrayscaleAlpha);
+    let mut writer = encoder.write_header().unwrap();
+    let pixels = [[255, 0].repeat(2), [255, 255].repeat(6)].concat();
+    writer.write_image_data(&pixels).unwrap();
+    drop(writer);
+    fs::write(folder.path().join("w.png"), bytes).unwrap();
+    let text = r#"(elevation: "m.png", wetness: "w.png")"#;
+    let loaded = load_planet_with_notes(&terrain_file(&folder, text)).unwrap();
+    let [note] = loaded.notes.as_slice() else {
+        panic!("{:?}", loaded.notes)
+    };
+    assert!(
+        note.contains("w.png") && note.contains("2 voids of 8"),
+        "{note}"
+    );
+}
+
+#[test]
 fn voids_of_the_elevation_are_refused() {
     let folder = TempDir::new().unwrap();
     let pixels = [128_u8, 255].repeat(32 * 16);

@@ -6,6 +6,7 @@ use super::sample::SampleType;
 use super::structure::{Directory, TiffFile, refused, unsupported};
 use super::tag::{self, Tag};
 use crate::io::dem::error::DemError;
+use core::ops::Range;
 use std::io::{Read, Seek};
 
 /// No compression gives more pixels for a byte: an RLE block of Zstandard has 128 KiB in four. Nor
@@ -116,9 +117,15 @@ impl Layout {
         Ok(offsets.into_iter().zip(counts).collect())
     }
 
-    /// Pixels of the image.
-    pub(super) fn pixels(&self) -> usize {
-        self.size[0] as usize * self.size[1] as usize
+    /// The rows of blocks that hold some rows of pixels.
+    pub(super) fn rows_of_blocks(&self, rows: Range<u32>) -> Range<u32> {
+        rows.start / self.block[1]..rows.end.div_ceil(self.block[1])
+    }
+
+    /// The rows of pixels in some rows of blocks.
+    pub(super) fn rows_in(&self, blocks: Range<u32>) -> Range<u32> {
+        let start = |block: u32| block.saturating_mul(self.block[1]).min(self.size[1]);
+        start(blocks.start)..start(blocks.end)
     }
 
     /// Blocks to a row of blocks, and rows of blocks.

@@ -7,6 +7,7 @@ use super::structure::{Directory, TiffFile, unsupported};
 use super::tag;
 use crate::io::dem::error::{DemError, invalid};
 use crate::room::try_reserve;
+use core::ops::Range;
 use std::io::{Read, Seek};
 
 /// Bits of NewSubfileType: an image of less resolution, and a mask.
@@ -53,58 +54,113 @@ impl<R: Read + Seek> MaskFile<R> {
     }
 }
 
-/// The pixels that are invalid, a bit each; none where all are valid.
-#[derive(Default)]
-pub(super) struct InvalidPixels(Vec<u64>);
+/// The pixels of some rows that are invalid, by all masks that an image has: its second sample, the
+/// one in its file, the one beside it. Rows are read in the order of the image's blocks.
+pub(super) struct InvalidPixels<'a, M> {
+    own: Option<Layout>,
+    beside: Option<&'a mut MaskFile<M>>,
+    bands: [MaskBand; 3],
+}
 
-impl InvalidPixels {
-    /// Reads the masks of an image: its second sample, the one in its file, the one beside it.
-    pub(super) fn read<R: Read + Seek, M: Read + Seek>(
+impl<'a, M: Read + Seek> InvalidPixels<'a, M> {
+    /// Finds the masks of an image; nothing of them is read yet.
+    pub(super) fn find<R: Read + Seek>(
         file: &mut TiffFile<R>,
         directory: &Directory,
         layout: &Layout,
-        beside: Option<&mut MaskFile<M>>,
+        beside: Option<&'a mut MaskFile<M>>,
     ) -> Result<Self, DemError> {
-        let mut all = Self::default();
-        if layout.samples > 1 {
-            all.add(file, layout, 1)?;
+        if beside
+            .as_ref()
+            .is_some_and(|mask| mask.layout.size != layout.size)
+        {
+            return Err(invalid("the mask beside it (.msk) has another size"));
         }
-        if let Some(mask) = find(file, directory, layout.size)? {
-            all.add(file, &mask, 0)?;
-        }
-        if let Some(mask) = beside {
-            if mask.layout.size != layout.size {
-                return Err(invalid("the mask beside it (.msk) has another size"));
-            }
-            all.add(&mut mask.file, &mask.layout, 0)?;
-        }
-        Ok(all)
+        Ok(Self {
+            own: find(file, directory, layout.size)?,
+            beside,
+            bands: Default::default(),
+        })
     }
 
-    /// Adds the pixels at which a sample is 0.
-    fn add<R: Read + Seek>(
+    /// Reads the masks of some rows of an image.
+    pub(super) fn load<R: Read + Seek>(
+        &mut self,
+        file: &mut TiffFile<R>,
+        layout: &Layout,
+        rows: Range<u32>,
+    ) -> Result<(), DemError> {
+        let [opacity, own, beside] = &mut self.bands;
+        if layout.samples > 1 {
+            opacity.load(file, layout, 1, rows.clone())?;
+        }
+        if let Some(mask) = &self.own {
+            own.load(file, mask, 0, rows.clone())?;
+        }
+        if let Some(mask) = &mut self.beside {
+            beside.load(&mut mask.file, &mask.layout, 0, rows)?;
+        }
+        Ok(())
+    }
+
+    /// Is a pixel of these rows invalid?
+    pub(super) fn has(&self, pixel: usize) -> bool {
+        self.bands.iter().any(|band| band.has(pixel))
+    }
+}
+
+/// Some rows of a mask: those of whole blocks.
+#[derive(Default)]
+struct MaskBand {
+    /// Rows of blocks.
+    blocks: Range<u32>,
+    /// Its first pixel.
+    first: usize,
+    /// A bit for each pixel, set if that is invalid.
+    bits: Vec<u64>,
+}
+
+impl MaskBand {
+    /// Reads the blocks of some rows, unless they are here already. Invalid is a sample of 0.
+    fn load<R: Read + Seek>(
         &mut self,
         file: &mut TiffFile<R>,
         layout: &Layout,
         sample: usize,
+        rows: Range<u32>,
     ) -> Result<(), DemError> {
-        let words = layout.pixels().div_ceil(64);
-        if self.0.is_empty() {
-            let room = try_reserve(&mut self.0, words);
-            room.map_err(|_| DemError::Memory(8 * words as u64))?;
-            self.0.resize(words, 0);
+        let blocks = layout.rows_of_blocks(rows);
+        if blocks == self.blocks {
+            return Ok(());
         }
-        each_row(file, layout, sample, 0.0, |place, numbers| {
-            for (pixel, _) in (place..).zip(numbers).filter(|(_, number)| **number == 0.0) {
-                self.0[pixel / 64] |= 1 << (pixel % 64);
-            }
-        })
+        let rows = layout.rows_in(blocks.clone());
+        let width = layout.size[0] as usize;
+        self.first = rows.start as usize * width;
+        let words = (rows.len() * width).div_ceil(64);
+        self.bits.clear();
+        let room = try_reserve(&mut self.bits, words);
+        room.map_err(|_| DemError::Memory(8 * words as u64))?;
+        self.bits.resize(words, 0);
+        for row in blocks.clone() {
+            each_row(file, layout, sample, row, 0.0, |place, numbers| {
+                self.mark(place - self.first, numbers);
+            })?;
+        }
+        self.blocks = blocks;
+        Ok(())
     }
 
-    /// Is a pixel invalid?
-    pub(super) fn has(&self, pixel: usize) -> bool {
-        let word = self.0.get(pixel / 64);
-        word.is_some_and(|word| word >> (pixel % 64) & 1 == 1)
+    /// Notes the zeros among numbers of pixels, the first of which has this place in the band.
+    fn mark(&mut self, place: usize, numbers: &[f64]) {
+        for (pixel, _) in (place..).zip(numbers).filter(|(_, number)| **number == 0.0) {
+            self.bits[pixel / 64] |= 1 << (pixel % 64);
+        }
+    }
+
+    fn has(&self, pixel: usize) -> bool {
+        let place = pixel.wrapping_sub(self.first);
+        let word = self.bits.get(place / 64);
+        word.is_some_and(|word| word >> (place % 64) & 1 == 1)
     }
 }
 

@@ -28,7 +28,7 @@
 //!
 //! Read are whole numbers of 1 to 32 and of 64 bits and floating-point ones of 16, 32 and 64;
 //! compressed by Deflate, LZW, PackBits, Zstandard or LERC, or not; of any size up to 100,000 a
-//! side. Memory holds the values and a row.
+//! side. Memory holds a row, and of masks the rows of a block, while values are handed on.
 
 mod tag;
 
@@ -83,6 +83,7 @@ pub(in crate::io) use raster::RasterFile;
 pub(in crate::io) use side_files::SideFiles;
 
 use super::error::DemError;
+use super::shrink::ShrunkRaster;
 use super::tile::{Dem, check_size};
 use std::io::{Read, Seek};
 
@@ -91,8 +92,9 @@ pub(super) fn read(source: impl Read + Seek, beside: SideFiles) -> Result<Dem, D
     let mut raster = RasterFile::open(source, beside, check_size)?;
     let metres_per_unit = raster.metres_per_unit()?.unwrap_or(1.0);
     let (pixel_m, centre) = raster.ground()?;
-    let heights = raster.values(metres_per_unit)?;
-    Dem::new(raster.size(), heights, pixel_m, centre)
+    let mut heights = ShrunkRaster::new(raster.size(), raster.is_turned())?;
+    raster.for_each_row([metres_per_unit, 0.0], |place, row| heights.add(place, row))?;
+    heights.finish(pixel_m, centre)
 }
 
 #[cfg(test)]

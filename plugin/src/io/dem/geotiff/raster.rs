@@ -15,7 +15,6 @@ use super::system::{self, System, mean_radius};
 use super::tag;
 use crate::io::dem::error::{DemError, invalid};
 use crate::io::dem::tile::degrees_on_sphere;
-use crate::room::try_reserve;
 use std::io::{Read, Seek};
 
 /// A raster without a coordinate system counts in degrees if its pixels are less wide than this,
@@ -68,7 +67,10 @@ impl<R: Read + Seek> RasterFile<R> {
         let (told, metres_beside) =
             told.map_or((None, None), |all| (Some(all.system), all.metres_per_unit));
         Ok(Self {
-            system: told.map_or_else(|| System::of(&keys), Ok)?,
+            system: match told {
+                Some(told) => told,
+                None => beside.system(System::of(&keys)?),
+            },
             placement: placement(&mut file, &directory, &keys, &beside)?,
             nodata: Nodata::of(nodata.as_deref(), layout.sample_type)?,
             calibration: Calibration::of(metadata.as_deref())?.with(&beside.pam),
@@ -99,18 +101,6 @@ impl<R: Read + Seek> RasterFile<R> {
         &self.calibration.unit
     }
 
-    /// All values in `unit`, NaN for voids, rows from the north.
-    pub(super) fn values(&mut self, unit: f64) -> Result<Vec<f32>, DemError> {
-        let mut values = room(self.layout.pixels())?;
-        self.for_each_row([unit, 0.0], |place, row| {
-            values[place..place + row.len()].copy_from_slice(row);
-        })?;
-        if let Some(placement) = self.placement {
-            turn_north_up(placement, self.size()[0] as usize, &mut values);
-        }
-        Ok(values)
-    }
-
     /// Hands on all values `z` as `factor z + summand`, NaN for voids: rows of blocks as they come
     /// in the file, with the number of their first pixel.
     pub(in crate::io) fn for_each_row(
@@ -118,21 +108,25 @@ impl<R: Read + Seek> RasterFile<R> {
         [factor, summand]: [f64; 2],
         mut take: impl FnMut(usize, &[f32]),
     ) -> Result<(), DemError> {
+        let (file, layout) = (&mut self.file, &self.layout);
         let (nodata, calibration) = (self.nodata, &self.calibration);
         let mask = self.beside.mask.as_mut();
-        let invalid = InvalidPixels::read(&mut self.file, &self.directory, &self.layout, mask)?;
+        let mut invalid = InvalidPixels::find(file, &self.directory, layout, mask)?;
         let mut values = Vec::new();
-        let fill = nodata.fill;
-        each_row(&mut self.file, &self.layout, 0, fill, |place, numbers| {
-            values.clear();
-            values.extend((place..).zip(numbers).map(|(pixel, &number)| {
-                if nodata.marks(number) || invalid.has(pixel) {
-                    return f32::NAN;
-                }
-                (calibration.apply(number) * factor + summand) as f32
-            }));
-            take(place, &values);
-        })
+        for row in 0..layout.blocks_a_side()[1] {
+            invalid.load(file, layout, layout.rows_in(row..row + 1))?;
+            each_row(file, layout, 0, row, nodata.fill, |place, numbers| {
+                values.clear();
+                values.extend((place..).zip(numbers).map(|(pixel, &number)| {
+                    if nodata.marks(number) || invalid.has(pixel) {
+                        return f32::NAN;
+                    }
+                    (calibration.apply(number) * factor + summand) as f32
+                }));
+                take(place, &values);
+            })?;
+        }
+        Ok(())
     }
 
     /// Do columns go west, and rows north?
@@ -222,31 +216,5 @@ fn check_kind<R: Read + Seek>(
         2 => Err(unsupported(tag::PHOTOMETRIC, "2 (colours)")),
         3 => Err(unsupported(tag::PHOTOMETRIC, "3 (a palette)")),
         other => Err(unsupported(tag::PHOTOMETRIC, other)),
-    }
-}
-
-/// Room for values, all void.
-fn room(count: usize) -> Result<Vec<f32>, DemError> {
-    let mut values = Vec::new();
-    let bytes = count as u64 * size_of::<f32>() as u64;
-    try_reserve(&mut values, count).map_err(|_| DemError::Memory(bytes))?;
-    values.resize(count, f32::NAN);
-    Ok(values)
-}
-
-/// Puts the north row first, and the west column.
-fn turn_north_up(placement: Placement, width: usize, values: &mut [f32]) {
-    let [east, north] = placement.step;
-    if east < 0.0 {
-        values.chunks_exact_mut(width).for_each(<[f32]>::reverse);
-    }
-    if north > 0.0 {
-        let half = values.len() / width / 2 * width;
-        let from_south = values.len() - half;
-        let (upper, lower) = values.split_at_mut(from_south);
-        let rows = upper.chunks_exact_mut(width);
-        for (north, south) in rows.zip(lower.chunks_exact_mut(width).rev()) {
-            north.swap_with_slice(south);
-        }
     }
 }

@@ -1,27 +1,26 @@
-//! The numbers of an image, row by row of each of its blocks.
+//! The numbers of an image: of a row of blocks, row by row of each block.
 
 use super::layout::Layout;
 use super::structure::{TiffFile, cut_short};
 use crate::io::dem::error::DemError;
 use std::io::{Read, Seek};
 
-/// Calls `use_row` with where a row of numbers begins in the image, and the numbers of a sample.
-/// Blocks that are left out hold `fill`.
+/// Calls `use_row` with where a row of numbers begins in the image, and the numbers of a sample, for
+/// all blocks of a row of blocks. Blocks that are left out hold `fill`.
 pub(super) fn each_row<R: Read + Seek>(
     file: &mut TiffFile<R>,
     layout: &Layout,
     sample: usize,
+    row_of_blocks: u32,
     fill: f64,
     mut use_row: impl FnMut(usize, &[f64]),
 ) -> Result<(), DemError> {
-    let [across, down] = layout.blocks_a_side();
-    for row in 0..down {
-        for column in 0..across {
-            let block = [column, row];
-            match layout.place(block, sample) {
-                Some(bytes) => read_block(file, layout, sample, block, bytes, &mut use_row)?,
-                None => fill_block(layout, block, fill, &mut use_row),
-            }
+    let [across, _] = layout.blocks_a_side();
+    for column in 0..across {
+        let block = [column, row_of_blocks];
+        match layout.place(block, sample) {
+            Some(bytes) => read_block(file, layout, sample, block, bytes, &mut use_row)?,
+            None => fill_block(layout, block, fill, &mut use_row),
         }
     }
     Ok(())

@@ -5,15 +5,18 @@
 //! NAME.EXT.aux.xml           nodata, scale, offset, unit, place and coordinate system
 //! NAME.EXT.msk               which pixels are valid, as a TIFF
 //! NAME.tfw, .pgw, .wld ..    place, of a file that tells none
+//! NAME.prj                   coordinate system of that place
 //! ```
 
 use super::mask::MaskFile;
 use super::pam::PamFile;
 use super::placement::Placement;
 use super::system::System;
+use super::wkt;
 use crate::io::IoError;
 use crate::io::dem::error::{DemError, invalid};
 use crate::io::dem::file::{extension, open, read_limited};
+use crate::io::text;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
@@ -24,6 +27,8 @@ pub(in crate::io) struct SideFiles {
     pub(in crate::io) mask: Option<MaskFile<File>>,
     /// Corner of the first pixel and steps, by a world file.
     pub(in crate::io) world: Option<[f64; 6]>,
+    /// The system of that place.
+    world_system: Option<System>,
 }
 
 impl SideFiles {
@@ -44,6 +49,7 @@ impl SideFiles {
         if let Some(path) = world_file(raster) {
             let world = parse_world(&read_limited(&path)?);
             all.world = Some(world.map_err(|error| IoError::dem(&path, error))?);
+            all.world_system = world_system(raster)?;
         }
         Ok(all)
     }
@@ -75,12 +81,18 @@ impl SideFiles {
         let Some(transform) = self.place(false) else {
             return Ok(None);
         };
-        let system = self
-            .pam
-            .system
-            .as_ref()
-            .map_or(&System::Unknown, |all| &all.system);
+        let of_pam = self.pam.system.as_ref().map(|all| &all.system);
+        let system = of_pam.or(self.world_system.as_ref());
+        let system = system.unwrap_or(&System::Unknown);
         system.extent_deg(&Placement::of(transform)?, size, 0)
+    }
+
+    /// The system of a file, or, if that tells none, the one beside a world file.
+    pub(super) fn system(&mut self, own: System) -> System {
+        match (own, self.world_system.take()) {
+            (System::Unknown, Some(beside)) => beside,
+            (own, _) => own,
+        }
     }
 
     /// Do its columns go west, and its rows north?
@@ -117,6 +129,21 @@ fn world_file(raster: &Path) -> Option<PathBuf> {
         .flat_map(|ending| [ending.clone(), ending.to_ascii_uppercase()]);
     let mut paths = both.map(|ending| raster.with_extension(ending));
     paths.find(|path| path.is_file())
+}
+
+/// The system that NAME.prj tells.
+fn world_system(raster: &Path) -> Result<Option<System>, IoError> {
+    let mut paths = ["prj", "PRJ"]
+        .map(|ending| raster.with_extension(ending))
+        .into_iter();
+    let Some(path) = paths.find(|path| path.is_file()) else {
+        return Ok(None);
+    };
+    let refused = |error| IoError::dem(&path, error);
+    let bytes = read_limited(&path)?;
+    let text = text::decode(&bytes).map_err(|error| refused(invalid(error.problem)))?;
+    let told = wkt::system(text.trim_start_matches('\u{feff}')).map_err(refused)?;
+    Ok(Some(told.system))
 }
 
 /// Six numbers in lines: steps of a column along both axes, of a row, and the middle of the first

@@ -86,13 +86,16 @@ fn refusal_of(section: Vec<u8>) -> String {
 
 #[test]
 fn sizes_that_the_bytes_do_not_bear_out_are_refused() {
-    // Two gigabytes are claimed, in bytes that hold a few values and in none.
+    // Half a gigabyte is claimed, in bytes that hold a few values and in none.
     let packed = crate::io::planes::pack(&[1.0; 1000]);
-    let largest = [EquirectMap::MAX_SIDE, EquirectMap::MAX_SIDE / 2];
     for packed in [&packed[..], &[]] {
-        let problem = refusal_of(map_section("rain", largest, packed));
+        let problem = refusal_of(map_section("rain", [16_384, 8192], packed));
         assert!(problem.contains("cannot be unpacked"), "{problem}");
     }
+    // More than a save holds, whatever the bytes are.
+    let largest = [EquirectMap::MAX_SIDE, EquirectMap::MAX_SIDE / 2];
+    let problem = refusal_of(map_section("rain", largest, &packed));
+    assert!(problem.contains("536870912 pixels"), "{problem}");
     // More values than the size says.
     let problem = refusal_of(map_section("rain", [4, 2], &packed));
     assert!(problem.contains("map of 8 pixels"), "{problem}");

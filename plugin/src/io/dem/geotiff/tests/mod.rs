@@ -3,6 +3,7 @@
 mod beside;
 mod blocks;
 mod places;
+mod systems;
 mod texts;
 mod writer;
 
@@ -54,7 +55,21 @@ fn values(bytes: &[u8]) -> Result<Vec<f32>, DemError> {
     let open = RasterFile::open(Cursor::new(bytes), SideFiles::default(), |_, _| {
         Ok::<(), DemError>(())
     });
-    open?.values(1.0)
+    let mut raster = open?;
+    let [width, height] = raster.size().map(|side| side as usize);
+    let mut values = vec![f32::NAN; width * height];
+    raster.for_each_row([1.0, 0.0], |place, row| {
+        values[place..place + row.len()].copy_from_slice(row);
+    })?;
+    let [is_mirrored, is_south_up] = raster.is_turned();
+    let mut rows: Vec<Vec<f32>> = values.chunks(width).map(<[f32]>::to_vec).collect();
+    if is_mirrored {
+        rows.iter_mut().for_each(|row| row.reverse());
+    }
+    if is_south_up {
+        rows.reverse();
+    }
+    Ok(rows.concat())
 }
 
 /// Why a file is refused.
