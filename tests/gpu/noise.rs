@@ -34,16 +34,21 @@ fn sums_of_octaves_have_the_same_bits() {
 
 #[test]
 fn stripes_have_the_same_bits() {
-    type Input = ((u32, i32, u32), [i32; 3], [i16; 3]);
-    let input = |((cell, waves, seed), point, axis): Input| {
+    type Input = ((u32, i32, i32, u32), [i32; 3], [i16; 3]);
+    let input = |((cell, waves, spread, seed), point, axis): Input| {
         // Up to eight waves in a cell.
-        let noise = (18 + cell % 9, waves & 0x7_ffff, seed);
+        let noise = (18 + cell % 9, waves & 0x7_ffff, spread & 0x7fff, seed);
         Some((noise, point, axis))
     };
     assert_twin(PHASOR, "stripe_noise_at", input, |(noise, point, axis)| {
-        let (cell, waves, seed) = noise;
-        let noise = StripeNoise { cell, waves, seed };
+        let (cell, waves, spread, seed) = noise;
+        let noise = StripeNoise {
+            cell,
+            waves,
+            spread,
+            seed,
+        };
         let phasor = noise.at(&mut PacketCache::default(), point, axis);
-        (phasor.cosine, phasor.presence)
+        (phasor.cosine, phasor.sine, phasor.presence)
     });
 }

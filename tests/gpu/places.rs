@@ -3,7 +3,7 @@
 use super::arithmetic::any_share;
 use pangaea_shaders::amplify::curve::{Curve, heading_of};
 use pangaea_shaders::amplify::geometry::{
-    Q12, Stance, damped_projection, dot, least_areas, nearest_on, share_along,
+    Q12, Stance, damped_projection, dot, is_left, least_areas, nearest_on, share_along,
 };
 use pangaea_shaders::amplify::scale::PlanetScale;
 use pangaea_tests::gpu::{assert_call, assert_twin};
@@ -28,6 +28,9 @@ fn products_of_vectors_have_the_same_bits() {
     assert_twin(GEOMETRY, "share_along", Some, |(u, v)| share_along(u, v));
     assert_twin(GEOMETRY, "damped_projection", Some, |(u, v)| {
         damped_projection(u, v)
+    });
+    assert_twin(GEOMETRY, "is_left", Some, |(up, along, v)| {
+        u32::from(is_left(up, along, v))
     });
     let near = |(corners,): ([Vector; 4],)| Some((beside(corners, 3),));
     assert_twin(GEOMETRY, "least_areas", near, |(corners,)| {

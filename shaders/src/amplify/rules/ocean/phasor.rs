@@ -19,7 +19,7 @@ const FULL_WEIGHT: i32 = q16(0.35) << 4;
 /// Bits of a packet's phase and presence: two squares of them fit 32.
 const PHASE_BITS: u32 = 15;
 
-crate::wgsl::shared!(PITCH_SPREAD, FULL_WEIGHT, PHASE_BITS);
+crate::wgsl::shared!(FULL_WEIGHT, PHASE_BITS);
 
 /// Stripes of one direction and about one wavelength.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

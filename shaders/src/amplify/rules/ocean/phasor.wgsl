@@ -7,6 +7,8 @@ struct StripeNoise {
     cell: u32,
     // Wavelengths in a cell, Q16.
     waves: i32,
+    // A packet's wavelength lies within this share of the noise's; Q16.
+    spread: i32,
     // Where the random numbers begin.
     seed: u32,
 }
@@ -15,6 +17,8 @@ struct StripeNoise {
 struct Phasor {
     // Cosine of the phase, -1..1 in Q16: 1 on crests, -1 in troughs.
     cosine: i32,
+    // Sine of the phase, -1..1 in Q16: 1 on the flank a quarter wave along the axis from a crest.
+    sine: i32,
     // How far the packets agree, 0..1 in Q16: 0 where stripes fork or end.
     presence: i32,
 }
@@ -73,7 +77,7 @@ fn stripe_noise_weight(noise: StripeNoise, away: vec3<i32>) -> i32 {
 fn stripe_noise_turn(noise: StripeNoise, packet: Packet, away: vec3<i32>, axis: vec3<i32>) -> i32 {
     let along = mul_q16(away.x, 2 * axis.x) + mul_q16(away.y, 2 * axis.y) + mul_q16(away.z, 2 * axis.z);
     let drawn = i32((packet.hash >> 7u) & 0xffffu);
-    let pitch = Q16 - PITCH_SPREAD + mul_q16(drawn, 2 * PITCH_SPREAD);
+    let pitch = Q16 - noise.spread + mul_q16(drawn, 2 * noise.spread);
     // A phase of 0 or 1/2 makes the noise even in its axis.
     let half_turn = i32((packet.hash >> 31u) << 15u);
     return (mul_q16(along, mul_q16(noise.waves, pitch)) >> (noise.cell - 16u)) + half_turn;
@@ -103,9 +107,9 @@ fn packet_sum_phasor(sum: PacketSum) -> Phasor {
     let presence = mul_q16(ratio(size, weight), ratio(sum.weight, FULL_WEIGHT));
     // All packets out of reach or cancelled: any phase serves, its presence is 0.
     if size == 0 {
-        return Phasor(Q16, presence);
+        return Phasor(Q16, 0, presence);
     }
-    return Phasor(signed_ratio(x, size), presence);
+    return Phasor(signed_ratio(x, size), signed_ratio(y, size), presence);
 }
 
 // A number of at most `bits` bits brought to PHASE_BITS, so that little is lost where all packets
