@@ -36,6 +36,7 @@ impl NeighbourRings {
         for i in 0..n as u32 {
             let ring = self.of(i);
             let pairs = ring.iter().zip(ring.iter().cycle().skip(1));
+            // A triangle stands in the rings of its three corners; the lowest of them tells it.
             triangles.extend(
                 pairs
                     .filter(|&(&j, &k)| i < j && i < k)
