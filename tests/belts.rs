@@ -41,15 +41,20 @@ fn a_grown_planet_has_the_relief_of_real_belts_and_plains() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// The figures of a class that are not those of measured tiles.
-fn wrong_figures(ground: &PlanetGround, input: &SiteInput, class: ReliefClass) -> Vec<String> {
-    let name = class.name();
+/// The relief about the sites of a class.
+fn reliefs(ground: &PlanetGround, input: &SiteInput, class: ReliefClass) -> Vec<ReliefStats> {
     let drawn = sites(input, class);
-    assert!(drawn.len() >= SITES, "{} {name} sites", drawn.len());
+    assert!(drawn.len() >= SITES, "{} {}", drawn.len(), class.name());
     let places = drawn[..SITES]
         .iter()
         .map(|&site| lat_lon(input.mesh.point(site)));
-    let reliefs: Vec<ReliefStats> = places.map(|place| middle(ground, place)).collect();
+    places.map(|place| middle(ground, place)).collect()
+}
+
+/// The figures of a class that are not those of measured tiles.
+fn wrong_figures(ground: &PlanetGround, input: &SiteInput, class: ReliefClass) -> Vec<String> {
+    let name = class.name();
+    let reliefs = reliefs(ground, input, class);
     let figures = medians(&reliefs).into_iter().zip(measured(class));
     figures
         .filter(|(found, [low, high])| !found.is_some_and(|x| (*low..=*high).contains(&x)))

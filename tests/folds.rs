@@ -46,26 +46,30 @@ fn deviation(ground: &PlanetGround, at: DVec3, fold: DVec3) -> f64 {
     acos(ridge.dot(fold.normalize()).abs().min(1.0)).to_degrees()
 }
 
-#[test]
-fn ranges_of_young_and_old_belts_run_along_their_folds() {
-    let planet = GrownPlanet::new(1, 60_000, 125);
+/// Places in belts with the direction of their folds, where they are folded well.
+fn folded_places(planet: &GrownPlanet) -> Vec<(DVec3, DVec3)> {
     let input = planet.site_input();
-    let mut angles: Vec<f64> = [
+    let fold = |site: u32| planet.surface.crust.fold[site as usize].as_dvec3();
+    let belts = [
         ReliefClass::YoungHimalayan,
         ReliefClass::YoungAndean,
         ReliefClass::OldBelts,
-    ]
-    .into_iter()
-    .flat_map(|class| sites(&input, class))
-    .map(|site| {
-        (
-            input.mesh.point(site),
-            planet.surface.crust.fold[site as usize].as_dvec3(),
-        )
-    })
-    .filter(|(_, fold)| fold.length() > 0.1)
-    .map(|(at, fold)| deviation(&planet.ground, at, fold))
-    .collect();
+    ];
+    belts
+        .into_iter()
+        .flat_map(|class| sites(&input, class))
+        .map(|site| (input.mesh.point(site), fold(site)))
+        .filter(|(_, fold)| fold.length() > 0.1)
+        .collect()
+}
+
+#[test]
+fn ranges_of_young_and_old_belts_run_along_their_folds() {
+    let planet = GrownPlanet::new(1, 60_000, 125);
+    let folded = folded_places(&planet).into_iter();
+    let mut angles: Vec<f64> = folded
+        .map(|(at, fold)| deviation(&planet.ground, at, fold))
+        .collect();
     assert!(angles.len() >= 30, "{} sites with folds", angles.len());
     angles.sort_by(f64::total_cmp);
     let median = angles[angles.len() / 2];

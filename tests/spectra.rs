@@ -125,14 +125,10 @@ fn mean_and_error(values: impl ExactSizeIterator<Item = f64> + Clone) -> [f64; 2
 fn edges(bake: &Bake, belongs: impl Fn(usize) -> bool) -> Vec<Cross> {
     let mesh = bake.mesh();
     let dry = bake.control.edges.iter().filter(|edge| edge.river == 0);
+    let corners = |face: u32| mesh.triangles()[face as usize];
+    let all_belong = |face: u32| corners(face).into_iter().all(|v| belongs(v as usize));
     let found: Vec<[u32; 2]> = dry
-        .filter(|edge| {
-            let mut corners = edge
-                .faces
-                .into_iter()
-                .flat_map(|face| mesh.triangles()[face as usize]);
-            corners.all(|v| belongs(v as usize))
-        })
+        .filter(|edge| edge.faces.into_iter().all(all_belong))
         .map(|edge| edge.vertices)
         .collect();
     found

@@ -119,12 +119,13 @@ fn assert_needs_adapter(command: &str, out: &str) {
     let folder = TempDir::new().unwrap();
     let size = [command, "--samples", "500", "--plates", "8"];
     let args = [&size[..], &["--until", "4", "--out", out]].concat();
-    let output = pangaea(folder.path(), &args)
-        .env("VK_ICD_FILENAMES", "/nowhere.json")
-        .env("VK_DRIVER_FILES", "/nowhere.json")
-        .env("VK_LOADER_DRIVERS_DISABLE", "*")
-        .output()
-        .unwrap();
+    const NO_DRIVERS: [(&str, &str); 3] = [
+        ("VK_ICD_FILENAMES", "/nowhere.json"),
+        ("VK_DRIVER_FILES", "/nowhere.json"),
+        ("VK_LOADER_DRIVERS_DISABLE", "*"),
+    ];
+    let mut program = pangaea(folder.path(), &args);
+    let output = program.envs(NO_DRIVERS).output().unwrap();
     let text = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(text.contains("no GPU adapter"), "{text}");

@@ -273,8 +273,22 @@ pub use plugin::PangaeaPlugins;
 #[cfg(test)]
 mod registry_tests;
 
-/// All that the examples of the README use.
 pub mod prelude {
+    //! What games and tools name in most of their files: `use bevy_pangaea::prelude::*;`.
+    //!
+    //! | for | items |
+    //! |---|---|
+    //! | an app | [`PangaeaPlugins`], `PangaeaRenderPlugin` and `Globe` with the feature `render` |
+    //! | a planet | [`PlanetRecipe`], [`PlanetPreset`], [`PlanetState`], [`SpawnPlanet`], [`PlanetReady`], [`PlanetFailed`] |
+    //! | its time | [`ClockControls`], [`GeologicClock`], [`run_steps`], [`StepCompleted`] |
+    //! | its state | [`Crust`], [`Frames`], [`Plates`], [`PlanetSurface`], [`Ledger`], [`TectonicParams`] |
+    //! | acting on it | [`TectonicCommand`], [`TectonicCommandsExt`], [`Recording`], [`Scenario`], [`CommandRejected`] |
+    //! | what happens | [`TerraneCollided`], [`PlateRifted`], [`PlateConsumed`], [`CrustResampled`] |
+    //! | its ground | [`BakeSettings`], [`BakeFinished`], [`PlanetBake`], [`PlanetGround`], [`Ground`], [`Rules`] |
+    //! | processes of your own | [`TectonicStep`], [`TectonicSystems`], [`Stage`], [`CurrentPlanet`] |
+    //!
+    //! Files are in [`io`](crate::io), pictures of quantities in [`overlay`](crate::overlay).
+
     pub use crate::PangaeaPlugins;
     pub use crate::authoring::{
         Brush, CommandApplied, CommandError, CommandRejected, PaintTarget, Recording, Scenario,

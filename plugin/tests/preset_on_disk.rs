@@ -1,9 +1,7 @@
 //! A planet follows its preset while the file changes on disk, by Bevy's own watcher of files.
 
 use bevy::prelude::*;
-use bevy_pangaea::crust::Crust;
 use bevy_pangaea::prelude::*;
-use bevy_pangaea::schedule::run_steps;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

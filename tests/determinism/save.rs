@@ -30,12 +30,7 @@ fn every_step_of_a_lively_planet_can_be_saved_and_continued() {
         saves.push((saved(&state(&app, planet)), events(&app)));
         steps(&mut app, planet, 1);
     }
-    let [collisions, rifts, resamples] = events(&app);
-    assert!(
-        collisions > 0 && rifts > 0 && resamples > 1,
-        "{:?}",
-        events(&app)
-    );
+    assert_lively(events(&app));
     let end = digest(&app, planet);
     for (step, (bytes, events)) in (0..).zip(saves) {
         let place = format!("saved at step {step}, after {events:?} collisions, rifts, resamples");
@@ -50,6 +45,12 @@ fn events(app: &App) -> [usize; 3] {
         heard::<PlateRifted>(app).len(),
         heard::<CrustResampled>(app).len(),
     ]
+}
+
+/// Asserts that there was a collision, a rift and more than one resample.
+fn assert_lively(events: [usize; 3]) {
+    let [collisions, rifts, resamples] = events;
+    assert!(collisions > 0 && rifts > 0 && resamples > 1, "{events:?}");
 }
 
 /// Loads a save and takes some steps. Returns the digest at the end.

@@ -96,13 +96,9 @@ fn percent(n: usize, differs: impl Fn(usize) -> bool) -> f64 {
 /// Asserts that few samples of two surfaces differ, and by little.
 fn compare(before: &Surface, after: &Surface) {
     let n = before.len();
-    let moved = percent(n, |i| {
-        (before.elevation(i) - after.elevation(i)).abs() > 0.05
-    });
-    assert!(
-        moved < 3.0,
-        "{moved:.2} % of the samples move by more than 50 m"
-    );
+    let rise = |i: usize| after.elevation(i) - before.elevation(i);
+    let moved = percent(n, |i| rise(i).abs() > 0.05);
+    assert!(moved < 3.0, "{moved:.2} % move by more than 50 m");
     let kind = percent(n, |i| before.crust.kind[i] != after.crust.kind[i]);
     assert!(kind < 0.5, "{kind:.2} % change their kind");
     let plate = percent(n, |i| before.plate[i] != after.plate[i]);

@@ -115,6 +115,11 @@ fn stats_have_the_documented_form() {
     assert_eq!(stats["time_my"], 30.0);
     let digest = stats["digest"].as_str().unwrap();
     assert!(digest.chars().all(|c| c.is_ascii_hexdigit()), "{digest}");
+}
+
+#[test]
+fn accounts_and_shares_are_numbers() {
+    let stats = small_stats();
     for path in [
         "/ledger/unexplained_max",
         "/ledger/arc_growth",

@@ -100,6 +100,16 @@ pub enum PaintTarget {
 }
 
 /// The change that a brush makes.
+///
+/// ```
+/// use bevy_pangaea::prelude::*;
+///
+/// // An island of 200 m, on continental crust.
+/// let island = PaintTarget::Disc { center: (10.0, -150.0), radius: 400.0 };
+/// let paint = |brush| TectonicCommand::PaintCrust { target: island, brush };
+/// let strokes = [Brush::Kind(CrustKind::Continental), Brush::Elevation(0.2)].map(paint);
+/// assert_eq!(strokes.len(), 2);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Reflect, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Brush {

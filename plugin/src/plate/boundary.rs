@@ -59,7 +59,8 @@ impl Rim {
         changed: &[u32],
     ) {
         let owners = Owners::new(mesh, frame, frames);
-        // Amid others that went to the same frame nothing can change.
+        // Amid others that went to the same frame nothing can change, and most samples of a large
+        // terrane are.
         let at_edge = |i: &&u32| self.index[**i as usize] != NOT_ON_RIM || !owners.is_amid_own(**i);
         let edge = changed.iter().filter(at_edge);
         let mut near: Vec<u32> = edge

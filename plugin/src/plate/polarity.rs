@@ -120,6 +120,7 @@ impl PolarityMemory {
         for segment in self.0[start..].iter().take_while(|s| s.pair == pair) {
             count[usize::from(segment.first_under)] += 1;
         }
+        // Two that never met have no majority, not even a tie.
         (count != [0; 2]).then_some(count[1] >= count[0])
     }
 

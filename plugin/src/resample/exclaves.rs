@@ -75,6 +75,7 @@ fn exclaves(mesh: &SphereMesh, plate: &[PlateId]) -> Vec<Vec<u32>> {
     let mut slot = vec![None; pieces.count];
     let mut count = 0;
     for (k, &(_, area)) in sizes.iter().enumerate() {
+        // A plate that is all small keeps its largest piece: no plate dies of tidying up.
         if area <= limit && !is_largest[k] {
             slot[k] = Some(count);
             count += 1;

@@ -147,6 +147,8 @@ fn nearest_rims(mesh: &SphereMesh, gap: &[u32], first: &SourceField, inside: imp
 /// begins where the regions of two plates meet within the gap.
 fn second_rims(mesh: &SphereMesh, gap: &[u32], surface: &Surface, rims: &GapRims) {
     let nearest_plate = |i: u32| rims.nearest_plate(surface, i);
+    // In a hole within one plate no regions meet: the search ends where it begins, and its samples
+    // have no second rim.
     let mut start = Vec::new();
     for &i in gap {
         for &j in mesh.ring(i) {

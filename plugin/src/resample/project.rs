@@ -182,6 +182,7 @@ fn buried(input: &ProjectInput, p: DVec3, top: FrameHit) -> (f32, [u8; 2]) {
     for hit in input.overlap.covering(input.mesh, crust, p) {
         if hit.frame != top.frame && crust.is_continental(hit.sample as usize) {
             below += crust.thickness[hit.sample as usize];
+            // Stacked by its own plate, or forced under another: two causes in the ledger.
             layers[usize::from(frames.plate(hit.frame) != plate)] += 1;
         }
     }

@@ -65,6 +65,7 @@ pub(super) fn ridge_row(
     let mesh = input.planet.mesh;
     let p = mesh.point(between.sample);
     let across = mesh.point(between.far) - mesh.point(between.near);
+    // Along the ground; the part that points up comes of the sphere's curvature.
     let across = (across - p * across.dot(p)).try_normalize()?;
     let rate = opening.rate(input, surface, between, across);
     if rate <= 0.0 {
@@ -132,6 +133,8 @@ impl NewFloor {
 
     /// Age of the new floor in My; the gap has been open for `elapsed` My at most.
     fn age(&self, elapsed: f64) -> f64 {
+        // Beside the rim the floor is as old as the gap. A gap that is narrower than its plates
+        // have parted since the last resample was closed at first: it opened when its width says.
         self.alpha() * elapsed.min(2.0 * self.half() / self.rate)
     }
 }

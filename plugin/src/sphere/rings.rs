@@ -43,6 +43,7 @@ impl NeighbourRings {
     fn triangles_of(&self, i: u32) -> impl Iterator<Item = [u32; 3]> {
         let ring = self.of(i);
         let pairs = ring.iter().zip(ring.iter().cycle().skip(1));
+        // A triangle stands in the rings of its three corners; the lowest of them tells it.
         pairs
             .filter(move |&(&j, &k)| i < j && i < k)
             .map(move |(&j, &k)| [i, j, k])

@@ -81,15 +81,16 @@ impl Surge {
             crust.thickness[i] = before + gain;
             volume += f64::from(crust.thickness[i] - before) * mesh.areas()[i];
             if dz > self.belt_share * self.height as f32 {
-                fold(crust, i, mesh.point(sample), centroid);
+                note_orogeny(crust, i, mesh.point(sample), centroid);
             }
         }
         volume
     }
 }
 
-/// Folds sample `i` at the direction `n` across the way to the centroid.
-fn fold(crust: &mut Crust, i: usize, n: DVec3, centroid: DVec3) {
+/// Sample `i` at the direction `n` belongs to a Himalayan orogeny from now on, folded across the way
+/// to the centroid.
+fn note_orogeny(crust: &mut Crust, i: usize, n: DVec3, centroid: DVec3) {
     crust.orogeny[i] = Orogeny::Himalayan;
     crust.orogeny_age[i] = 0.0;
     let away = (n - centroid).normalize_or_zero();

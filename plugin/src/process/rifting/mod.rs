@@ -15,11 +15,11 @@
 //! | [`shape`] | lines of fracture, and on which side a sample lies |
 //! | `opening` | the motions that open a line |
 //! | `plan` | what a line would do to a plate, before anything changes |
-//! | `apply` | does it: columns, frames, plates |
+//! | `breakup` | does it: columns, frames, plates |
 //!
 //! Reads: plates, crust. Writes: plates, motions, frames, thickness, ledger.
 
-mod apply;
+mod breakup;
 
 mod choice;
 
@@ -29,7 +29,7 @@ mod plan;
 
 pub mod shape;
 
-use self::apply::apply;
+use self::breakup::break_plate;
 use self::choice::RiftChoice;
 use self::plan::{RiftInput, RiftPlan};
 use self::shape::{RiftShape, Warp};
@@ -226,7 +226,7 @@ fn rift(
         row,
     };
     let plan = RiftPlan::new(&input, trial)?;
-    apply(world, planet, row, plan).ok_or(RiftError::NoPlate(row.id))
+    break_plate(world, planet, row, plan).ok_or(RiftError::NoPlate(row.id))
 }
 
 #[cfg(test)]

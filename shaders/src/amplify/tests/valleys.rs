@@ -2,11 +2,12 @@
 
 use super::*;
 use crate::amplify::topology::Level;
+use crate::amplify::vertices::Vertices;
 
 /// Lowest ground next to every vertex along the edges of a level; `None` away from them.
-fn lowest_beside(level: &Level, vertices: &[Vertex]) -> Vec<Option<i32>> {
+fn lowest_beside(level: &Level, vertices: &Vertices) -> Vec<Option<i32>> {
     let mut lowest: Vec<Option<i32>> = vec![None; vertices.len()];
-    for edge in &level.edges {
+    for (edge, _) in level.edges() {
         let [a, b] = edge.vertices.map(|v| v as usize);
         for (here, there) in [(a, b), (b, a)] {
             let height = vertices[there].height;

@@ -12,7 +12,7 @@ use bevy::prelude::*;
 
 /// Breaks the plate `row`. Returns its fragments, of which the first keeps its number; `None` for
 /// an entity that is no planet.
-pub(super) fn apply(
+pub(super) fn break_plate(
     world: &mut World,
     planet: Entity,
     row: PlateRow,
