@@ -140,7 +140,7 @@ fn bits_are_pinned() {
         got,
         Phasor {
             cosine: 24_594,
-            sine: 60_746,
+            sine: 60_748,
             presence: 15_576
         }
     );
