@@ -59,8 +59,8 @@ fn shelves_are_smooth_and_stay_under_water() {
 fn draws_go_on_where_the_noise_ends() {
     const COUNT: u32 = 4_000;
     let mean_square = |value: &dyn Fn(u32) -> i32| {
-        let squares = (0..COUNT).map(|k| f64::from(value(k)).powi(2));
-        squares.sum::<f64>() / f64::from(COUNT)
+        let values = (0..COUNT).map(|k| f64::from(value(k)));
+        values.map(|x| x * x).sum::<f64>() / f64::from(COUNT)
     };
     let sea = floor(0, 5, 3_000);
     for level in SWELL_LEVEL + 1..=17 {
