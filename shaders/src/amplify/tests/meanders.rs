@@ -27,10 +27,15 @@ struct Course {
 
 /// A planet of low land: its rivers fall twenty times less than others.
 fn plains() -> Base {
+    lowered(20)
+}
+
+/// A planet whose land and water stand lower by a factor.
+fn lowered(factor: i32) -> Base {
     let mut mesh = control_mesh(800_000, 4, 5);
     for vertex in &mut mesh.vertices {
         for height in [&mut vertex.height, &mut vertex.bed, &mut vertex.water] {
-            *height /= 20;
+            *height /= factor;
         }
     }
     Base::new(&mesh).unwrap()
@@ -69,6 +74,8 @@ fn segments(ground: &RefinedGround, from: [i32; 3]) -> Vec<RiverSegment> {
         let ends = ground.vertices.gather(edge.vertices);
         let is_river = ends.iter().all(|v| v.kind == VertexKind::River);
         let kept = RiverSegment::kept(&ground.scale, &Rules::default(), edge, LEVEL, ends);
+        // Tides straighten a river before its mouth.
+        let kept = kept.filter(|piece| piece.tide == [0; 2]);
         is_river.then_some(kept).flatten()
     };
     edges.map_while(piece).take(4_000).collect()
@@ -162,7 +169,7 @@ fn slow_rivers_meander_and_steep_ones_run_on() {
     };
     let slow = sinuosity(&plains(), 0.0, 0.001);
     assert!((1.5..2.2).contains(&slow), "{slow}");
-    let steep = sinuosity(&planet(), 0.01, 1.0);
+    let steep = sinuosity(&lowered(1), 0.01, 1.0);
     assert!((1.0..1.25).contains(&steep), "{steep}");
 }
 
