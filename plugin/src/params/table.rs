@@ -21,6 +21,7 @@ macro_rules! params {
         #[derive(serde::Serialize, serde::Deserialize)]
         #[serde(default, deny_unknown_fields)]
         #[reflect(Component, Default, Serialize, Deserialize)]
+        #[type_path = "bevy_pangaea::params"]
         pub struct TectonicParams {
             $($(
                 $(#[doc = $doc])+
