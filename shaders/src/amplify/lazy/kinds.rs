@@ -39,11 +39,6 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         kind
     }
 
-    /// The inner edges of a face that has decided.
-    fn inner(&self, level: usize, face: u32) -> [Inner; 3] {
-        self.levels[level].faces[face as usize].inner
-    }
-
     /// The kind of a half of an edge, and whether it runs against the edge.
     fn half_kind(&mut self, level: usize, edge: u32, slot: u8) -> (EdgeKind, bool) {
         let LazyEdge {

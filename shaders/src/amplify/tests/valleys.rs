@@ -1,31 +1,22 @@
 //! Valleys: the ground drains without hollows.
 
 use super::*;
-<<<<<<< HEAD
-use crate::amplify::topology::Level;
-use crate::amplify::vertices::Vertices;
-
-/// Lowest ground next to every vertex along the edges of a level; `None` away from them.
-fn lowest_beside(level: &Level, vertices: &Vertices) -> Vec<Option<i32>> {
-    let mut lowest: Vec<Option<i32>> = vec![None; vertices.len()];
-    for (edge, _) in level.edges() {
-=======
 use crate::amplify::topology::{Level, NONE};
+use crate::amplify::vertices::Vertices;
 
 /// Lowest ground next to every vertex along the edges of a level; `None` of those that lack some of
 /// their edges there.
-fn lowest_beside(level: &Level, vertices: &[Vertex]) -> Vec<Option<i32>> {
+fn lowest_beside(level: &Level, vertices: &Vertices) -> Vec<Option<i32>> {
     let mut lowest = vec![None; vertices.len()];
-    for edge in &level.edges {
->>>>>>> s-valleys
+    for (edge, _) in level.edges() {
         let [a, b] = edge.vertices.map(|v| v as usize);
         for (here, there) in [(a, b), (b, a)] {
             let height = vertices[there].height;
             lowest[here] = Some(lowest[here].map_or(height, |low: i32| low.min(height)));
         }
     }
-    let rim = level.edges.iter().filter(|edge| edge.faces.contains(&NONE));
-    for vertex in rim.flat_map(|edge| edge.vertices) {
+    let rim = level.edges().filter(|(edge, _)| edge.faces.contains(&NONE));
+    for vertex in rim.flat_map(|(edge, _)| edge.vertices) {
         lowest[vertex as usize] = None;
     }
     lowest
