@@ -5,7 +5,6 @@ use crate::amplify::base::Base;
 use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::face_split::{arriving_at, half_kind};
 use crate::amplify::rules::EdgeKind;
-use crate::amplify::topology::Inner;
 use crate::amplify::vertex_resolve::tributary;
 use core::ops::Deref;
 

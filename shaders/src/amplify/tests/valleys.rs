@@ -1,25 +1,30 @@
 //! Valleys: the ground drains without hollows.
 
 use super::*;
-use crate::amplify::topology::Level;
+use crate::amplify::topology::{Level, NONE};
 use crate::amplify::vertices::Vertices;
 
-/// Lowest ground next to every vertex along the edges of a level; `None` away from them.
+/// Lowest ground next to every vertex along the edges of a level; `None` of those that lack some of
+/// their edges there.
 fn lowest_beside(level: &Level, vertices: &Vertices) -> Vec<Option<i32>> {
-    let mut lowest: Vec<Option<i32>> = vec![None; vertices.len()];
+    let mut lowest = vec![None; vertices.len()];
     for (edge, _) in level.edges() {
         let [a, b] = edge.vertices.map(|v| v as usize);
         for (here, there) in [(a, b), (b, a)] {
             let height = vertices[there].height;
-            lowest[here] = Some(lowest[here].map_or(height, |low| low.min(height)));
+            lowest[here] = Some(lowest[here].map_or(height, |low: i32| low.min(height)));
         }
+    }
+    let rim = level.edges().filter(|(edge, _)| edge.faces.contains(&NONE));
+    for vertex in rim.flat_map(|(edge, _)| edge.vertices) {
+        lowest[vertex as usize] = None;
     }
     lowest
 }
 
 /// Every vertex is made above an end of its edge, and what finer levels lay between the two falls
-/// towards that end: of dry land next to none is a pit. Where every level drew crests of its own
-/// along all edges it was one vertex of thirty.
+/// towards that end: of dry land next to none is a pit. Where halves of edges may overtop their
+/// ends, one vertex of 160 is.
 #[test]
 fn land_has_no_hollows() {
     const LEVEL: u32 = 6;
@@ -37,5 +42,5 @@ fn land_has_no_hollows() {
         }
     }
     assert!(land > 1_000, "{land}");
-    assert!(pits * 200 < land, "{pits} of {land}");
+    assert!(pits * 1_000 < land, "{pits} of {land}");
 }
