@@ -252,7 +252,7 @@ fn wide_raster(side: u32) -> Vec<u8> {
 
 /// Memory that a model may take, threads included.
 #[cfg(target_os = "linux")]
-const FEW_KIBIBYTES: u32 = 900_000;
+const FEW_KIBIBYTES: u32 = 1_300_000;
 
 #[cfg(target_os = "linux")]
 #[test]
