@@ -48,7 +48,7 @@ const FOLDS: StripeNoise = StripeNoise {
 const FOLD_LEVELS: u32 = 5;
 
 /// How much great ranges and folds count on a level; the last holds for all that follow.
-const WEIGHTS: [[i32; 2]; 3] = [[q16(1.2), 0], [q16(0.7), q16(0.9)], [q16(0.2), q16(1.4)]];
+const WEIGHTS: [[i32; 2]; 3] = [[q16(1.2), 0], [q16(1.0), q16(0.9)], [q16(0.6), q16(1.4)]];
 
 /// Agreement of the packets at which stripes set in, and at which they are full.
 const PRESENCE: [i32; 2] = [q16(0.05), q16(0.15)];
@@ -61,7 +61,7 @@ const CULMINATION_SEED: u32 = 0xf01d_0003;
 const CULMINATION: [i32; 2] = [q16(-0.3), q16(0.1)];
 
 /// Share of their grip on the draws that folds keep in a depression.
-const DEPRESSED: i32 = q16(0.7);
+const DEPRESSED: i32 = q16(0.9);
 
 /// Strength that age leaves to great ranges and to folds of old belts.
 const WORN: [i32; 2] = [0, q16(0.9)];
@@ -70,7 +70,7 @@ const WORN: [i32; 2] = [0, q16(0.9)];
 const HILLS: [i32; 2] = [q16(0.72), q16(0.95)];
 
 /// How much a full anticline adds to a bulge, and a syncline takes from it.
-const FOLDED_BULGE: i32 = q16(0.8);
+const FOLDED_BULGE: i32 = q16(3.0);
 
 /// Least share of the room that the crest of a full anticline takes.
 const CREST: i32 = q16(0.9);
@@ -78,7 +78,7 @@ const CREST: i32 = q16(0.9);
 /// How far the level that summits reach sinks from a range's crest to the trough beside it, as a
 /// share of the relief; by level. Level 0 has great ranges, level 1 folds: each has edges of half a
 /// wave of its own.
-const SUNKEN: [i32; 2] = [q16(0.3), q16(0.1)];
+const SUNKEN: [i32; 2] = [q16(0.12), q16(0.05)];
 
 /// How far a crest leans to its front at most.
 const VERGENCE: i32 = q16(0.6);
@@ -143,7 +143,7 @@ impl RiseDraws {
         Self {
             xi: mix(xi, height, presence),
             chi: mix(chi, height, presence),
-            bulge: Q16 + mul_q16(mul_q16(2 * height - Q16, strength), FOLDED_BULGE),
+            bulge: (Q16 + mul_q16(mul_q16(2 * height - Q16, strength), FOLDED_BULGE)).max(0),
             crest: mul_q16(mul_q16(square(height), strength), CREST),
         }
     }

@@ -115,7 +115,7 @@ fn summits_sink_between_ranges_and_never_under_the_ground() {
         summits
     });
     let [low, high] = [sunken.clone().min().unwrap(), sunken.max().unwrap()];
-    assert!(high - low > metres(400), "{low} {high}");
+    assert!(high - low > metres(200), "{low} {high}");
     let new = vertex(0, 0);
     for rules in [Rules::PAPER, Rules::RELEASE] {
         assert_eq!(summits(&rules, 0, &new, [&end, &end]), new.crust);
