@@ -13,7 +13,7 @@ const WINDOW: (f64, usize) = (40_000.0, 64);
 const LEVEL: u8 = 5;
 
 /// Most that ridges may differ from the axis in the median, degrees; by chance they would by 45.
-const MOST_DEG: f64 = 32.0;
+const MOST_DEG: f64 = 25.0;
 
 /// The direction of a tile's ridges, from east towards north: that in which its gradient, less its
 /// mean, is least.

@@ -66,7 +66,7 @@ impl Default for Rules {
             form: Form::Release,
             landforms: true,
             crest_rise: q16(0.2),
-            steep_collision: q16(1.75),
+            steep_collision: q16(1.95),
             steep_subduction: q16(0.98),
             steep_old: q16(1.3),
             hollow_levels: [1, 8],
