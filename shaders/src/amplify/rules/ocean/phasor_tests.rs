@@ -164,6 +164,6 @@ fn a_turned_axis_mirrors_the_wave() {
             );
         }
         let [c, s] = [there.cosine, there.sine].map(|x| f64::from(x) / 65_536.0);
-        assert!((c.hypot(s) - 1.0).abs() < 1e-3, "{there:?}");
+        assert!((c * c + s * s - 1.0).abs() < 2e-3, "{there:?}");
     }
 }
