@@ -1,4 +1,4 @@
-//! What is said of elevation models.
+//! Messages about elevation models.
 
 use crate::output::say;
 use bevy_pangaea::io::Dem;

@@ -274,7 +274,7 @@ pub use plugin::PangaeaPlugins;
 mod registry_tests;
 
 pub mod prelude {
-    //! What games and tools name in most of their files: `use bevy_pangaea::prelude::*;`.
+    //! Names that stand in most files of games and tools: `use bevy_pangaea::prelude::*;`.
     //!
     //! | for | items |
     //! |---|---|

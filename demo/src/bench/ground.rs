@@ -46,7 +46,7 @@ pub(super) struct GroundTimings {
     pub(super) bake_ms: f64,
     /// The control mesh made ready for queries, once per bake and not part of `bake_ms`, ms.
     pub(super) ground_ms: f64,
-    /// What is between a surface and its first height, ms: the bake and the ground; on a planet
+    /// Time between a surface and its first height, ms: the bake and the ground; on a planet
     /// that was just loaded the base mesh and the frame come before.
     pub(super) wait_ms: f64,
     /// A whole wait after loading, ms.

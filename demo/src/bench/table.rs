@@ -65,7 +65,7 @@ fn stage_table(rows: &[BenchRow]) -> String {
 /// The head of a column, the digits of its figures, and their value.
 type GroundColumn = (&'static str, usize, fn(&GroundTimings) -> f64);
 
-/// What is made before a height can be asked for.
+/// Parts that are made before a height can be asked for.
 const BAKE_COLUMNS: [GroundColumn; 10] = [
     ("base ms", 0, |ground| ground.base_mesh_ms),
     ("frame ms", 0, |ground| ground.frame_ms),
@@ -79,7 +79,7 @@ const BAKE_COLUMNS: [GroundColumn; 10] = [
     ("first wait ms", 0, |ground| ground.first_wait_ms),
 ];
 
-/// What heights cost.
+/// Costs of heights.
 const QUERY_COLUMNS: [GroundColumn; 4] = [
     ("vertices", 0, |ground| ground.vertices as f64),
     ("fresh us", 1, |ground| ground.fresh_us),

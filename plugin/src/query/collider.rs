@@ -95,7 +95,7 @@ impl PlanetGround {
     /// The finest triangles of a refinement that reach into a square, with the corners they use;
     /// `None` if a part of the square was not refined so far.
     fn cut(&self, refined: &RefinedGround, square: &TangentSquare, level: u8) -> Option<Patch> {
-        let places = Places::new(refined, square);
+        let places = PlanePlaces::new(refined, square);
         let meets = |face: &Face| square.meets(face.vertices.map(|v| places.of(v)));
         let levels = refined.levels.get(..=usize::from(level))?;
         let (finest, coarser) = levels.split_last()?;
@@ -119,7 +119,7 @@ impl PlanetGround {
 }
 
 /// Places in a square's plane of the vertices of a refinement, as [`TangentSquare::place`] has them.
-struct Places<'a> {
+struct PlanePlaces<'a> {
     refined: &'a RefinedGround,
     square: &'a TangentSquare,
     /// Of the vertices that the refinement made. Those of the control mesh are many, and few are
@@ -127,7 +127,7 @@ struct Places<'a> {
     grown: Vec<Option<DVec2>>,
 }
 
-impl<'a> Places<'a> {
+impl<'a> PlanePlaces<'a> {
     fn new(refined: &'a RefinedGround, square: &'a TangentSquare) -> Self {
         let grown = refined.vertices.grown().iter();
         Self {

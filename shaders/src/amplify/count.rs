@@ -22,7 +22,7 @@ pub struct LevelCounts {
 }
 
 impl LevelCounts {
-    /// What an edge of a mark makes.
+    /// Items that an edge of a mark makes.
     #[inline]
     pub fn of_edge(mark: SplitMark) -> Self {
         Self {
@@ -32,7 +32,7 @@ impl LevelCounts {
         }
     }
 
-    /// What a face of a mark makes.
+    /// Items that a face of a mark makes.
     #[inline]
     pub fn of_face(mark: SplitMark) -> Self {
         Self {

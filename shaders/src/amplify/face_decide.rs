@@ -7,10 +7,9 @@
 //! both chooses, so that a junction has one tributary. Where β fails it may become a gully.
 
 use super::control::VertexKind;
-use super::edge_split::STRAIGHT_LEVEL;
 use super::fixed::difference;
 use super::geometry::dot;
-use super::rules::{EdgeKind, Rules, gully, valley};
+use super::rules::{EdgeKind, Rules, STRAIGHT_LEVEL, gully, valley};
 use super::scale::PlanetScale;
 use super::seed::pcg;
 use super::topology::{Edge, EdgeSplit, FaceSplit, Inner, LevelMesh, gather};

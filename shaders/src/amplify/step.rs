@@ -18,7 +18,7 @@ use super::vertex_resolve::vertex_resolve;
 use super::vertices::Vertices;
 use std::sync::Arc;
 
-/// What a level makes: its blocks' places, and the numbers of all.
+/// Items that a level makes: its blocks' places, and the numbers of all.
 pub struct LevelPlan {
     edges: Vec<LevelCounts>,
     faces: Vec<LevelCounts>,

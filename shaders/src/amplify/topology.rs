@@ -216,7 +216,7 @@ impl Items {
 /// in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Level {
-    /// What the level above made.
+    /// The mesh that the level above made.
     pub mesh: Arc<LevelMesh>,
     /// The edges' and faces' numbers that the passes run over: all, but of the control mesh those
     /// that the view reaches.

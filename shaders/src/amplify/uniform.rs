@@ -1,9 +1,9 @@
-//! What all items of a level's passes have in common.
+//! Data that all items of a level's passes have in common.
 
 use super::rules::Rules;
 use super::scale::PlanetScale;
 
-/// What all items of a level's passes have in common, as a uniform holds it.
+/// Data that all items of a level's passes have in common, as a uniform holds it.
 #[derive(Clone, Copy, Debug)]
 pub struct LevelUniform<'a> {
     /// The planet's constants.

@@ -15,14 +15,14 @@ pub(super) struct RiverEdge {
 }
 
 /// The river edges of a control mesh, and where they lead.
-pub(super) struct RiverNetwork {
+pub(super) struct BaseRivers {
     /// River edges in the order of their numbers.
     pub(super) edges: Vec<RiverEdge>,
     /// Where rivers lead from each vertex.
     pub(super) below: Below,
 }
 
-impl RiverNetwork {
+impl BaseRivers {
     /// The network of the river edges with these numbers, in their order.
     pub(super) fn new(mesh: &ControlMesh, numbers: Vec<u32>) -> Self {
         let river_edge = |edge: u32| RiverEdge {
@@ -45,12 +45,12 @@ pub(super) struct LargestAbove(Vec<u32>);
 
 impl LargestAbove {
     /// Those of a network whose discharges are settled.
-    pub(super) fn new(network: &RiverNetwork, vertices: &[Vertex]) -> Self {
+    pub(super) fn new(network: &BaseRivers, vertices: &[Vertex]) -> Self {
         Self::of_rivers(network.edges.iter().map(|river| river.ends), vertices)
     }
 
     /// The largest river that joins each of these.
-    pub(super) fn joining(&self, network: &RiverNetwork, vertices: &[Vertex]) -> Self {
+    pub(super) fn joining(&self, network: &BaseRivers, vertices: &[Vertex]) -> Self {
         let rivers = network.edges.iter().map(|river| river.ends);
         let joins = |&[up, down]: &[usize; 2]| self.of(down) != Some(up);
         Self::of_rivers(rivers.filter(joins), vertices)

@@ -1,6 +1,6 @@
 //! Tides of level 0: from the mouths up the rivers.
 
-use super::arms::{LargestAbove, RiverNetwork};
+use super::arms::{BaseRivers, LargestAbove};
 use crate::amplify::arith::ratio;
 use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::difference;
@@ -12,7 +12,7 @@ use crate::amplify::vertex::Vertex;
 /// `largest` is the river that arrives at each vertex, up which the tide goes.
 pub(super) fn flood(
     scale: &PlanetScale,
-    network: &RiverNetwork,
+    network: &BaseRivers,
     largest: &LargestAbove,
     vertices: &mut [Vertex],
 ) {

@@ -19,7 +19,7 @@ use super::locate::FaceIndex;
 use super::scale::PlanetScale;
 use super::topology::LevelMesh;
 use super::vertex::Vertex;
-use arms::RiverNetwork;
+use arms::BaseRivers;
 pub use check::{BadMesh, RADII_M};
 use edges::BaseEdges;
 use faces::BaseFaces;
@@ -89,7 +89,7 @@ impl Base {
             drains,
         } = edges;
         let scale = PlanetScale::new(mesh);
-        let network = RiverNetwork::new(mesh, rivers);
+        let network = BaseRivers::new(mesh, rivers);
         rivers::lay(&scale, &network, &mut vertices, &mut edges);
         rivers::lay_at_vertices(&scale, &drains, &mut vertices);
         rivers::lay_beside(&scale, &network, &mut vertices, &edges, &faces.faces);

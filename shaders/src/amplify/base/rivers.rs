@@ -1,7 +1,7 @@
 //! Rivers of level 0: discharges, headings, what arrives along each edge, and the nearest river of
 //! every vertex.
 
-use super::arms::{LargestAbove, RiverNetwork, carried, parts};
+use super::arms::{BaseRivers, LargestAbove, carried, parts};
 use super::estuary::{self, length};
 use crate::amplify::arith::{linear_step, mul_q16, ratio};
 use crate::amplify::control::VertexKind;
@@ -20,7 +20,7 @@ const JOINED: [i32; 2] = [q16(0.02), q16(0.12)];
 /// Settles what rivers carry and where they flow.
 pub(super) fn lay(
     scale: &PlanetScale,
-    network: &RiverNetwork,
+    network: &BaseRivers,
     vertices: &mut [Vertex],
     edges: &mut [Edge],
 ) {
@@ -34,7 +34,7 @@ pub(super) fn lay(
 
 /// Raises discharges until every vertex carries at least what comes from upstream: squares of
 /// rounded flows need not.
-fn accumulate(network: &RiverNetwork, vertices: &mut [Vertex]) {
+fn accumulate(network: &BaseRivers, vertices: &mut [Vertex]) {
     // How many rivers still have to arrive at each vertex.
     let mut waiting = vec![0_u32; vertices.len()];
     for river in &network.edges {
@@ -65,7 +65,7 @@ fn accumulate(network: &RiverNetwork, vertices: &mut [Vertex]) {
 }
 
 /// Headings of rivers: from the largest river that arrives at a vertex to the one that leaves it.
-fn find_headings(network: &RiverNetwork, largest: &LargestAbove, vertices: &mut [Vertex]) {
+fn find_headings(network: &BaseRivers, largest: &LargestAbove, vertices: &mut [Vertex]) {
     // A vertex in which several rivers end has the same heading from each of them.
     for v in network.edges.iter().flat_map(|river| river.ends) {
         let arrives = largest.of(v).map_or([0; 3], |up| way(vertices, up, v));
@@ -80,7 +80,7 @@ fn find_headings(network: &RiverNetwork, largest: &LargestAbove, vertices: &mut 
 /// where one parts.
 fn find_windings(
     scale: &PlanetScale,
-    network: &RiverNetwork,
+    network: &BaseRivers,
     largest: &LargestAbove,
     vertices: &mut [Vertex],
 ) {
@@ -144,7 +144,7 @@ struct Confluences {
 /// The discharge that arrives at each river edge's lower end: what leaves the upper end, and an
 /// equal part of what the lower vertex gains by itself, so that all that arrives there makes its
 /// discharge.
-fn find_arriving(network: &RiverNetwork, vertices: &[Vertex], edges: &mut [Edge]) {
+fn find_arriving(network: &BaseRivers, vertices: &[Vertex], edges: &mut [Edge]) {
     let mut confluences = Confluences::new(network, vertices);
     for river in &network.edges {
         let down = river.ends[1];
@@ -155,13 +155,13 @@ fn find_arriving(network: &RiverNetwork, vertices: &[Vertex], edges: &mut [Edge]
 }
 
 /// Discharge that leaves the upper end of a river edge.
-fn carried_from(network: &RiverNetwork, vertices: &[Vertex], ends: [usize; 2]) -> u32 {
+fn carried_from(network: &BaseRivers, vertices: &[Vertex], ends: [usize; 2]) -> u32 {
     let arms = network.below.of(ends[0]).len();
     carried(ends.map(|v| &vertices[v]), arms)
 }
 
 impl Confluences {
-    fn new(network: &RiverNetwork, vertices: &[Vertex]) -> Self {
+    fn new(network: &BaseRivers, vertices: &[Vertex]) -> Self {
         let n = vertices.len();
         let mut all = Self {
             discharge: vec![0; n],
@@ -209,7 +209,7 @@ pub(super) fn lay_at_vertices(scale: &PlanetScale, drains: &[u32], vertices: &mu
 /// of its two faces.
 pub(super) fn lay_beside(
     scale: &PlanetScale,
-    network: &RiverNetwork,
+    network: &BaseRivers,
     vertices: &mut [Vertex],
     edges: &[Edge],
     faces: &[Face],

@@ -24,9 +24,7 @@ use super::vertices::VertexView;
 use course::{Course, on_course};
 use place::place;
 
-/// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
-/// its parents alone, but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
-pub const STRAIGHT_LEVEL: u32 = 11;
+pub use super::rules::STRAIGHT_LEVEL;
 
 /// Pass: the vertices that halve edges of a level, in the order of the list; `vertices` are those of
 /// coarser levels.

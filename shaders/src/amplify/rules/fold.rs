@@ -95,7 +95,7 @@ pub fn summits(rules: &Rules, level: u32, new: &Vertex, [a, b]: [&Vertex; 2]) ->
     };
     let [a, b] = [a, b].map(|end| end.height.max(0));
     let relief = (new.crust - a - (b - a) / 2).max(0);
-    let axis = Axis::of(new, 0);
+    let axis = FoldAxis::of(new, 0);
     let [ranges, folds] = axis.strengths();
     let wave = if level == 0 {
         axis.wave(RANGES, ranges)
@@ -162,12 +162,12 @@ struct Fold {
 
 impl Fold {
     fn at(context: &EdgeContext) -> Self {
-        let axis = Axis::of(context.new, lean(context));
+        let axis = FoldAxis::of(context.new, lean(context));
         let [ranges, folds] = axis.strengths();
         let waves = [axis.wave(RANGES, ranges), axis.wave(FOLDS, folds)];
         let weights = WEIGHTS[context.level.min(2) as usize];
         let swing = [0, 1].map(|k| {
-            let Wave { height, share } = waves[k];
+            let FoldWave { height, share } = waves[k];
             mul_q16(mul_q16(height - Q16 / 2, share), weights[k])
         });
         let share = waves[0].share.max(waves[1].share);
@@ -181,7 +181,7 @@ impl Fold {
 }
 
 /// A set of stripes at a place; shares in Q16.
-struct Wave {
+struct FoldWave {
     /// 0 in the trough, 1 on the crest.
     height: i32,
     /// How far it is there.
@@ -189,7 +189,7 @@ struct Wave {
 }
 
 /// The way that folds run at a vertex.
-struct Axis<'a> {
+struct FoldAxis<'a> {
     vertex: &'a Vertex,
     /// Across them; a unit tangent times 32767.
     across: [i16; 3],
@@ -199,7 +199,7 @@ struct Axis<'a> {
     lean: i32,
 }
 
-impl<'a> Axis<'a> {
+impl<'a> FoldAxis<'a> {
     fn of(vertex: &'a Vertex, lean: i32) -> Self {
         // Scaled, or folds would widen where axes differ.
         let (unit, size) = unit_axis(vertex.fold);
@@ -212,9 +212,9 @@ impl<'a> Axis<'a> {
     }
 
     /// A set of stripes of such a strength.
-    fn wave(&self, stripes: StripeNoise, strength: i32) -> Wave {
+    fn wave(&self, stripes: StripeNoise, strength: i32) -> FoldWave {
         if strength == 0 {
-            return Wave {
+            return FoldWave {
                 height: Q16 / 2,
                 share: 0,
             };
@@ -224,13 +224,13 @@ impl<'a> Axis<'a> {
         // The sine is positive on the flank that `across` points to: the crest moves there.
         let lean = mul_q16(mul_q16(phasor.sine, phasor.cosine), self.lean);
         let [onset, full] = PRESENCE;
-        Wave {
+        FoldWave {
             height: saturate((phasor.cosine + lean + Q16) / 2),
             share: mul_q16(smoothstep(onset, full, phasor.presence), strength),
         }
     }
 
-    /// What age has left of great ranges and of folds, Q16.
+    /// Shares that age has left of great ranges and of folds, Q16.
     fn strengths(&self) -> [i32; 2] {
         let [foreland, belt] = HILLS;
         let old = linear_step(foreland, belt, i32::from(self.vertex.hills));
@@ -255,7 +255,7 @@ impl<'a> Axis<'a> {
 /// How far crests at the middle of an edge lean across their axis, Q16: to the side on which the
 /// crust falls off, less the nearer the edge comes to the axis.
 fn lean(context: &EdgeContext) -> i32 {
-    let across = Axis::of(context.new, 0).across;
+    let across = FoldAxis::of(context.new, 0).across;
     let way = difference(context.b.direction, context.a.direction);
     let unit = (length(way[0], way[1], way[2]) >> 15).max(1);
     let part = |i: usize| (way[i] / unit).clamp(-0x8000, 0x8000) * i32::from(across[i]) / 0x8000;

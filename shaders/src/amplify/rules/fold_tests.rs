@@ -20,8 +20,8 @@ fn vertex(north_km: i32, east_km: i32) -> Vertex {
 }
 
 /// The great ranges and the folds at a vertex.
-fn waves(vertex: &Vertex, lean: i32) -> [Wave; 2] {
-    let axis = Axis::of(vertex, lean);
+fn waves(vertex: &Vertex, lean: i32) -> [FoldWave; 2] {
+    let axis = FoldAxis::of(vertex, lean);
     let [ranges, folds] = axis.strengths();
     [axis.wave(RANGES, ranges), axis.wave(FOLDS, folds)]
 }
@@ -90,7 +90,7 @@ fn age_leaves_ridges_of_old_belts_alone() {
             hills,
             ..vertex(0, 0)
         };
-        Axis::of(&vertex, 0).strengths()
+        FoldAxis::of(&vertex, 0).strengths()
     };
     let young = at(0, 0);
     assert!(young.iter().all(|&s| s > q16(0.99)), "{young:?}");

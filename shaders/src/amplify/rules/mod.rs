@@ -38,6 +38,10 @@ use super::control::VertexKind;
 use super::vertex::EdgeContext;
 pub use preset::Rules;
 
+/// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
+/// its parents alone, but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
+pub const STRAIGHT_LEVEL: u32 = 11;
+
 /// First level, in our rules, at which a vertex lies on the face where it was moved to, not at its
 /// edge's height: edges of 800 m and less on an Earth-sized planet, the size of a hillside. An even
 /// slope stays even under sideways moves.
