@@ -11,7 +11,7 @@
 //! ```
 //!
 //! The shares k are fitted by least squares to the ground of level 9 at 150,000 directions of three
-//! planets; those of levels 0 and 1 were lowered by a tenth since, for steeper belts. They fade as the edges become shorter than the spacing of valleys: from level 5 on the
+//! planets; those of levels 0 and 1 were lowered by a twentieth since, for steeper belts. They fade as the edges become shorter than the spacing of valleys: from level 5 on the
 //! ground is what it is, within a hundredth.
 
 use super::landform::steepness;
@@ -26,8 +26,8 @@ pub const RESOLVED_LEVEL: u32 = 8;
 
 /// Share k by level at dry ground.
 const OPEN_GROUND: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.455),
-    q16(0.445),
+    q16(0.478),
+    q16(0.47),
     q16(0.35),
     q16(0.197),
     q16(0.07),
@@ -38,11 +38,11 @@ const OPEN_GROUND: [i32; RESOLVED_LEVEL as usize] = [
 
 /// The same in the bed of a gully.
 const GULLY: [i32; RESOLVED_LEVEL as usize] =
-    [q16(0.36), q16(0.24), q16(0.174), q16(0.057), 0, 0, 0, 0];
+    [q16(0.38), q16(0.252), q16(0.174), q16(0.057), 0, 0, 0, 0];
 
 /// The same in the bed of a river: less, for its valley floor stays.
 const RIVER: [i32; RESOLVED_LEVEL as usize] =
-    [q16(0.265), q16(0.155), q16(0.096), q16(0.015), 0, 0, 0, 0];
+    [q16(0.28), q16(0.163), q16(0.096), q16(0.015), 0, 0, 0, 0];
 
 /// How much more land gains that is worn down altogether: its hills are laid on what slopes build.
 const WORN_GAIN: i32 = q16(0.1);
