@@ -12,6 +12,18 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+/// The figures of a planet beside those of a folder of tiles.
+const BESIDE_TILES: [&str; 8] = [
+    "relief",
+    "planet.pangaea",
+    "--sites",
+    "1",
+    "--json",
+    "r.json",
+    "--dem",
+    "tiles",
+];
+
 const CLASSES: [&str; 4] = ["young_himalayan", "young_andean", "old_belts", "plains"];
 
 #[test]
@@ -152,17 +164,7 @@ fn bad_tiles_beside_good_ones_are_passed_over() {
     ] {
         fs::write(tiles.join(name), content).unwrap();
     }
-    let args = [
-        "relief",
-        "planet.pangaea",
-        "--sites",
-        "1",
-        "--json",
-        "r.json",
-        "--dem",
-        "tiles",
-    ];
-    let output = pangaea(folder.path(), &args);
+    let output = pangaea(folder.path(), &BESIDE_TILES);
     let said = stderr(&output);
     assert!(output.status.success(), "{said}");
     let warnings: Vec<&str> = said.lines().collect();
@@ -262,17 +264,7 @@ fn a_raster_of_many_pixels_takes_little_memory() {
     fs::create_dir(&tiles).unwrap();
     // Whole it has 3.6 GB of heights.
     fs::write(tiles.join("wide.tif"), wide_raster(30_000)).unwrap();
-    let args = [
-        "relief",
-        "planet.pangaea",
-        "--sites",
-        "1",
-        "--json",
-        "r.json",
-        "--dem",
-        "tiles",
-    ];
-    let output = pangaea_within(FEW_KIBIBYTES, folder.path(), &args);
+    let output = pangaea_within(FEW_KIBIBYTES, folder.path(), &BESIDE_TILES);
     let said = stderr(&output);
     assert!(output.status.success(), "{said}");
     assert_contains(

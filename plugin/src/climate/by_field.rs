@@ -1,22 +1,22 @@
 //! The maps of a user by the field that they replace.
 
+use super::field::ClimateField;
 use super::fields::ClimateMaps;
-use super::map::EquirectMap;
-use crate::named::named_enum;
-
-named_enum! {
-    /// A field of the climate that a map can replace. Its name is that of options and files.
-    pub enum ClimateField {
-        /// Temperature at the ground in °C.
-        Temperature = "temperature",
-        /// Rain in mm per year.
-        Rain = "rain",
-        /// Wetness W, 0..=1.
-        Wetness = "wetness",
-    }
-}
+use super::map::{EquirectMap, MapError};
 
 impl ClimateMaps {
+    /// Refuses maps with values that their quantity cannot have.
+    ///
+    /// # Errors
+    /// [`MapError::Range`].
+    pub fn check(&self) -> Result<(), MapError> {
+        for (field, map) in self.iter() {
+            let [what, allowed] = field.words();
+            EquirectMap::check(Some(map), what, field.range(), allowed)?;
+        }
+        Ok(())
+    }
+
     /// The map that replaces a field.
     pub fn get(&self, field: ClimateField) -> Option<&EquirectMap> {
         match field {

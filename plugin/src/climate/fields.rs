@@ -1,6 +1,7 @@
 //! All fields of the climate, each from the model or from a user's map.
 
-use super::map::{EquirectMap, MapError};
+use super::field::ClimateField;
+use super::map::EquirectMap;
 use super::rain::rain;
 use super::temperature::mean_temperature;
 use super::wetness::{open_water_loss, potential_evaporation, runoff, wetness};
@@ -43,39 +44,6 @@ pub struct ClimateMaps {
     pub wetness: Option<EquirectMap>,
 }
 
-impl ClimateMaps {
-    /// Refuses maps with values that their quantity cannot have.
-    ///
-    /// # Errors
-    /// [`MapError::Range`].
-    pub fn check(&self) -> Result<(), MapError> {
-        let degrees = "from -150 to 150 °C (does the map count in kelvin, or in tenths?)";
-        EquirectMap::check(
-            self.temperature.as_ref(),
-            "the temperature",
-            TEMPERATURES_C,
-            degrees,
-        )?;
-        let millimetres = "at least 0 mm per year";
-        EquirectMap::check(
-            self.rain.as_ref(),
-            "the rain",
-            0.0..=f32::INFINITY,
-            millimetres,
-        )?;
-        EquirectMap::check(
-            self.wetness.as_ref(),
-            "the wetness",
-            0.0..=1.0,
-            "from 0 to 1",
-        )
-    }
-}
-
-/// Temperatures in °C that a map may have: wide enough for worlds without life; a map in kelvin
-/// is refused.
-const TEMPERATURES_C: RangeInclusive<f32> = -150.0..=150.0;
-
 /// Most rain of a map in mm per year that has an effect: with more, the discharge of the greatest
 /// rivers would not fit into 64 bits on the largest planets.
 const MAX_RAIN_MM: f32 = 30_000.0;
@@ -106,14 +74,15 @@ impl Climate {
         height.resize(n, MISSING_ELEVATION_KM);
 
         // Each field follows from those before it, given or not.
-        let temperature = given_or(&maps.temperature, mesh, TEMPERATURES_C, || {
+        let degrees = ClimateField::Temperature.range();
+        let temperature = given_or(&maps.temperature, mesh, degrees, || {
             parallel::map(n, |i| mean_temperature(mesh.point(i).z, height[i as usize]))
         });
         let rain = given_or(&maps.rain, mesh, 0.0..=MAX_RAIN_MM, || {
             rain(mesh, winds, &temperature, &height)
         });
         let evaporation = parallel::map(n, |i| potential_evaporation(temperature[i as usize]));
-        let wetness = given_or(&maps.wetness, mesh, 0.0..=1.0, || {
+        let wetness = given_or(&maps.wetness, mesh, ClimateField::Wetness.range(), || {
             by_vertex(wetness, &rain, &evaporation)
         });
         Self {

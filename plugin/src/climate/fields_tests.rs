@@ -1,4 +1,5 @@
 use super::*;
+use crate::climate::MapError;
 use crate::math;
 
 fn planet(elevation: impl Fn(f64, f64) -> f32 + Sync) -> (SphereMesh, Climate) {

@@ -11,6 +11,7 @@
 //! sweep         the points upwind; a mesh laid out in the order of the wind
 //! wind          the prevailing winds of six belts, and the order in which they blow
 //! rain          moisture carried along the wind: distance to the sea, uplift, rain shadow
+//! field         the fields that a user can give, and the values that they may have
 //! fields        all of them together
 //! by_field      the maps of a user by the field that they replace
 //! ```
@@ -37,11 +38,13 @@ mod wind;
 
 mod rain;
 
+mod field;
+
 mod fields;
 
 mod by_field;
 
-pub use by_field::ClimateField;
+pub use field::ClimateField;
 pub use fields::{Climate, ClimateMaps};
 pub use map::{EquirectMap, MapError};
 pub use scale::EARTH_RADIUS;

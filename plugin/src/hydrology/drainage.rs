@@ -92,14 +92,12 @@ impl Drainage {
         let supply = flow::supply(mesh, radius, climate, &routes);
         let closed = match network {
             RiverNetwork::Drainage => {
-                let loss = &flow::volumes(mesh, radius, &climate.open_water_loss);
-                let (ground, supply) = (&ground[..], &supply[..]);
                 let balance = WaterBalance {
                     mesh,
                     radius,
-                    ground,
-                    supply,
-                    loss,
+                    ground: &ground,
+                    supply: &supply,
+                    loss: &flow::volumes(mesh, radius, &climate.open_water_loss),
                 };
                 close_basins(&balance, &mut routes)
             }

@@ -30,6 +30,9 @@ pub struct TerrainMaps {
 }
 
 impl TerrainMaps {
+    /// Highest ground in km that a map may have, and lowest below the sea.
+    pub(crate) const HIGHEST_KM: f32 = 15.0;
+
     /// Refuses maps with values that no planet has.
     ///
     /// # Errors
@@ -38,7 +41,8 @@ impl TerrainMaps {
         // The usual mistake gets its own words.
         let kilometres = "from -15 to 15 km: the values look like metres";
         let what = "the elevation of the crust";
-        EquirectMap::check(Some(&self.crust), what, -15.0..=15.0, kilometres)?;
+        let range = -Self::HIGHEST_KM..=Self::HIGHEST_KM;
+        EquirectMap::check(Some(&self.crust), what, range, kilometres)?;
         self.crust.check_whole(what)?;
         let past = 0.0..=f32::INFINITY;
         let age = self.age.as_ref();

@@ -22,7 +22,8 @@
 //! ```
 //!
 //! Input is never trusted: every error is one line that names the file, and no input makes a loader
-//! panic, or allocate more than the input's own size allows, 128 MiB apart. Output is there whole or not at all.
+//! panic, or allocate more than the input's own size allows, 128 MiB apart. Output is there whole or
+//! not at all.
 
 mod error;
 

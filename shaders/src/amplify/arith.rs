@@ -1,7 +1,8 @@
 //! Integer arithmetic of the rules: products, ratios, roots and blends of Q16 shares and of grains.
 //!
 //! Products are taken in 64 bits, as in [`fixed`](super::fixed); every other operation is one of 32
-//! bits. Nothing wraps but hashes: a sum or product beyond 32 bits is a mistake, and debug assertions refuse it.
+//! bits. Nothing wraps but hashes: a sum or product beyond 32 bits is a mistake, and debug
+//! assertions refuse it.
 
 use super::fixed::{Q16, q16};
 

@@ -48,15 +48,29 @@ impl RiverSegment {
         level: u32,
         ends: [&Vertex; 2],
     ) -> Option<Self> {
+        let own = || Self::between(scale, edge.birth, level, ends, edge.arriving);
+        let coarser = Self::of_coarser_level(scale, edge, ends);
+        coarser.or_else(|| keeps_own(scale, rules, edge, level, ends).then(own))
+    }
+
+    /// Whether there is such a piece.
+    pub fn is_kept(
+        scale: &PlanetScale,
+        rules: &Rules,
+        edge: &Edge,
+        level: u32,
+        ends: [&Vertex; 2],
+    ) -> bool {
+        Self::of_coarser_level(scale, edge, ends).is_some()
+            || keeps_own(scale, rules, edge, level, ends)
+    }
+
+    /// The piece of a coarser level that an edge is a part of.
+    fn of_coarser_level(scale: &PlanetScale, edge: &Edge, ends: [&Vertex; 2]) -> Option<Self> {
         let reach = reach(scale, edge.birth);
         // A tributary that joins the piece was born later.
         let is_part = |end: &&&Vertex| end.keeps_course && end.river.reach == reach;
-        if let Some(end) = ends.iter().find(is_part) {
-            return Some(end.river);
-        }
-        let flow = isqrt(edge.arriving) as i32;
-        let is_own = runs_on(ends) && valley::keeps_course(scale, rules, level, flow);
-        is_own.then(|| Self::between(scale, edge.birth, level, ends, edge.arriving))
+        ends.iter().find(is_part).map(|end| end.river)
     }
 
     /// Whether it is a single vertex of a river.
@@ -72,11 +86,29 @@ impl RiverSegment {
     }
 }
 
+/// Whether the river along an edge has come to a larger one, in whose bed an end lies: until their
+/// junction it has no course of its own.
+pub fn is_lost(ends: [&Vertex; 2]) -> bool {
+    ends.iter().any(|end| end.is_in_larger_river())
+}
+
+/// Whether finer levels keep the piece that an edge of a level makes.
+fn keeps_own(
+    scale: &PlanetScale,
+    rules: &Rules,
+    edge: &Edge,
+    level: u32,
+    ends: [&Vertex; 2],
+) -> bool {
+    let flow = isqrt(edge.arriving) as i32;
+    runs_on(ends) && valley::keeps_course(scale, rules, level, flow)
+}
+
 /// Whether a river of its own runs from end to end: a spring or a lake may yet come to lie in
 /// between, or it has come to a larger river.
-fn runs_on([up, down]: [&Vertex; 2]) -> bool {
-    let is_alone = !up.is_in_larger_river() && !down.is_in_larger_river();
-    is_alone
+fn runs_on(ends: [&Vertex; 2]) -> bool {
+    let [up, down] = ends;
+    !is_lost(ends)
         && up.kind == VertexKind::River
         && matches!(down.kind, VertexKind::River | VertexKind::Sea)
 }

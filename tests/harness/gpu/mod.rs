@@ -11,7 +11,6 @@ pub use kernel::{TwinKernel, parsed};
 pub use words::Words;
 
 use fastrand::Rng;
-use std::fmt::Debug;
 use std::iter::repeat_with;
 
 /// Inputs that a function is tried on; sixteen times as many in a soak.
@@ -37,29 +36,23 @@ const EDGES: [u32; 12] = [
 ///
 /// `input` makes an input of any value, one that the function is defined for; `None` drops it.
 /// Without an adapter nothing is asserted, unless `PANGAEA_GPU=require`.
-pub fn assert_twin<A, R>(
+pub fn assert_twin<A: Words, R: Words>(
     path: &str,
     function: &str,
     input: impl Fn(A) -> Option<A>,
     rust: impl Fn(A) -> R,
-) where
-    A: Words + Clone + Debug,
-    R: Words,
-{
+) {
     assert_call(path, "", function, input, rust);
 }
 
 /// The same for a function of `wgsl`, which calls the module's.
-pub fn assert_call<A, R>(
+pub fn assert_call<A: Words, R: Words>(
     path: &str,
     wgsl: &str,
     function: &str,
     input: impl Fn(A) -> Option<A>,
     rust: impl Fn(A) -> R,
-) where
-    A: Words + Clone + Debug,
-    R: Words,
-{
+) {
     let Some(gpu) = Gpu::get() else { return };
     let inputs = inputs(function, input);
     let kernel = TwinKernel::new(path, wgsl, function);

@@ -1,7 +1,9 @@
 //! Values as the words of 32 bits that both languages have them in.
 
+use core::fmt::Debug;
+
 /// A value as words: its parts one after the other, smaller numbers extended.
-pub trait Words: Sized {
+pub trait Words: Clone + Debug {
     /// How many there are.
     const COUNT: usize;
 

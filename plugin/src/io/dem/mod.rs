@@ -16,8 +16,9 @@
 //! A file may be a copy that a browser or `wget` made and put a number behind: `N44W072.hgt (1)`,
 //! `N44W072.hgt.1`.
 //!
-//! Heights come out in m, rows from the north; those of more than 2^24 pixels as means of blocks. Degrees of an .hgt file have the lengths of the
-//! Earth's, those of a GeoTIFF the lengths on the ellipsoid that it names, or the Earth's.
+//! Heights come out in m, rows from the north; those of more than 2^24 pixels as means of blocks.
+//! Degrees of an .hgt file have the lengths of the Earth's, those of a GeoTIFF the lengths on the
+//! ellipsoid that it names, or the Earth's.
 //!
 //! Files beside a raster that change its numbers are read, too: GDAL's NAME.EXT.aux.xml and
 //! NAME.EXT.msk, and world files; where a format cannot have them, they are refused.
@@ -61,8 +62,8 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 /// The files in a folder whose extensions are those of elevation models, packed ones included,
-/// ordered by name; not those in folders within it. Not each has to be one: pictures may be previews, hidden files the
-/// remains of another system.
+/// ordered by name; not those in folders within it. Not each has to be one: pictures may be
+/// previews, hidden files the remains of another system.
 ///
 /// # Errors
 /// [`IoError::Read`] if the folder cannot be read.

@@ -1,6 +1,7 @@
 //! Units of the quantities that maps show, as files name them; UDUNITS' names among others.
 
 use crate::climate::ClimateField;
+use crate::hydrology::TerrainMaps;
 use core::ops::RangeInclusive;
 
 /// The quantity that a map shows, in the unit that its values come out in.
@@ -19,9 +20,6 @@ pub enum MapQuantity {
     /// Elevation in a unit of so many metres.
     Elevation(f64),
 }
-
-/// Highest ground in m that a map may have, and lowest below the sea.
-const HIGHEST_M: f64 = 15_000.0;
 
 /// By how much a value is multiplied, and what is added then.
 pub(super) type Conversion = [f64; 2];
@@ -132,11 +130,12 @@ impl MapQuantity {
     pub(super) fn possible(self) -> RangeInclusive<f32> {
         match self {
             Self::Number => f32::NEG_INFINITY..=f32::INFINITY,
-            Self::Temperature => -150.0..=150.0,
-            Self::Rain | Self::Age => 0.0..=f32::MAX,
+            Self::Temperature => ClimateField::Temperature.range(),
+            Self::Rain => ClimateField::Rain.range(),
+            Self::Age => 0.0..=f32::MAX,
             Self::Share => 0.0..=1.0,
             Self::Elevation(metres) => {
-                let most = (HIGHEST_M / metres) as f32;
+                let most = (1000.0 * f64::from(TerrainMaps::HIGHEST_KM) / metres) as f32;
                 -most..=most
             }
         }

@@ -1,6 +1,7 @@
 //! The map of the elevation of a planet, in whatever unit, to km.
 
 use crate::climate::{EquirectMap, MapError};
+use crate::hydrology::TerrainMaps;
 use crate::io::IoError;
 use crate::io::maps::{MapFileError, MapQuantity, load_map_of, reduced};
 use std::path::Path;
@@ -15,10 +16,6 @@ pub(super) enum HeightUnit {
     /// Kilometres.
     Kilometres,
 }
-
-/// Highest ground in km that a map may have, and lowest below the sea; as
-/// [`TerrainMaps`](crate::hydrology::TerrainMaps) have it.
-const HIGHEST_KM: f32 = 15.0;
 
 /// Heights in km of black and white of a picture without a sidecar.
 const GREY_KM: [f32; 2] = [-12.0, 12.0];
@@ -56,11 +53,12 @@ impl HeightUnit {
 
     fn check(self, map: &EquirectMap) -> Result<(), MapFileError> {
         let subject = "the elevation";
-        let most = HIGHEST_KM * self.per_km();
+        let most = TerrainMaps::HIGHEST_KM * self.per_km();
         EquirectMap::check(Some(map), subject, -most..=most, self.allowed())?;
         map.check_whole(subject)?;
         // A planet flatter than a house is a map of kilometres.
-        let is_flat = map.values().iter().all(|value| value.abs() <= HIGHEST_KM);
+        let as_in_km = |value: &f32| value.abs() <= TerrainMaps::HIGHEST_KM;
+        let is_flat = map.values().iter().all(as_in_km);
         if self == Self::Metres && is_flat {
             return Err(MapFileError::Flat);
         }

@@ -4,9 +4,8 @@
 //! must know the lakes that it may come to lie beside: those of its edge's ends and of the corners
 //! beyond. Straight edges have no corners; there a vertex asks what its ends knew.
 
-use super::STRAIGHT_LEVEL;
 use crate::amplify::control::VertexKind;
-use crate::amplify::rules::{EdgeKind, Rules};
+use crate::amplify::rules::{EdgeKind, Rules, STRAIGHT_LEVEL};
 use crate::amplify::seed::pcg;
 use crate::amplify::vertex::Vertex;
 

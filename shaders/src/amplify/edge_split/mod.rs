@@ -14,7 +14,7 @@ use super::curve::heading_of;
 use super::face_decide::junction_draw;
 use super::fixed::{Q16, difference};
 use super::rules::ocean::OceanCache;
-use super::rules::{self, EdgeKind, Rules, meander, ocean};
+use super::rules::{self, EdgeKind, Rules, STRAIGHT_LEVEL, meander, ocean};
 use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::{Edge, LevelMesh};
@@ -23,8 +23,6 @@ use super::vertex::{CornerBeside, EdgeContext, FAR, RiverSegment, ValleySection,
 use super::vertices::VertexView;
 use course::{Course, on_course};
 use place::place;
-
-pub use super::rules::STRAIGHT_LEVEL;
 
 /// Pass: the vertices that halve edges of a level, in the order of the list; `vertices` are those of
 /// coarser levels.
@@ -162,7 +160,7 @@ fn course(
     let river = RiverSegment::between(scale, edge.birth, level, ends, edge.arriving);
     Some(Course {
         curve: river.curve(),
-        is_kept: RiverSegment::kept(scale, rules, edge, level, ends).is_some(),
+        is_kept: RiverSegment::is_kept(scale, rules, edge, level, ends),
     })
 }
 

@@ -7,12 +7,11 @@
 //! with its vertices, (3a + 3b + x + y) / 8 (Loop 1987, "Smooth subdivision surfaces based on
 //! triangles"): the shape of a face becomes the mean of those around it. The draw comes on top.
 
-use super::STRAIGHT_LEVEL;
 use crate::amplify::arith::{linear_step, ratio};
 use crate::amplify::fixed::{Q16, difference, lift, mul_high, q16, square_q32, weigh};
 use crate::amplify::geometry::{Q12, Stance};
 use crate::amplify::rules::shift::{Shift, shift};
-use crate::amplify::rules::{EdgeKind, Rules, ocean};
+use crate::amplify::rules::{EdgeKind, Rules, STRAIGHT_LEVEL, ocean};
 use crate::amplify::vertex::Vertex;
 
 /// Greatest barycentric share of a far corner that a displaced vertex may have: positive in the

@@ -2,9 +2,8 @@
 
 use super::{EdgeOrigin, LazyEdge, LazyGround};
 use crate::amplify::base::Base;
-use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::face_split::{arriving_at, half_kind};
-use crate::amplify::rules::EdgeKind;
+use crate::amplify::rules::{EdgeKind, STRAIGHT_LEVEL};
 use crate::amplify::vertex_resolve::tributary;
 use core::ops::Deref;
 

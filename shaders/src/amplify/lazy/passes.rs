@@ -2,9 +2,10 @@
 
 use super::{LazyEdge, LazyGround, VertexProgress};
 use crate::amplify::base::Base;
-use crate::amplify::edge_split::{self, STRAIGHT_LEVEL};
+use crate::amplify::edge_split;
 use crate::amplify::face_decide::{self, FaceContext};
-use crate::amplify::rules::{EdgeKind, ocean};
+use crate::amplify::rules::{EdgeKind, STRAIGHT_LEVEL, ocean};
+use crate::amplify::segment::is_lost;
 use crate::amplify::topology::{Inner, NONE};
 use crate::amplify::vertex::{RiverSegment, Vertex};
 use crate::amplify::vertex_resolve::{DrainBeside, Requests, Settled, VertexContext, resolve};
@@ -252,7 +253,6 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         let own = || RiverSegment::between(scale, edge.birth, at, ends, edge.arriving);
         let kept = RiverSegment::kept(scale, &self.rules, &edge, at, ends);
         // No river runs above a spring.
-        let is_lost = ends.iter().any(|end| end.is_in_larger_river());
-        kept.or_else(|| (ends[0].is_wet() && !is_lost).then(own))
+        kept.or_else(|| (ends[0].is_wet() && !is_lost(ends)).then(own))
     }
 }

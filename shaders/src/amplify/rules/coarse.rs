@@ -11,8 +11,9 @@
 //! ```
 //!
 //! The shares k are fitted by least squares to the ground of level 9 at 150,000 directions of three
-//! planets; those of levels 0 and 1 were lowered by a twentieth since, for steeper belts. They fade as the edges become shorter than the spacing of valleys: from level 5 on the
-//! ground is what it is, within a hundredth.
+//! planets; those of levels 0 and 1 were lowered by a twentieth since, for steeper belts. They fade
+//! as the edges become shorter than the spacing of valleys: from level 5 on the ground is what it
+//! is, within a hundredth.
 
 use super::landform::steepness;
 use super::preset::Rules;

@@ -9,12 +9,11 @@
 //! A vertex is *coast*, at any height, while the octaves that follow may carry the shore past it;
 //! beyond their reach it is land or sea, and stays so. Print and release know coasts at 0 only.
 
-use super::VertexGround;
 use super::noise::{CornerCache, EDGE_BITS, gradient};
 use super::preset::Rules;
+use super::{STRAIGHT_LEVEL, VertexGround};
 use crate::amplify::arith::{mix, mul_q16, ordered, ratio, smoothstep, square};
 use crate::amplify::control::VertexKind;
-use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::{GRAINS, Q16, q16};
 use crate::amplify::seed::centred_share;
 use crate::amplify::vertex::{EdgeContext, Vertex};

@@ -7,8 +7,6 @@
 //! most of it comes from the coarse levels: valleys are as deep as they are long.
 
 use super::fold::RiseDraws;
-use super::landform::steepness;
-use super::preset::Rules;
 use crate::amplify::arith::{mix, mul_q16, ratio};
 use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::vertex::EdgeContext;
@@ -57,15 +55,15 @@ fn crest_share(context: &EdgeContext, slope: i32) -> i32 {
     Q16 - ratio(over.max(0), (slope / CREST_TOLERANCE).max(1))
 }
 
-/// How much a crest gains over the higher end: a draw of the `bulge` (grains), bounded by the room
-/// that the crust leaves.
-pub(super) fn gain(rules: &Rules, context: &EdgeContext, draws: RiseDraws, bulge: i32) -> i32 {
+/// How much a crest gains over the higher end in land of a tangent `steep`: a draw of the `bulge`
+/// (grains), bounded by the room that the crust leaves.
+pub(super) fn gain(context: &EdgeContext, draws: RiseDraws, steep: i32, bulge: i32) -> i32 {
     let worn = i32::from(context.new.worn);
     let free = mul_q16(
         mul_q16(bulge, fading(context.level, worn)),
         DRAWN_BULGE[0] + mul_q16(draws.xi, DRAWN_BULGE[1]),
     );
-    let room = room(rules, context);
+    let room = room(context, steep);
     // Saturates, half-way there where the two are equal, so that summits stay apart.
     let part = part(context.level, draws.chi).max(draws.crest);
     let saturated = mul_q16(ratio(free, free + room + 1), part);
@@ -73,11 +71,11 @@ pub(super) fn gain(rules: &Rules, context: &EdgeContext, draws: RiseDraws, bulge
 }
 
 /// Room between the higher end and the crust elevation C, grains.
-fn room(rules: &Rules, context: &EdgeContext) -> i32 {
+fn room(context: &EdgeContext, steep: i32) -> i32 {
     let new = context.new;
     let [a, b] = [context.a.height, context.b.height];
     let relief = (new.crust - a.min(b)).max(0);
-    let finer = mul_q16(context.length / RESERVE, steepness(rules, new));
+    let finer = mul_q16(context.length / RESERVE, steep);
     (new.crust - finer.min(relief / MOST_RESERVE) - a.max(b)).max(0)
 }
 

@@ -95,12 +95,12 @@ pub fn summits(rules: &Rules, level: u32, new: &Vertex, [a, b]: [&Vertex; 2]) ->
     };
     let [a, b] = [a, b].map(|end| end.height.max(0));
     let relief = (new.crust - a - (b - a) / 2).max(0);
-    let axis = FoldAxis::of(new, 0);
+    let axis = FoldAxis::of(new);
     let [ranges, folds] = axis.strengths();
     let wave = if level == 0 {
-        axis.wave(RANGES, ranges)
+        axis.wave(RANGES, ranges, 0)
     } else {
-        axis.wave(FOLDS, folds)
+        axis.wave(FOLDS, folds, 0)
     };
     // In a depression crests sink, too.
     let low = (Q16 - wave.height).max((Q16 - axis.culmination()) / 2);
@@ -162,9 +162,13 @@ struct Fold {
 
 impl Fold {
     fn at(context: &EdgeContext) -> Self {
-        let axis = FoldAxis::of(context.new, lean(context));
+        let axis = FoldAxis::of(context.new);
+        let lean = axis.lean(context);
         let [ranges, folds] = axis.strengths();
-        let waves = [axis.wave(RANGES, ranges), axis.wave(FOLDS, folds)];
+        let waves = [
+            axis.wave(RANGES, ranges, lean),
+            axis.wave(FOLDS, folds, lean),
+        ];
         let weights = WEIGHTS[context.level.min(2) as usize];
         let swing = [0, 1].map(|k| {
             let FoldWave { height, share } = waves[k];
@@ -195,24 +199,21 @@ struct FoldAxis<'a> {
     across: [i16; 3],
     /// How far neighbours' axes agree, Q16.
     agreement: i32,
-    /// How far crests lean towards `across`, Q16.
-    lean: i32,
 }
 
 impl<'a> FoldAxis<'a> {
-    fn of(vertex: &'a Vertex, lean: i32) -> Self {
+    fn of(vertex: &'a Vertex) -> Self {
         // Scaled, or folds would widen where axes differ.
         let (unit, size) = unit_axis(vertex.fold);
         Self {
             vertex,
             across: across(vertex.direction, unit),
             agreement: 2 * size,
-            lean,
         }
     }
 
-    /// A set of stripes of such a strength.
-    fn wave(&self, stripes: StripeNoise, strength: i32) -> FoldWave {
+    /// A set of stripes of such a strength, whose crests lean so far towards `across`, Q16.
+    fn wave(&self, stripes: StripeNoise, strength: i32, lean: i32) -> FoldWave {
         if strength == 0 {
             return FoldWave {
                 height: Q16 / 2,
@@ -222,7 +223,7 @@ impl<'a> FoldAxis<'a> {
         let cache = &mut PacketCache::default();
         let phasor = stripes.at(cache, self.vertex.direction, self.across);
         // The sine is positive on the flank that `across` points to: the crest moves there.
-        let lean = mul_q16(mul_q16(phasor.sine, phasor.cosine), self.lean);
+        let lean = mul_q16(mul_q16(phasor.sine, phasor.cosine), lean);
         let [onset, full] = PRESENCE;
         FoldWave {
             height: saturate((phasor.cosine + lean + Q16) / 2),
@@ -250,20 +251,20 @@ impl<'a> FoldAxis<'a> {
         let [depression, full] = CULMINATION;
         smoothstep(depression, full, noise)
     }
-}
 
-/// How far crests at the middle of an edge lean across their axis, Q16: to the side on which the
-/// crust falls off, less the nearer the edge comes to the axis.
-fn lean(context: &EdgeContext) -> i32 {
-    let across = FoldAxis::of(context.new, 0).across;
-    let way = difference(context.b.direction, context.a.direction);
-    let unit = (length(way[0], way[1], way[2]) >> 15).max(1);
-    let part = |i: usize| (way[i] / unit).clamp(-0x8000, 0x8000) * i32::from(across[i]) / 0x8000;
-    let cosine = 2 * (part(0) + part(1) + part(2));
-    let fall = (context.a.crust - context.b.crust) / 2;
-    let full = mul_q16(context.length / 2, FRONTAL_SLOPE).max(1);
-    let share = ratio(fall.abs(), full) * fall.signum();
-    mul_q16(mul_q16(share, cosine.clamp(-Q16, Q16)), VERGENCE)
+    /// How far crests at the middle of an edge lean across the axis, Q16: to the side on which the
+    /// crust falls off, less the nearer the edge comes to the axis.
+    fn lean(&self, context: &EdgeContext) -> i32 {
+        let way = difference(context.b.direction, context.a.direction);
+        let unit = (length(way[0], way[1], way[2]) >> 15).max(1);
+        let part =
+            |i: usize| (way[i] / unit).clamp(-0x8000, 0x8000) * i32::from(self.across[i]) / 0x8000;
+        let cosine = 2 * (part(0) + part(1) + part(2));
+        let fall = (context.a.crust - context.b.crust) / 2;
+        let full = mul_q16(context.length / 2, FRONTAL_SLOPE).max(1);
+        let share = ratio(fall.abs(), full) * fall.signum();
+        mul_q16(mul_q16(share, cosine.clamp(-Q16, Q16)), VERGENCE)
+    }
 }
 
 #[cfg(test)]

@@ -21,9 +21,12 @@ fn vertex(north_km: i32, east_km: i32) -> Vertex {
 
 /// The great ranges and the folds at a vertex.
 fn waves(vertex: &Vertex, lean: i32) -> [FoldWave; 2] {
-    let axis = FoldAxis::of(vertex, lean);
+    let axis = FoldAxis::of(vertex);
     let [ranges, folds] = axis.strengths();
-    [axis.wave(RANGES, ranges), axis.wave(FOLDS, folds)]
+    [
+        axis.wave(RANGES, ranges, lean),
+        axis.wave(FOLDS, folds, lean),
+    ]
 }
 
 /// Heights of great ranges along a line of 2,000 km across them, every 2 km.
@@ -90,7 +93,7 @@ fn age_leaves_ridges_of_old_belts_alone() {
             hills,
             ..vertex(0, 0)
         };
-        FoldAxis::of(&vertex, 0).strengths()
+        FoldAxis::of(&vertex).strengths()
     };
     let young = at(0, 0);
     assert!(young.iter().all(|&s| s > q16(0.99)), "{young:?}");

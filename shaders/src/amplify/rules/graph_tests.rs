@@ -47,6 +47,29 @@ pub(super) const fn edge_length(level: u32) -> i32 {
     metres(52_000) >> level
 }
 
+/// An edge of a length between two vertices, of which the rules know no corners beside it.
+pub(super) fn between_two<'a>(
+    [a, b]: [&'a Vertex; 2],
+    new: &'a Vertex,
+    level: u32,
+    length: i32,
+) -> EdgeContext<'a> {
+    EdgeContext {
+        a,
+        b,
+        new,
+        face: a.height / 2 + b.height / 2,
+        range: [a.height.min(b.height), a.height.max(b.height)],
+        is_dammed: true,
+        curvature: 0,
+        beside: [None; 2],
+        length,
+        span: length,
+        level,
+        radius_m: 6_371_000,
+    }
+}
+
 /// The ground in the middle of an edge of mean length; the maps of the new vertex are those of `a`.
 pub(super) fn halved(
     rules: &Rules,
@@ -60,21 +83,11 @@ pub(super) fn halved(
         crust: a.crust / 2 + b.crust / 2,
         ..*a
     };
-    let context = EdgeContext {
-        a,
-        b,
-        new: &new,
-        face: a.height / 2 + b.height / 2,
-        range: [a.height.min(b.height), a.height.max(b.height)],
-        is_dammed: true,
-        curvature: 0,
-        beside: [None; 2],
-        length: edge_length(level),
-        span: edge_length(level),
-        level,
-        radius_m: 6_371_000,
-    };
-    halve(rules, edge, &context)
+    halve(
+        rules,
+        edge,
+        &between_two([a, b], &new, level, edge_length(level)),
+    )
 }
 
 /// Every pair of kinds on every level.

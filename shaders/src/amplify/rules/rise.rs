@@ -56,8 +56,9 @@ const HILLSIDE_ROUGHNESS: i32 = q16(1.4);
 /// One beyond the last level whose ground goes on across its edges without a crease.
 const BENT_LEVELS: u32 = 4;
 
-/// Most rise of a slope, grains: beyond any crust, and products of it fit 32 bits on any planet.
-const MOST_SLOPE: i32 = metres(400_000);
+/// Most rise of a slope, grains: beyond any crust, and fit for the greatest bulge of a fold, which is
+/// eleven times as high before it is bounded by the room under the crust.
+const MOST_SLOPE: i32 = metres(150_000);
 
 /// Height of the middle of an edge between two drains or on open ground.
 pub fn divide(rules: &Rules, context: &EdgeContext) -> i32 {
@@ -84,7 +85,8 @@ pub(super) const fn is_half(context: &EdgeContext) -> bool {
 /// overtops the higher end.
 fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let (low, high) = ordered(context.a.height, context.b.height);
-    let slope = slope(rules, context);
+    let steep = steepness(rules, context.new);
+    let slope = slope(context, steep);
     let draws = RiseDraws::of(context);
     let bulge = mul_q16(bulge, draws.bulge);
     let evenness = evenness(context, slope);
@@ -93,14 +95,14 @@ fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
     let even = mix(hillside(rules, context, draws.xi), high, towards_crest);
     let gain = gain(
-        rules,
         context,
         draws,
+        steep,
         mul_q16(mul_q16(slope, evenness), bulge),
     );
     let crest = even + gain + bend(context);
     let risen = crest
-        .min(steepest(rules, context, slope, draws.chi))
+        .min(steepest(context, steep, slope, draws.chi))
         .max(least(context, low, high));
     if is_small(context) || is_half(context) {
         let step = (high - low) / LEAST_STEP;
@@ -111,11 +113,11 @@ fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
 }
 
 /// The highest that the middle of an edge may stand over the corners around it, drawn anew for each
-/// edge so that faces do not become planes.
-fn steepest(rules: &Rules, context: &EdgeContext, slope: i32, chi: i32) -> i32 {
+/// edge so that faces do not become planes. The land's tangent is `steep`.
+fn steepest(context: &EdgeContext, steep: i32, slope: i32, chi: i32) -> i32 {
     let share = STEEPEST[0] + mul_q16(chi, STEEPEST[1]);
     let over_ends = context.a.height.min(context.b.height) + mul_q16(slope, share);
-    let steep = mul_q16(share, steepness(rules, context.new));
+    let steep = mul_q16(share, steep);
     let corners = context.beside.iter().flatten();
     let over_corners = corners.map(|c| c.height + mul_q16(c.distance, steep).min(MOST_SLOPE));
     over_corners.fold(over_ends, i32::min)
@@ -137,14 +139,14 @@ const fn is_small(context: &EdgeContext) -> bool {
 }
 
 /// Rise over half the edge at the landform's steepness, grains.
-fn slope(rules: &Rules, context: &EdgeContext) -> i32 {
+fn slope(context: &EdgeContext, steep: i32) -> i32 {
     // An edge along a thin face is long, but the rock beside it is no larger than that of others.
     let length = if is_small(context) {
         context.length.min(context.span)
     } else {
         context.length
     };
-    mul_q16(length / 2, steepness(rules, context.new)).min(MOST_SLOPE)
+    mul_q16(length / 2, steep).min(MOST_SLOPE)
 }
 
 /// Height of the middle of an edge on an even hillside.

@@ -1,5 +1,6 @@
 use super::*;
 use crate::amplify::fixed::GRAINS;
+use crate::amplify::rules::graph_tests::between_two;
 use crate::amplify::seed::pcg;
 use crate::amplify::vertex::{CornerBeside, Vertex};
 
@@ -19,28 +20,17 @@ fn land(height_m: i32, level: u8, seed: u32) -> Vertex {
 /// next to it.
 fn middle(level: u32, ends: [&Vertex; 2], beside: [i32; 2], seed: u32) -> f64 {
     let length = metres(52_000) >> level;
-    let [a, b] = ends;
     let new = Vertex {
         seed: pcg(seed ^ 77),
-        ..*a
+        ..*ends[0]
     };
     let corner = |height_m| CornerBeside {
         height: metres(height_m),
         distance: length / 8 * 7,
     };
     let context = EdgeContext {
-        a,
-        b,
-        new: &new,
-        face: a.height / 2 + b.height / 2,
-        range: [a.height.min(b.height), a.height.max(b.height)],
-        is_dammed: true,
-        curvature: 0,
         beside: beside.map(|height| Some(corner(height))),
-        length,
-        span: length,
-        level,
-        radius_m: 6_371_000,
+        ..between_two(ends, &new, level, length)
     };
     f64::from(divide(&Rules::default(), &context)) / f64::from(GRAINS)
 }

@@ -6,12 +6,12 @@
 
 use super::{DrainBeside, VertexContext};
 use crate::amplify::control::VertexKind;
-use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::mul_high;
 use crate::amplify::rules::valley::{Reach, RiverPlace};
-use crate::amplify::rules::{EdgeKind, Rules, valley};
+use crate::amplify::rules::{EdgeKind, Rules, STRAIGHT_LEVEL, valley};
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::seed::share;
+use crate::amplify::segment::is_lost;
 use crate::amplify::vertex::{FAR, RiverSegment, ValleySection, Vertex};
 
 /// Half-widths of a winding river within which no lesser river counts as nearer.
@@ -171,7 +171,7 @@ impl Search<'_> {
         let point =
             || RiverSegment::between(scale, edge.birth, level + 1, [new, new], new.discharge);
         // Between a larger river, into which its course has led, and their junction it has no other.
-        let is_lost = is_river && ends.iter().any(|end| end.is_in_larger_river());
+        let is_lost = is_river && is_lost(ends);
         if kept.is_some() || !is_lost {
             self.offer(&kept.unwrap_or_else(point), 0);
         }
@@ -198,7 +198,7 @@ impl Search<'_> {
             let segments =
                 match RiverSegment::kept(scale, self.rules, drain.edge, level, drain.ends) {
                     Some(kept) => [Some(kept), None],
-                    None if drain.ends.iter().any(|end| end.is_in_larger_river()) => [None; 2],
+                    None if is_lost(drain.ends) => [None; 2],
                     None => segments_of(scale, level, drain),
                 };
             for segment in segments.iter().flatten() {

@@ -8,11 +8,10 @@
 use super::{lifted, under};
 use crate::amplify::arith::{linear_step, mix, mul_q16, pow_1_5, ratio, sqrt_q16};
 use crate::amplify::control::VertexKind;
-use crate::amplify::edge_split::STRAIGHT_LEVEL;
 use crate::amplify::fixed::{Q16, metres, q16};
 use crate::amplify::rules::landform::uneven_steepness;
 use crate::amplify::rules::noise::{CornerCache, EDGE_BITS, gradient};
-use crate::amplify::rules::{EdgeKind, Rules, VertexGround, rise};
+use crate::amplify::rules::{EdgeKind, Rules, STRAIGHT_LEVEL, VertexGround, rise};
 use crate::amplify::vertex::{EdgeContext, Vertex};
 
 /// Most relief of a shore, as a share of half the way from the floor up to the land.

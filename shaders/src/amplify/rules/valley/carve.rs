@@ -70,13 +70,19 @@ pub fn carve(
     rules: &Rules,
     vertex: &Vertex,
 ) -> Carved {
+    if vertex.kind == VertexKind::River {
+        let reach = Reach::of(scale, rules, vertex);
+        // It may wind past a vertex of its own.
+        if vertex.river_distance <= reach.half_bed {
+            return in_river(&reach, vertex);
+        }
+    }
     let knows_river = vertex.river_distance < FAR;
     match vertex.kind {
         VertexKind::Lake => Carved {
             ground: vertex.bed.min(vertex.water),
             water: vertex.water,
         },
-        VertexKind::River if is_in_bed(scale, rules, vertex) => in_river(scale, rules, vertex),
         _ if is_under_sea(vertex) => {
             // Relief that would emerge is held under the sea by its own bounds.
             let edge = scale.edge_grains(0);
@@ -101,15 +107,9 @@ fn is_under_sea(vertex: &Vertex) -> bool {
     vertex.kind == VertexKind::Sea || vertex.kind == VertexKind::Coast && vertex.height < 0
 }
 
-/// Whether a vertex lies in the bed of its river, which may wind past it.
-fn is_in_bed(scale: &PlanetScale, rules: &Rules, vertex: &Vertex) -> bool {
-    vertex.river_distance <= Reach::of(scale, rules, vertex).half_bed
-}
-
 /// A vertex of a river, in its own bed or in that of a larger river, whose water may stand higher
 /// there.
-fn in_river(scale: &PlanetScale, rules: &Rules, vertex: &Vertex) -> Carved {
-    let reach = Reach::of(scale, rules, vertex);
+fn in_river(reach: &Reach, vertex: &Vertex) -> Carved {
     let water = reach.water.min(vertex.water.max(vertex.bed));
     let distance = vertex.river_distance.min(reach.half_bed);
     Carved {
