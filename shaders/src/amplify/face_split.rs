@@ -45,13 +45,14 @@ fn halve(
     let b = edge.vertices[1];
     let [up, mid, down] = vertices.gather([a, m, b]);
     [0, 1].map(|slot| {
-        let (kind, reversed) = half_kind(rules, level, edge.kind, slot, [up, mid, down]);
+        let along = half_kind(rules, level, edge, slot, [up, mid, down]);
         let (end, ends) = [(a, [a, m]), (b, [m, b])][slot];
-        let mut half = Edge::new(kind, ends, children_at(end, edge, of));
-        if reversed {
+        let mut half = Edge::new(along.kind, ends, children_at(end, edge, of));
+        half.is_descent = along.is_descent;
+        if along.is_reversed {
             half.reverse();
         }
-        if kind == EdgeKind::River {
+        if along.kind == EdgeKind::River {
             // The birth bounds the width of the valley; what arrives keeps the discharge whole.
             half.birth = edge.birth;
             half.arriving = [arriving_at(mid, up), edge.arriving][slot];
@@ -71,29 +72,54 @@ fn children_at(end: u32, edge: &Edge, level: &Level) -> [u32; 2] {
     })
 }
 
-/// The kind of a half of an edge, and whether it runs against the edge. The vertices are the edge's
-/// ends and, between them, its middle.
+/// Kind and direction of a half of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HalfKind {
+    /// Ground, river or gully.
+    pub kind: EdgeKind,
+    /// Whether it runs against the edge.
+    pub is_reversed: bool,
+    /// [`Edge::is_descent`].
+    pub is_descent: bool,
+}
+
+/// Kind and direction of a half of an edge. The vertices are the edge's ends and, between them, its
+/// middle.
 ///
 /// R4a: on coarse levels a tributary goes on towards the land above its spring. R4b: later that
-/// half is ground. New dry land drains along one half of its edge.
+/// half is ground. New dry land drains along one half of its edge, by a gully or without one.
 pub fn half_kind(
     rules: &Rules,
     level: u32,
-    edge: EdgeKind,
+    edge: &Edge,
     slot: usize,
     [up, mid, down]: [&Vertex; 3],
-) -> (EdgeKind, bool) {
-    match (edge, slot) {
-        (EdgeKind::River, 0) if !up.is_wet() && level >= rules.extension_levels => {
-            (EdgeKind::Terrain, false)
+) -> HalfKind {
+    let whole = HalfKind {
+        kind: edge.kind,
+        is_reversed: false,
+        is_descent: edge.is_descent,
+    };
+    let [end, other] = if slot == 0 { [up, down] } else { [down, up] };
+    match edge.kind {
+        // The land above the spring drained along the river, and goes on so.
+        EdgeKind::River if slot == 0 && !up.is_wet() && level >= rules.extension_levels => {
+            HalfKind {
+                kind: EdgeKind::Terrain,
+                is_descent: true,
+                ..whole
+            }
         }
-        (EdgeKind::Terrain, 0) if gully::drains(rules, level, mid, up, down) => {
-            (EdgeKind::Gully, true)
-        }
-        (EdgeKind::Terrain, 1) if gully::drains(rules, level, mid, down, up) => {
-            (EdgeKind::Gully, false)
-        }
-        _ => (edge, false),
+        EdgeKind::Terrain if gully::drains(rules, level, mid, end, other) => HalfKind {
+            kind: EdgeKind::Gully,
+            is_reversed: slot == 0,
+            is_descent: false,
+        },
+        EdgeKind::Terrain => HalfKind {
+            is_descent: edge.is_descent || gully::leads_down(mid, end, other),
+            ..whole
+        },
+        _ => whole,
     }
 }
 

@@ -45,6 +45,8 @@ pub struct Edge {
     pub kind: EdgeKind,
     /// Level at which its river was born; 0 for a river of the control mesh.
     pub birth: u8,
+    /// Whether dry land drains along it without a gully: nothing on it may stand above its ends.
+    pub is_descent: bool,
 }
 
 const _: () = assert!(size_of::<Edge>() == 24);
@@ -59,6 +61,7 @@ impl Edge {
             arriving: 0,
             kind,
             birth: 0,
+            is_descent: false,
         }
     }
 

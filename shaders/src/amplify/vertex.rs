@@ -247,6 +247,8 @@ pub struct EdgeContext<'a> {
     pub curvature: i32,
     /// The corners opposite to the edge, on levels that know them.
     pub beside: [Option<CornerBeside>; 2],
+    /// Whether dry land drains along the edge without a gully.
+    pub is_descent: bool,
     /// Length of the edge, grains.
     pub length: i32,
     /// Mean length of the edges of its level, grains.

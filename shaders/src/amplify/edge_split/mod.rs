@@ -90,6 +90,7 @@ pub fn split(
         is_dammed: lakes::is_dammed(ends, opposite),
         curvature: curvature(ends, opposite),
         beside: opposite.map(|corner| corner.map(|v| beside(scale, &new, v))),
+        is_descent: edge.is_descent,
         length,
         span: scale.edge_grains(level),
         level,

@@ -2,7 +2,7 @@
 
 use super::{EdgeOrigin, LazyEdge, LazyGround};
 use crate::amplify::base::Base;
-use crate::amplify::face_split::{arriving_at, half_kind};
+use crate::amplify::face_split::{HalfKind, arriving_at, half_kind};
 use crate::amplify::rules::{EdgeKind, STRAIGHT_LEVEL};
 use crate::amplify::vertex_resolve::tributary;
 use core::ops::Deref;
@@ -14,32 +14,40 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         if known.has_kind {
             return known.edge.kind;
         }
-        let ((kind, reversed), birth) = match known.origin {
-            EdgeOrigin::Base(_) => ((known.edge.kind, false), known.edge.birth),
+        let (along, birth) = match known.origin {
+            EdgeOrigin::Base(_) => return known.edge.kind,
             EdgeOrigin::Half(parent, slot) => {
-                let kind = self.half_kind(level - 1, parent, slot);
-                (kind, self.edge(level - 1, parent).edge.birth)
+                let along = self.half_kind(level - 1, parent, slot);
+                (along, self.edge(level - 1, parent).edge.birth)
             }
             EdgeOrigin::Inner(face, corner) => {
                 let inner = self.decide(level - 1, face)[usize::from(corner)];
-                (inner.edge(), level as u8)
+                let (kind, is_reversed) = inner.edge();
+                let along = HalfKind {
+                    kind,
+                    is_reversed,
+                    is_descent: false,
+                };
+                (along, level as u8)
             }
         };
+        let kind = along.kind;
         // Gullies run down from a new vertex, so a half may run against its edge.
         let known = self.edge_mut(level, edge);
         known.has_kind = true;
-        known.reversed = reversed;
+        known.reversed = along.is_reversed;
         known.edge.kind = kind;
+        known.edge.is_descent = along.is_descent;
         // A half above a spring inherits its birth from a river, but is ground.
         known.edge.birth = if kind == EdgeKind::River { birth } else { 0 };
-        if reversed {
+        if along.is_reversed {
             known.edge.reverse();
         }
         kind
     }
 
-    /// The kind of a half of an edge, and whether it runs against the edge.
-    fn half_kind(&mut self, level: usize, edge: u32, slot: u8) -> (EdgeKind, bool) {
+    /// Kind and direction of a half of an edge.
+    fn half_kind(&mut self, level: usize, edge: u32, slot: u8) -> HalfKind {
         let LazyEdge {
             edge: parent, mid, ..
         } = *self.edge(level, edge);
@@ -54,7 +62,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         half_kind(
             &self.rules,
             level as u32,
-            parent.kind,
+            &parent,
             usize::from(slot),
             along.map(|v| self.vertex(v)),
         )

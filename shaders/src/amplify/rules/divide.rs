@@ -86,9 +86,9 @@ fn part(level: u32, chi: i32) -> i32 {
     /// By level; the last holds for all that follow.
     const LEAST_AND_GREATEST: [[i32; 2]; 4] = [
         [q16(0.15), q16(0.5)],
-        [q16(0.35), q16(0.8)],
-        [q16(0.6), q16(0.9)],
-        [q16(0.8), q16(0.95)],
+        [q16(0.3), q16(0.65)],
+        [q16(0.4), q16(0.75)],
+        [q16(0.4), q16(0.8)],
     ];
     let [least, greatest] = LEAST_AND_GREATEST[level.min(3) as usize];
     mix(least, greatest, chi)

@@ -134,8 +134,13 @@ pub fn is_gully(
 pub fn drains(rules: &Rules, level: u32, new: &Vertex, end: &Vertex, other: &Vertex) -> bool {
     rules.landforms
         && (FIRST_DRAIN_LEVEL..rules.gully_levels).contains(&level)
-        && new.kind == VertexKind::Terrain
         && (level >= FIRST_DRAINED_LEVEL || share(new.seed, 21) < DRAINED_SHARE)
+        && leads_down(new, end, other)
+}
+
+/// Whether the half of an edge that leads to `end` is the way down of the dry land in its middle.
+pub fn leads_down(new: &Vertex, end: &Vertex, other: &Vertex) -> bool {
+    new.kind == VertexKind::Terrain
         && new.height > end.height
         // Seeds decide between level ends, so that one half drains and not both.
         && (end.height, end.seed) < (other.height, other.seed)

@@ -12,9 +12,10 @@
 //! From no corner around it does the middle stand steeper than its rock bears: so the sides of a
 //! valley rise from its floor evenly, whatever levels make them.
 //!
-//! An edge bulges once. Its halves, whose ends were made by different levels, never overtop their
-//! ends: crests that were made once go on without bumps, and a vertex, which was made above the lower
-//! end of its edge, keeps the way down to it for ever. So no closed hollow is made, drained or not.
+//! A vertex is made above the lower end of its edge, and keeps the way down to it for ever: the half
+//! between them, a descent where no gully runs along it, and all that it is cut into never overtop
+//! their ends. So no closed hollow is made, drained or not; and all other edges may rise, so that
+//! those of no level stand out as lines without relief.
 //!
 //! The numbers are chosen so that slopes and spectra are those of real relief.
 
@@ -44,7 +45,11 @@ const STEEPEST: [i32; 2] = [q16(0.5), q16(0.2)];
 /// Least share of the way up at which the middle of an edge stands.
 const LEAST_RISE: i32 = q16(0.15259);
 
-/// The middle of half an edge keeps a sixteenth of the rise away from both ends.
+/// Last level whose edges may rise to crests. Shorter ones, of 400 m and less on an Earth-sized
+/// planet, keep between their ends: crests of theirs would be knobs and pits on hillsides.
+const LAST_CREST_LEVEL: u32 = FACE_LEVEL;
+
+/// The middle of a descent keeps a sixteenth of the rise away from both ends.
 const LEAST_STEP: i32 = 16;
 
 /// How far the foot of a hillside over a gully is hollow: an eighth of the rise.
@@ -76,11 +81,6 @@ pub fn hillslope(rules: &Rules, context: &EdgeContext) -> i32 {
     height(rules, context, bulge)
 }
 
-/// Whether an edge is half of one of the level before, and not one that cut a corner off a face.
-pub(super) const fn is_half(context: &EdgeContext) -> bool {
-    context.a.level != context.b.level
-}
-
 /// Height of the middle of an edge. `bulge` (Q16) is the share of the full slope by which it
 /// overtops the higher end.
 fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
@@ -104,7 +104,7 @@ fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
     let risen = crest
         .min(steepest(context, steep, slope, draws.chi))
         .max(least(context, low, high));
-    if is_small(context) || is_half(context) {
+    if context.level > LAST_CREST_LEVEL || context.is_descent {
         let step = (high - low) / LEAST_STEP;
         risen.clamp(low + step, high - step)
     } else {

@@ -19,6 +19,11 @@ fn land(height_m: i32, level: u8, seed: u32) -> Vertex {
 /// The middle of an edge between two vertices, in metres; `beside` are the heights of the corners
 /// next to it.
 fn middle(level: u32, ends: [&Vertex; 2], beside: [i32; 2], seed: u32) -> f64 {
+    along(false, level, ends, beside, seed)
+}
+
+/// The same of a descent, or of an edge that is none.
+fn along(is_descent: bool, level: u32, ends: [&Vertex; 2], beside: [i32; 2], seed: u32) -> f64 {
     let length = metres(52_000) >> level;
     let new = Vertex {
         seed: pcg(seed ^ 77),
@@ -30,15 +35,16 @@ fn middle(level: u32, ends: [&Vertex; 2], beside: [i32; 2], seed: u32) -> f64 {
     };
     let context = EdgeContext {
         beside: beside.map(|height| Some(corner(height))),
+        is_descent,
         ..between_two(ends, &new, level, length)
     };
     f64::from(divide(&Rules::default(), &context)) / f64::from(GRAINS)
 }
 
-/// A vertex above the lower end of its edge keeps its way down for ever: the halves of the edge
-/// fall from it to that end, whatever is beside them.
+/// A vertex above the lower end of its edge keeps its way down for ever: what its descent is cut into
+/// falls from it to that end, whatever is beside it.
 #[test]
-fn halves_of_edges_fall_all_the_way() {
+fn descents_fall_all_the_way() {
     for seed in 0..500 {
         let (low, high) = (1_000, 1_002 + (pcg(seed) % 900) as i32);
         let level = 1 + seed % 9;
@@ -46,7 +52,7 @@ fn halves_of_edges_fall_all_the_way() {
             land(low, level as u8 - 1, seed),
             land(high, level as u8, seed + 1),
         ];
-        let found = middle(level, [&ends[0], &ends[1]], [900, 900], seed);
+        let found = along(true, level, [&ends[0], &ends[1]], [900, 900], seed);
         assert!(
             f64::from(low) < found && found < f64::from(high),
             "{level} {found}"

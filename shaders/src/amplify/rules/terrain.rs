@@ -102,8 +102,8 @@ fn shaped(rules: &Rules, context: &EdgeContext) -> i32 {
     // Hills must not overturn the slope they stand on.
     let limit = mul_q16(context.length, form.steep.max(LEAST_HILL_SLOPE)) / OUR_HILL_LIMIT;
     let fading = peak_fading(new.crust, context.level);
-    // Half an edge does not overtop its ends, or vertices would lose their way down.
-    let hills = if rise::is_half(context) {
+    // Or vertices would lose their way down.
+    let hills = if context.is_descent {
         0
     } else {
         hills(rules, context, form, fading).clamp(0, limit)

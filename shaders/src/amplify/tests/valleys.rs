@@ -23,7 +23,7 @@ fn lowest_beside(level: &Level, vertices: &Vertices) -> Vec<Option<i32>> {
 }
 
 /// Every vertex is made above an end of its edge, and what finer levels lay between the two falls
-/// towards that end: of dry land next to none is a pit. Where halves of edges may overtop their
+/// towards that end: of dry land next to none is a pit. Where all halves of edges may overtop their
 /// ends, one vertex of 160 is.
 #[test]
 fn land_has_no_hollows() {
