@@ -2,6 +2,7 @@
 //!
 //! `cargo run -p bevy_pangaea --example minimal --features window`
 
+use bevy::core_pipeline::tonemapping::Tonemapping;
 use bevy::prelude::*;
 use bevy_pangaea::prelude::*;
 
@@ -17,8 +18,6 @@ fn setup(mut commands: Commands) {
         seed: 7,
         ..default()
     });
-    commands.spawn((
-        Camera3d::default(),
-        Transform::from_xyz(0.0, 1.0, 3.0).looking_at(Vec3::ZERO, Vec3::Y),
-    ));
+    let place = Transform::from_xyz(0.0, 1.0, 3.0).looking_at(Vec3::ZERO, Vec3::Y);
+    commands.spawn((Camera3d::default(), Tonemapping::None, place));
 }

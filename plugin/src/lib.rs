@@ -12,6 +12,7 @@
 //! ```no_run
 //! # #[cfg(feature = "render")]
 //! # mod game {
+//! use bevy::core_pipeline::tonemapping::Tonemapping;
 //! use bevy::prelude::*;
 //! use bevy_pangaea::prelude::*;
 //!
@@ -24,8 +25,8 @@
 //!
 //! fn setup(mut commands: Commands) {
 //!     commands.spawn(PlanetRecipe { seed: 7, ..default() });
-//!     let camera = Transform::from_xyz(0.0, 1.0, 3.0).looking_at(Vec3::ZERO, Vec3::Y);
-//!     commands.spawn((Camera3d::default(), camera));
+//!     let place = Transform::from_xyz(0.0, 1.0, 3.0).looking_at(Vec3::ZERO, Vec3::Y);
+//!     commands.spawn((Camera3d::default(), Tonemapping::None, place));
 //! }
 //! # }
 //! ```

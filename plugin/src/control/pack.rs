@@ -121,13 +121,10 @@ impl Levels {
         }
         match drainage.shore[i] {
             ShoreClass::Sea => Self::sea_floor(drainage, rivers, i),
-            ShoreClass::Coast if rivers.is_river[i] => Self {
-                kind: VertexKind::River,
-                height: 0,
-                bed: bed.min(Self::drowned_bed(input, rivers, i)),
-                water: 0,
-                discharge,
-            },
+            ShoreClass::Coast if rivers.is_river[i] => {
+                let drowned = Self::drowned_bed(input, rivers, i);
+                Self::river(0, bed.min(drowned), discharge)
+            }
             ShoreClass::Coast => Self::coast(coast_ground(input, i)),
             ShoreClass::Land if drainage.is_lake(i) => Self {
                 kind: VertexKind::Lake,
@@ -136,31 +133,29 @@ impl Levels {
                 water: level,
                 discharge,
             },
-            ShoreClass::Land if rivers.is_river[i] => Self {
-                kind: VertexKind::River,
-                height: level,
-                bed,
-                water: level,
-                discharge,
-            },
+            ShoreClass::Land if rivers.is_river[i] => Self::river(level, bed, discharge),
             ShoreClass::Land => Self::dry(VertexKind::Terrain, level),
         }
     }
 
     /// A vertex of a delta; the bed and the discharge are those of a mouth there.
     fn of_delta(delta: &DeltaVertex, bed: i32, discharge: f64) -> Self {
-        let river = |water, bed, discharge| Self {
+        match *delta {
+            // Lower than any river that runs in.
+            DeltaVertex::Apex => Self::river(MIN_FALL / 2, bed, discharge),
+            DeltaVertex::Arm { bed, discharge } => Self::river(0, bed, discharge),
+            DeltaVertex::Shore => Self::dry(VertexKind::Coast, 0),
+        }
+    }
+
+    /// A river, whose ground stands as high as its water.
+    fn river(water: i32, bed: i32, discharge: f64) -> Self {
+        Self {
             kind: VertexKind::River,
             height: water,
             bed,
             water,
             discharge,
-        };
-        match *delta {
-            // Lower than any river that runs in.
-            DeltaVertex::Apex => river(MIN_FALL / 2, bed, discharge),
-            DeltaVertex::Arm { bed, discharge } => river(0, bed, discharge),
-            DeltaVertex::Shore => Self::dry(VertexKind::Coast, 0),
         }
     }
 

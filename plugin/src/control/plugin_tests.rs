@@ -37,15 +37,20 @@ fn a_planet_that_cannot_be_baked_is_refused_once() {
     assert!(matches!(refused, Err(BakeError::Spacing(_))));
 }
 
+/// A wish with a map of the rain of so many rows.
+fn rain(height: u32) -> BakeWish {
+    let maps = ClimateMaps {
+        rain: EquirectMap::from_fn(height, |_, _| 900.0).ok(),
+        ..ClimateMaps::default()
+    };
+    BakeWish {
+        maps,
+        ..BakeWish::default()
+    }
+}
+
 #[test]
 fn another_map_of_the_climate_asks_for_another_bake() {
-    let rain = |height| BakeWish {
-        maps: ClimateMaps {
-            rain: EquirectMap::from_fn(height, |_, _| 900.0).ok(),
-            ..ClimateMaps::default()
-        },
-        ..BakeWish::default()
-    };
     let none = BakeWish::default();
     assert!(none.asks_for_the_same(&none) && rain(4).asks_for_the_same(&rain(4)));
     assert!(!rain(4).asks_for_the_same(&rain(5)) && !rain(4).asks_for_the_same(&none));

@@ -14,6 +14,7 @@ use super::drainage::Drainage;
 use super::profile::MIN_FALL;
 use crate::math;
 use crate::sphere::SphereMesh;
+use core::iter;
 use pangaea_shaders::amplify::fixed::GRAINS;
 use pangaea_shaders::amplify::seed::{draw, pcg};
 
@@ -73,11 +74,7 @@ pub(crate) fn deltas(mesh: &SphereMesh, drainage: &Drainage, mouths: &[u32]) -> 
 /// The delta at a mouth, if it has one and none of its sea is `taken`.
 fn delta_at(mesh: &SphereMesh, drainage: &Drainage, mouth: u32, taken: &[bool]) -> Option<Delta> {
     let discharge = drainage.earth_like_discharge(mouth as usize);
-    let around = |class| {
-        let ring = mesh.ring(mouth).iter().copied();
-        ring.filter(move |&j| drainage.shore[j as usize] == class)
-    };
-    let shore: Vec<u32> = around(ShoreClass::Sea).collect();
+    let shore: Vec<u32> = around(mesh, drainage, mouth, ShoreClass::Sea).collect();
     let is_taken = |&s: &u32| taken[s as usize];
     if discharge < LEAST_DISCHARGE || shore.is_empty() || shore.iter().any(is_taken) {
         return None;
@@ -87,7 +84,8 @@ fn delta_at(mesh: &SphereMesh, drainage: &Drainage, mouth: u32, taken: &[bool]) 
     if !runs_in(mesh, drainage, mouth) || shelf_fall(mesh, drainage, mouth, &shore) > most_fall {
         return None;
     }
-    let old_coast = around(ShoreClass::Coast).filter(|s| !is_taken(s));
+    let old_coast = around(mesh, drainage, mouth, ShoreClass::Coast);
+    let old_coast = old_coast.filter(|s| !is_taken(s));
     let mut arms = ends_of_arms(mesh, drainage, mouth, &shore, old_coast);
     arms.truncate(2 + MORE_ARMS.iter().filter(|&&least| discharge > least).count());
     (arms.len() > 1).then(|| Delta {
@@ -95,6 +93,17 @@ fn delta_at(mesh: &SphereMesh, drainage: &Drainage, mouth: u32, taken: &[bool]) 
         arms: shares(mouth, &arms),
         shore,
     })
+}
+
+/// The vertices of a class around another vertex.
+fn around(
+    mesh: &SphereMesh,
+    drainage: &Drainage,
+    vertex: u32,
+    class: ShoreClass,
+) -> impl Iterator<Item = u32> {
+    let ring = mesh.ring(vertex).iter().copied();
+    ring.filter(move |&j| drainage.shore[j as usize] == class)
 }
 
 /// Where arms of a mouth may end: on its new shore, or on the old coast beside it, with sea before
@@ -133,19 +142,25 @@ fn shelf_fall(mesh: &SphereMesh, drainage: &Drainage, mouth: u32, shore: &[u32])
     falls.sum::<f64>() / shore.len() as f64
 }
 
-/// Shares of the arms of a mouth: of the first by chance two to three times as much as of others.
+/// The arms of a mouth with their shares of its discharge, by chance: weights of 2 to 3 for the
+/// first, of 0.5 to 1.5 for the others.
 fn shares(mouth: u32, arms: &[u32]) -> Vec<(u32, f64)> {
-    let weight = |(i, &arm): (usize, &u32)| {
-        let chance = f64::from(draw(pcg(mouth) ^ arm, 1) >> 16) / 65_536.0;
-        chance + if i == 0 { 2.0 } else { 0.5 }
-    };
-    let weights: Vec<f64> = arms.iter().enumerate().map(weight).collect();
+    let bases = iter::once(2.0).chain(iter::repeat(0.5));
+    let weights: Vec<f64> = bases
+        .zip(arms)
+        .map(|(base, &arm)| chance(mouth, arm) + base)
+        .collect();
     let sum: f64 = weights.iter().sum();
     let share = |weight: f64| weight / sum;
     arms.iter()
         .copied()
         .zip(weights.into_iter().map(share))
         .collect()
+}
+
+/// A random number of 0 to 1 for an arm of a mouth.
+fn chance(mouth: u32, arm: u32) -> f64 {
+    f64::from(draw(pcg(mouth) ^ arm, 1) >> 16) / 65_536.0
 }
 
 #[cfg(test)]

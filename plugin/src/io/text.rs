@@ -85,12 +85,15 @@ fn utf16(units: &[u8], unit: fn([u8; 2]) -> u16) -> Option<String> {
         .filter(|_| rest.is_empty())
 }
 
-/// The content of a text file that is not too long.
-pub(super) fn read_text(path: &Path) -> Result<String, IoError> {
-    let too_long = || TextError {
+fn too_long() -> TextError {
+    TextError {
         line: 0,
         problem: format!("the file is longer than {MAX_TEXT} bytes"),
-    };
+    }
+}
+
+/// The content of a text file that is not too long.
+pub(super) fn read_text(path: &Path) -> Result<String, IoError> {
     let bytes = read_at_most(path, MAX_TEXT)?.ok_or_else(|| too_long().in_file(path))?;
     let text = decode(&bytes).map_err(|error| error.in_file(path))?;
     Ok(text.into_owned())

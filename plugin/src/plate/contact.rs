@@ -1,9 +1,9 @@
 //! Where plates meet: every sample of a rim looks just beyond it (paper 000 §6, plate boundary
 //! tracking).
 //!
-//! A sample of the rim probes the point three quarters of a sample's spacing outside. What it finds
-//! there, and the relative velocity, make the meeting: the plates converge (and one of them goes
-//! under), diverge, or slide. Moving triangles need not be intersected: a rim sample over another
+//! A sample of the rim probes the point three quarters of a sample's spacing outside. The crust
+//! found there, and the relative velocity, make the meeting: the plates converge (and one of them
+//! goes under), diverge, or slide. Moving triangles need not be intersected: a rim sample over another
 //! plate's crust, or about to be, is the intersection at the resolution of the lattice.
 //!
 //! Policies. *Several plates at the probe*: the one on top of the others is met. *Triple junction*:

@@ -50,8 +50,7 @@ pub mod commit;
 pub mod terranes;
 
 /// Raises `z` by `dz` km so that it approaches `ceiling` smoothly and never passes it: slope 1 far
-/// below, all of the distance that is left for an endless `dz`. What is lowered (`dz` < 0) is
-/// lowered in full.
+/// below, all of the distance that is left for an endless `dz`. A `dz` < 0 lowers in full.
 #[inline]
 pub fn saturating_rise(z: f32, dz: f32, ceiling: f32) -> f32 {
     let room = ceiling - z;

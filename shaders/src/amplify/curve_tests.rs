@@ -10,12 +10,14 @@ fn random(k: u32, i: u32) -> f64 {
 
 /// A course of 100,000 units to the east, whose headings are up to 45° off.
 fn course(k: u32) -> Curve {
-    let heading = |i| {
-        let slope = random(k, i);
-        let size = (1.0 + slope * slope).sqrt();
-        [1.0, slope, 0.0].map(|x| (x / size * 32_767.0) as i16)
-    };
-    Curve::new([[0; 3], [100_000, 0, 0]], [heading(0), heading(1)])
+    let headings = [0, 1].map(|i| heading(random(k, i)));
+    Curve::new([[0; 3], [100_000, 0, 0]], headings)
+}
+
+/// The heading of a slope to the north.
+fn heading(slope: f64) -> [i16; 3] {
+    let size = (1.0 + slope * slope).sqrt();
+    [1.0, slope, 0.0].map(|x| (x / size * 32_767.0) as i16)
 }
 
 fn norm(v: [i32; 3]) -> f64 {

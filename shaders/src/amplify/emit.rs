@@ -166,22 +166,30 @@ pub fn water(
     triangles: &[Triangle],
     carved: &[Carved],
 ) -> Vec<WaterTriangle> {
-    let surface = |triangle: &Triangle| {
-        let corners = triangle.vertices.map(|v| {
-            let vertex = &ground.vertices[v as usize];
-            let corner = carved[v as usize];
-            if is_resolved(&ground.scale, rules, vertex, triangle.level) {
-                corner
-            } else {
-                Carved::dry(corner.ground)
-            }
-        });
-        sheet(corners).map(|water| WaterTriangle {
-            ground: *triangle,
-            water,
-        })
-    };
-    triangles.iter().filter_map(surface).collect()
+    let surfaces = triangles.iter().filter_map(|&triangle| {
+        let water = sheet(resolved(ground, rules, &triangle, carved))?;
+        let ground = triangle;
+        Some(WaterTriangle { ground, water })
+    });
+    surfaces.collect()
+}
+
+/// The corners of a triangle, dry where its edges do not resolve their water.
+fn resolved(
+    ground: &RefinedGround,
+    rules: &Rules,
+    triangle: &Triangle,
+    carved: &[Carved],
+) -> [Carved; 3] {
+    triangle.vertices.map(|v| {
+        let vertex = &ground.vertices[v as usize];
+        let corner = carved[v as usize];
+        if is_resolved(&ground.scale, rules, vertex, triangle.level) {
+            corner
+        } else {
+            Carved::dry(corner.ground)
+        }
+    })
 }
 
 /// Whether the water of a vertex is wider than the edges of a level.

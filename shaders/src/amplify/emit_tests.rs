@@ -48,13 +48,14 @@ fn leaf(k: u32) -> [Vertex; 5] {
 
 /// Least area of some triangles.
 fn least(vertices: &[Vertex], triangles: &[[u32; 3]]) -> f64 {
-    let real = |v: u32| {
-        vertices[v as usize]
-            .direction
-            .map(|x| f64::from(x) / f64::from(ONE))
-    };
-    let areas = triangles.iter().map(|t| facing(t.map(real)));
+    let corners = |t: &[u32; 3]| t.map(|v| real(&vertices[v as usize]));
+    let areas = triangles.iter().map(|t| facing(corners(t)));
     areas.fold(f64::MAX, f64::min)
+}
+
+/// Where a vertex lies, in radii.
+fn real(vertex: &Vertex) -> [f64; 3] {
+    vertex.direction.map(|x| f64::from(x) / f64::from(ONE))
 }
 
 #[test]

@@ -54,11 +54,9 @@ fn zipped(name: &str, bytes: &[u8]) -> Result<Dem, DemError> {
 /// Is it the name of a model? Macs put a `._NAME` into an archive for every NAME.
 fn is_model(name: &str) -> bool {
     let path = Path::new(name);
-    let is_hidden = || {
-        let name = path.file_name().unwrap_or_default();
-        name.to_string_lossy().starts_with('.')
-    };
-    extension(path).as_deref() == Some("hgt") && !is_hidden()
+    let file = path.file_name().unwrap_or_default();
+    let is_hidden = file.to_string_lossy().starts_with('.');
+    extension(path).as_deref() == Some("hgt") && !is_hidden
 }
 
 /// The length stands at the end, if at all: it is counted first.

@@ -60,16 +60,16 @@ pub(super) fn read(
     void: Option<f64>,
 ) -> Result<Dem, DemError> {
     let scale = GreyScale::of(sidecar)?;
-    let height = |grey: Grey| {
-        grey.unless(void)
-            .map_or(f32::NAN, |grey| scale.height(grey))
-    };
-    let start = |pixels: [u32; 2]| {
-        check_size(pixels[0], pixels[1])?;
-        ShrunkRaster::new(pixels, [false; 2])
-    };
-    let raster = fold_rows(source, start, height, ShrunkRaster::add)?;
+    let height = |grey: Grey| grey.unless(void).map(|grey| scale.height(grey));
+    let height = |grey| height(grey).unwrap_or(f32::NAN);
+    let raster = fold_rows(source, begin, height, ShrunkRaster::add)?;
     let down = sidecar.metres_per_pixel;
     let pixel_m = [sidecar.metres_per_pixel_across.unwrap_or(down), down];
     raster.finish(pixel_m, sidecar.lat.zip(sidecar.lon))
+}
+
+/// A raster of so many pixels, before its first row.
+fn begin(pixels: [u32; 2]) -> Result<ShrunkRaster, DemError> {
+    check_size(pixels[0], pixels[1])?;
+    ShrunkRaster::new(pixels, [false; 2])
 }

@@ -178,12 +178,8 @@ fn a_file_beside_replaces_only_ours() {
     ];
     let folder = folder();
     let path = folder.path().join("tile.json");
-    let output = Output::beside(&path);
-    let write = || {
-        write_all(core::slice::from_ref(&output), |_, out| {
-            out.write_all(b"new")
-        })
-    };
+    let outputs = [Output::beside(&path)];
+    let write = || write_all(&outputs, |_, out| out.write_all(b"new"));
     for ours in OURS {
         fs::write(&path, ours).unwrap();
         write().unwrap();

@@ -168,16 +168,21 @@ fn greys(
 ) -> Result<EquirectMap, MapFileError> {
     let [black, white] = [black, white].map(f64::from);
     let void = beside.pam.void();
-    let value = |grey: picture::Grey| {
-        grey.unless(void)
-            .map_or(f32::NAN, |grey| grey.between(black, white))
-    };
-    let start = |size: [u32; 2]| {
-        check_size(size[0], size[1])?;
-        let grid = Regrid::new(size, beside.extent_deg(size)?, beside.is_turned()?)?;
-        Ok::<_, MapFileError>(grid.map(quantity.possible())?)
-    };
+    let value = |grey: picture::Grey| grey.unless(void).map(|grey| grey.between(black, white));
+    let value = |grey| value(grey).unwrap_or(f32::NAN);
+    let start = |size| begin(size, beside, quantity);
     Ok(fold_rows(source, start, value, MapMeans::add)?.finish()?)
+}
+
+/// The map of a picture of so many pixels, before its first row.
+fn begin(
+    size: [u32; 2],
+    beside: &SideFiles,
+    quantity: MapQuantity,
+) -> Result<MapMeans, MapFileError> {
+    check_size(size[0], size[1])?;
+    let grid = Regrid::new(size, beside.extent_deg(size)?, beside.is_turned()?)?;
+    Ok(grid.map(quantity.possible())?)
 }
 
 #[cfg(all(test, feature = "export"))]

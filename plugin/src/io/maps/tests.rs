@@ -291,6 +291,12 @@ fn values_that_look_like_another_unit_are_doubted() {
     );
 }
 
+/// GDAL's side file that tells something of a raster's band.
+fn pam(content: &str) -> Vec<u8> {
+    let band = format!("<PAMRasterBand>{content}</PAMRasterBand>");
+    format!("<PAMDataset>{band}</PAMDataset>").into()
+}
+
 #[test]
 fn world_files_turn_pictures_and_other_side_files_are_named() {
     let folder = TempDir::new().unwrap();
@@ -302,14 +308,15 @@ fn world_files_turn_pictures_and_other_side_files_are_named() {
     file(&folder, "a.pgw", b"90\n0\n0\n-90\n45\n45\n");
     let map = load_map(&path, Some([0.0, 255.0])).unwrap();
     assert_eq!([0, 1, 2, 3].map(|x| at(&map, x, 0)), [2.0, 3.0, 0.0, 1.0]);
-    let pam = |content: &str| {
-        let text = format!("<PAMDataset><PAMRasterBand>{content}</PAMRasterBand></PAMDataset>");
-        file(&folder, "a.png.aux.xml", text.as_bytes());
-        load_map(&path, Some([0.0, 255.0]))
-    };
-    let map = pam("<NoDataValue>5</NoDataValue>").unwrap();
-    assert_eq!(map.voids(), 1);
-    let problem = pam("<Scale>0.1</Scale>").unwrap_err().to_string();
+    let range = Some([0.0, 255.0]);
+    file(
+        &folder,
+        "a.png.aux.xml",
+        &pam("<NoDataValue>5</NoDataValue>"),
+    );
+    assert_eq!(load_map(&path, range).unwrap().voids(), 1);
+    file(&folder, "a.png.aux.xml", &pam("<Scale>0.1</Scale>"));
+    let problem = load_map(&path, range).unwrap_err().to_string();
     assert!(
         problem.contains("a.png.aux.xml") && problem.contains("Scale"),
         "{problem}"

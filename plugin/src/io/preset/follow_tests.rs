@@ -1,4 +1,4 @@
-//! Planets that follow their presets. What a file watcher would do is done to the asset here.
+//! Planets that follow their presets. The asset is changed here as a file watcher would do it.
 
 use super::*;
 use crate::PangaeaPlugins;

@@ -5,7 +5,7 @@ use crate::random::{Stream, mix};
 use bevy::math::DVec3;
 use core::ops::Range;
 
-/// Darts per cell. What is free after so many is too small to be seen.
+/// Darts per cell. Gaps that are left after so many are too small to be seen.
 const ROUNDS: u64 = 12;
 
 /// Rounds in which only a quarter of the cells gets a dart, or the direction of the scan would

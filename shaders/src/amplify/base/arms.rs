@@ -14,6 +14,17 @@ pub(super) struct RiverEdge {
     pub(super) ends: [usize; 2],
 }
 
+impl RiverEdge {
+    /// That of a control mesh with this number.
+    fn of(mesh: &ControlMesh, edge: u32) -> Self {
+        let ends = mesh.edges[edge as usize].vertices;
+        Self {
+            edge,
+            ends: ends.map(|v| v as usize),
+        }
+    }
+}
+
 /// The river edges of a control mesh, and where they lead.
 pub(super) struct BaseRivers {
     /// River edges in the order of their numbers.
@@ -25,10 +36,7 @@ pub(super) struct BaseRivers {
 impl BaseRivers {
     /// The network of the river edges with these numbers, in their order.
     pub(super) fn new(mesh: &ControlMesh, numbers: Vec<u32>) -> Self {
-        let river_edge = |edge: u32| RiverEdge {
-            edge,
-            ends: mesh.edges[edge as usize].vertices.map(|v| v as usize),
-        };
+        let river_edge = |edge| RiverEdge::of(mesh, edge);
         let edges: Vec<RiverEdge> = numbers.into_iter().map(river_edge).collect();
         let below = Below::new(mesh.vertices.len(), &edges);
         Self { edges, below }
@@ -115,16 +123,16 @@ pub(super) fn parts(vertices: &[Vertex], whole: u32, arms: &[usize]) -> Vec<u32>
         .iter()
         .map(|&v| u64::from(vertices[v].discharge).max(1));
     let sum: u64 = weights.clone().sum();
+    let mut parts = Vec::with_capacity(arms.len());
     let (mut weight, mut given) = (0, 0);
-    let part = |own: u64| {
+    for own in weights {
         weight += own;
         // Differences of rounded sums.
         let up_to_here = (u128::from(whole) * u128::from(weight) / u128::from(sum)) as u32;
-        let part = up_to_here - given;
+        parts.push(up_to_here - given);
         given = up_to_here;
-        part
-    };
-    weights.map(part).collect()
+    }
+    parts
 }
 
 /// Discharge that a river edge carries from its upper end, one of so many `arms` that leave it. An

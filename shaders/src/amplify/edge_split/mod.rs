@@ -14,7 +14,7 @@ use super::curve::heading_of;
 use super::face_decide::junction_draw;
 use super::fixed::{Q16, difference};
 use super::rules::ocean::OceanCache;
-use super::rules::{self, EdgeKind, Rules, STRAIGHT_LEVEL, meander, ocean};
+use super::rules::{self, EdgeKind, Rules, STRAIGHT_LEVEL, VertexGround, meander, ocean};
 use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::{Edge, LevelMesh};
@@ -22,7 +22,7 @@ use super::uniform::LevelUniform;
 use super::vertex::{CornerBeside, EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
 use super::vertices::VertexView;
 use course::{Course, on_course};
-use place::place;
+use place::{Placed, place};
 
 /// Pass: the vertices that halve edges of a level, in the order of the list; `vertices` are those of
 /// coarser levels.
@@ -67,10 +67,15 @@ pub fn split(
     let mut new = average(a, b, level);
     let length = scale.grains(difference(b.direction, a.direction));
     let course = course(scale, rules, edge, level, ends);
-    let placed = match &course {
-        Some(course) => on_course(course, new.seed, ends, opposite),
-        None => place(rules, edge.kind, level, &new, ends, opposite),
-    };
+    let placed = placed(
+        rules,
+        edge.kind,
+        level,
+        &new,
+        course.as_ref(),
+        ends,
+        opposite,
+    );
     new.direction = placed.direction;
     new.swell = placed.swell;
     new.crust = rules::fold::summits(rules, level, &new, ends);
@@ -98,15 +103,36 @@ pub fn split(
     };
     // The rules see the vertex complete but for its ground.
     let ground = rules::halve(rules, edge.kind, &context);
-    let mut new = Vertex {
+    let mut new = on_ground(new, ground);
+    lakes::settle(rules, edge.kind, &mut new, a, b);
+    new
+}
+
+/// The place of a new vertex: on the course of a river, else beside the middle of its edge.
+fn placed(
+    rules: &Rules,
+    edge: EdgeKind,
+    level: u32,
+    new: &Vertex,
+    course: Option<&Course>,
+    ends: [&Vertex; 2],
+    opposite: [Option<&Vertex>; 2],
+) -> Placed {
+    match course {
+        Some(course) => on_course(course, new.seed, ends, opposite),
+        None => place(rules, edge, level, new, ends, opposite),
+    }
+}
+
+/// A vertex with the ground that the rules have decided for it.
+fn on_ground(vertex: Vertex, ground: VertexGround) -> Vertex {
+    Vertex {
         kind: ground.kind,
         height: ground.height,
         bed: ground.bed,
         water: ground.water,
-        ..new
-    };
-    lakes::settle(rules, edge.kind, &mut new, a, b);
-    new
+        ..vertex
+    }
 }
 
 /// A corner opposite to the edge that a new vertex halves, as the new vertex sees it.

@@ -259,14 +259,16 @@ mod tests {
         assert!(least > 0.045, "{least}");
     }
 
+    /// That of a corner along an edge and above it.
+    fn stance(shares: [f64; 2]) -> Stance {
+        let [along, height] = shares.map(|x| (x * 4096.0) as i32);
+        Stance { along, height }
+    }
+
     #[test]
     fn without_a_draw_a_vertex_lies_at_the_place_that_loop_gives_it() {
         // In lengths of the edge: a corner stands 1.2 high over 0.3, the other 0.7 over 0.6.
-        let stance = |along: f64, height: f64| Stance {
-            along: (along * 4096.0) as i32,
-            height: (height * 4096.0) as i32,
-        };
-        let [x, y] = [stance(0.3, 1.2), stance(0.6, 0.7)];
+        let [x, y] = [[0.3, 1.2], [0.6, 0.7]].map(stance);
         let still = Pull {
             is_turned: false,
             towards_b: 0,

@@ -12,14 +12,17 @@ const ARM_FLOWS: [u32; 2] = [3_001, 1_517];
 /// A planet whose rivers part where two faces of the sea lie at their mouths.
 fn planet_with_deltas(seed: u32) -> (Base, Vec<u32>) {
     let mut mesh = control_mesh(300_000, 3, seed);
-    let is_mouth = |e: &u32| {
-        let edge = &mesh.edges[*e as usize];
-        edge.river == 1 && kind(&mesh, edge.vertices[1]) == VertexKind::Sea
-    };
-    let mouths: Vec<u32> = (0..mesh.edges.len() as u32).filter(is_mouth).collect();
+    let edges = 0..mesh.edges.len() as u32;
+    let mouths: Vec<u32> = edges.filter(|&e| is_mouth(&mesh, e)).collect();
     let apexes = mouths.into_iter().filter_map(|e| part(&mut mesh, e));
     let apexes = apexes.collect();
     (Base::new(&mesh).unwrap(), apexes)
+}
+
+/// Whether an edge leads a river into the sea.
+fn is_mouth(mesh: &ControlMesh, e: u32) -> bool {
+    let edge = &mesh.edges[e as usize];
+    edge.river == 1 && kind(mesh, edge.vertices[1]) == VertexKind::Sea
 }
 
 fn kind(mesh: &ControlMesh, v: u32) -> VertexKind {
@@ -30,18 +33,13 @@ fn kind(mesh: &ControlMesh, v: u32) -> VertexKind {
 /// the vertex where it parts.
 fn part(mesh: &mut ControlMesh, main: u32) -> Option<u32> {
     let [apex, arm] = mesh.edges[main as usize].vertices;
-    let is_free = |&e: &u32| {
-        let edge = &mesh.edges[e as usize];
-        let other = edge.vertices[usize::from(edge.vertices[0] == apex)];
-        edge.river == 0 && kind(mesh, other) == VertexKind::Sea && !reached(mesh, other)
-    };
     let faces = mesh.edges[main as usize]
         .faces
         .map(|f| mesh.faces[f as usize]);
     let around = faces.iter().flat_map(|f| f.edges);
     let second = around
         .filter(|&e| mesh.edges[e as usize].vertices.contains(&apex))
-        .find(is_free)?;
+        .find(|&e| is_free(mesh, e, apex))?;
     let edge = &mut mesh.edges[second as usize];
     edge.river = 1;
     if edge.vertices[0] != apex {
@@ -57,6 +55,13 @@ fn part(mesh: &mut ControlMesh, main: u32) -> Option<u32> {
         vertex.flow = flow;
     }
     Some(apex)
+}
+
+/// Whether an edge leads from a vertex to sea that no river reaches.
+fn is_free(mesh: &ControlMesh, e: u32, from: u32) -> bool {
+    let edge = &mesh.edges[e as usize];
+    let other = edge.vertices[usize::from(edge.vertices[0] == from)];
+    edge.river == 0 && kind(mesh, other) == VertexKind::Sea && !reached(mesh, other)
 }
 
 /// Whether a river ends at a vertex.

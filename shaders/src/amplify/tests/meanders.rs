@@ -6,6 +6,7 @@ use crate::amplify::local::LocalGround;
 use crate::amplify::rules::{EdgeKind, valley};
 use crate::amplify::topology::{Edge, SplitMark};
 use crate::amplify::vertex::RiverSegment;
+use core::ops::Range;
 use std::collections::BTreeMap;
 
 /// Width of a river at a flow φ of 1 on a planet of the Earth's size, metres.
@@ -69,15 +70,19 @@ fn segments(ground: &RefinedGround, from: [i32; 3]) -> Vec<RiverSegment> {
     let start = ground.vertices.iter().position(|v| v.direction == from);
     let first = start.and_then(|v| next.get(&(v as u32)));
     let edges = std::iter::successors(first.copied(), |e| next.get(&e.vertices[1]).copied());
-    let piece = |edge: &Edge| {
-        let ends = ground.vertices.gather(edge.vertices);
-        let is_river = ends.iter().all(|v| v.kind == VertexKind::River);
-        let kept = RiverSegment::kept(&ground.scale, &Rules::default(), edge, LEVEL, ends);
-        // Tides straighten a river before its mouth.
-        let kept = kept.filter(|piece| piece.tide == [0; 2]);
-        is_river.then_some(kept).flatten()
-    };
-    edges.map_while(piece).take(4_000).collect()
+    let pieces = edges.map_while(|edge| piece(ground, edge));
+    pieces.take(4_000).collect()
+}
+
+/// The river of an edge, if finer levels keep it.
+fn piece(ground: &RefinedGround, edge: &Edge) -> Option<RiverSegment> {
+    let ends = ground.vertices.gather(edge.vertices);
+    if ends.iter().any(|v| v.kind != VertexKind::River) {
+        return None;
+    }
+    let kept = RiverSegment::kept(&ground.scale, &Rules::default(), edge, LEVEL, ends);
+    // Tides straighten a river before its mouth.
+    kept.filter(|piece| piece.tide == [0; 2])
 }
 
 /// Adds the places of a piece to a course.
@@ -163,19 +168,20 @@ fn median(mut numbers: Vec<f64>) -> f64 {
 
 #[test]
 fn slow_rivers_meander_and_steep_ones_run_on() {
-    let sinuosity = |base: &Base, low: f64, high: f64| {
-        let found: Vec<_> = courses(base).iter().flat_map(stretches).collect();
-        let these = found
-            .iter()
-            .filter(|(slope, _)| (low..high).contains(slope));
-        let these: Vec<f64> = these.map(|&(_, sinuosity)| sinuosity).collect();
-        assert!(these.len() > 25, "{low}: {}", these.len());
-        median(these)
-    };
-    let slow = sinuosity(&plains(), 0.0, 0.001);
+    let slow = sinuosity(&plains(), 0.0..0.001);
     assert!((1.5..2.2).contains(&slow), "{slow}");
-    let steep = sinuosity(&lowered(1), 0.01, 1.0);
+    let steep = sinuosity(&lowered(1), 0.01..1.0);
     assert!((1.0..1.25).contains(&steep), "{steep}");
+}
+
+/// Median sinuosity of the stretches whose slope is in a range.
+fn sinuosity(base: &Base, slopes: Range<f64>) -> f64 {
+    let found = courses(base);
+    let found = found.iter().flat_map(stretches);
+    let these = found.filter(|(slope, _)| slopes.contains(slope));
+    let these: Vec<f64> = these.map(|(_, sinuosity)| sinuosity).collect();
+    assert!(these.len() > 25, "{slopes:?}: {}", these.len());
+    median(these)
 }
 
 /// Over a width of travel no river turns by more than 60 degrees, but at few places.
@@ -219,6 +225,12 @@ fn water_falls_along_the_course() {
     assert!(all > 1_500 && wet * 100 > all * 97, "{wet} of {all}");
 }
 
+/// The way between two shares of a piece, metres.
+fn chord(ground: &RefinedGround, segment: &RiverSegment, shares: [i32; 2]) -> Vector {
+    let [a, b] = shares.map(|at| winding_place(ground, segment, at));
+    [0, 1, 2].map(|i| b[i] - a[i])
+}
+
 /// Both pieces of a river at a vertex are there in one direction.
 #[test]
 fn pieces_join_in_one_direction() {
@@ -229,14 +241,8 @@ fn pieces_join_in_one_direction() {
         let ground = refined(&base, &View::disc(from, 12_000, LEVEL));
         let pieces = segments(&ground, from);
         for pair in pieces.windows(2).filter(|p| p[0].ends[1] == p[1].ends[0]) {
-            let there = |segment, shares: [i32; 2]| {
-                let [a, b] = shares.map(|at| winding_place(&ground, segment, at));
-                [0, 1, 2].map(|i| b[i] - a[i])
-            };
-            let (u, v) = (
-                there(&pair[0], [65_200, 65_500]),
-                there(&pair[1], [36, 336]),
-            );
+            let u = chord(&ground, &pair[0], [65_200, 65_500]);
+            let v = chord(&ground, &pair[1], [36, 336]);
             // 12 degrees.
             assert!(cosine(u, v) > 0.978, "{u:?} {v:?}");
             joints += 1;

@@ -32,31 +32,44 @@ fn renumbered(mesh: &ControlMesh, seed: u32) -> ControlMesh {
     let [vertices, edges, faces] = [mesh.vertices.len(), mesh.edges.len(), mesh.faces.len()]
         .map(|count| shuffled(count, seed));
     let [vertex, edge, face] = [&vertices, &edges, &faces].map(|order| places(order));
-    let turned = |f: u32| {
-        let from = &mesh.faces[f as usize];
-        let turn = |i: usize| (i + pcg(f ^ seed) as usize % 3) % 3;
-        ControlFace {
-            vertices: [0, 1, 2].map(|i| vertex[from.vertices[turn(i)] as usize]),
-            edges: [0, 1, 2].map(|i| edge[from.edges[turn(i)] as usize]),
-        }
-    };
-    let moved = |e: u32| {
+    let vertices = vertices.iter().map(|&v| mesh.vertices[v as usize]);
+    let edges = edges.iter().map(|&e| {
         let from = &mesh.edges[e as usize];
         ControlEdge {
             vertices: from.vertices.map(|v| vertex[v as usize]),
             faces: from.faces.map(|f| face[f as usize]),
             ..*from
         }
-    };
+    });
+    let faces = faces.iter().map(|&f| {
+        let from = turned(&mesh.faces[f as usize], pcg(f ^ seed) as usize);
+        ControlFace {
+            vertices: from.vertices.map(|v| vertex[v as usize]),
+            edges: from.edges.map(|e| edge[e as usize]),
+        }
+    });
     ControlMesh {
         radius_m: mesh.radius_m,
-        vertices: vertices
-            .iter()
-            .map(|&v| mesh.vertices[v as usize])
-            .collect(),
-        edges: edges.iter().map(|&e| moved(e)).collect(),
-        faces: faces.iter().map(|&f| turned(f)).collect(),
+        vertices: vertices.collect(),
+        edges: edges.collect(),
+        faces: faces.collect(),
     }
+}
+
+/// A face from another corner on.
+fn turned(face: &ControlFace, by: usize) -> ControlFace {
+    let turn = |all: [u32; 3]| [0, 1, 2].map(|i| all[(i + by % 3) % 3]);
+    ControlFace {
+        vertices: turn(face.vertices),
+        edges: turn(face.edges),
+    }
+}
+
+/// How the edges and the faces of a level are marked.
+fn marks(level: &Level) -> [Vec<SplitMark>; 2] {
+    let edges = level.edges.iter().map(|e| e.mark).collect();
+    let faces = level.faces.iter().map(|f| f.mark).collect();
+    [edges, faces]
 }
 
 #[test]
@@ -115,18 +128,10 @@ fn faces_and_edges_are_marked_in_any_order() {
             mark_halo(mesh, &shuffled(faces.len(), k + 1), faces);
             let order = shuffled(mesh.edges.len(), k);
             count_edges(mesh, &order, faces, edges);
-            let marks = |level: &Level| {
-                let edges: Vec<SplitMark> = level.edges.iter().map(|e| e.mark).collect();
-                let faces: Vec<SplitMark> = level.faces.iter().map(|f| f.mark).collect();
-                (edges, faces)
-            };
             // Whatever the view reaches of level 0, the rest of the planet takes no part.
             assert_eq!(marks(&again), marks(level));
-            split += marks(level)
-                .1
-                .iter()
-                .filter(|&&m| m == SplitMark::Split)
-                .count();
+            let [_, faces] = marks(level);
+            split += faces.iter().filter(|&&m| m == SplitMark::Split).count();
         }
         assert!(split > 1_000, "{split}");
     }

@@ -54,28 +54,34 @@ fn even_slope() -> ControlMesh {
 /// Which pixels about a longitude are land, by rows from the south.
 fn land(base: &Base, east: f64) -> Vec<[bool; SIZE[0]]> {
     let mut ground = LocalGround::new(base, &Rules::default());
-    let place = |k: usize, n: usize| (k as f64 - 0.5 * n as f64) * PIXEL_M / RADIUS_M;
-    let mut is_land = |x: usize, y: usize| {
-        let at = unit([1.0, place(x, SIZE[0]) + east, place(y, SIZE[1])]);
-        ground.leaf(at, LEVEL, None).height_m(at) > 0.0
-    };
+    let mut is_land = |x, y| height(&mut ground, [x, y], east) > 0.0;
     let rows = 0..SIZE[1];
     rows.map(|y| core::array::from_fn(|x| is_land(x, y)))
         .collect()
 }
 
+/// Height of the ground at a pixel about a longitude, metres.
+fn height(ground: &mut LocalGround<&Base>, [x, y]: [usize; 2], east: f64) -> f64 {
+    let place = |k: usize, n: usize| (k as f64 - 0.5 * n as f64) * PIXEL_M / RADIUS_M;
+    let at = unit([1.0, place(x, SIZE[0]) + east, place(y, SIZE[1])]);
+    ground.leaf(at, LEVEL, None).height_m(at)
+}
+
 /// Boxes of a size in pixels through which the shore runs. Neighbours share their border, so that
 /// none passes between them.
 fn boxes(land: &[[bool; SIZE[0]]], size: usize) -> usize {
-    let is_mixed = |x: usize, y: usize| {
-        let row = |y: usize| &land[y][x..(x + size + 1).min(SIZE[0])];
-        let mut pixels = (y..(y + size + 1).min(SIZE[1])).flat_map(row);
-        let first = land[y][x];
-        pixels.any(|&l| l != first)
-    };
+    let is_mixed = |x, y| is_mixed(land, size, [x, y]);
     let columns = (0..SIZE[0]).step_by(size);
     let at = |x| (0..SIZE[1]).step_by(size).filter(move |&y| is_mixed(x, y));
     columns.flat_map(at).count()
+}
+
+/// Whether the box from a pixel on holds land and sea.
+fn is_mixed(land: &[[bool; SIZE[0]]], size: usize, [x, y]: [usize; 2]) -> bool {
+    let row = |y: usize| &land[y][x..(x + size + 1).min(SIZE[0])];
+    let mut pixels = (y..(y + size + 1).min(SIZE[1])).flat_map(row);
+    let first = land[y][x];
+    pixels.any(|&l| l != first)
 }
 
 /// The northernmost sea of every column, in pixels.

@@ -202,11 +202,12 @@ fn wet_share(local: &mut LocalGround<&Base>, centre: [i32; 3], level: u32) -> f6
     let side = 30;
     let step = f64::from(ONE) / 6_371_000.0 * 400.0;
     let [east, north] = tangents(centre);
-    let mut is_wet = |k: &i32| {
+    let mut wet = 0;
+    for k in 0..side * side {
         let [x, y] = [k % side, k / side].map(|i| f64::from(i - side / 2) * step);
         let at = [0, 1, 2].map(|i| f64::from(centre[i]) + x * east[i] + y * north[i]);
-        local.leaf_with_water(unit(at), level, None).1.is_some()
-    };
-    let wet = (0..side * side).filter(|k| is_wet(k)).count();
-    wet as f64 / f64::from(side * side)
+        let (_, water) = local.leaf_with_water(unit(at), level, None);
+        wet += u32::from(water.is_some());
+    }
+    f64::from(wet) / f64::from(side * side)
 }

@@ -160,7 +160,8 @@ impl Search<'_> {
     fn offer_itself(&mut self, around: &VertexContext) {
         let new = self.new;
         let edge = around.edge;
-        let (scale, rules, level) = (self.scale, self.rules, self.level);
+        let (scale, rules) = (self.scale, self.rules);
+        let level = self.level;
         let is_river = edge.kind == EdgeKind::River && new.kind == VertexKind::River;
         let ends = around.ends;
         let kept = if is_river {
@@ -237,18 +238,17 @@ impl Search<'_> {
 #[inline]
 fn segments_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
     let (edge, [up, down]) = (drain.edge, drain.ends);
-    let part = |level, ends, arriving| {
-        let segment = RiverSegment::between(scale, edge.birth, level, ends, arriving);
-        Some(segment)
-    };
+    let part =
+        |level, ends, arriving| RiverSegment::between(scale, edge.birth, level, ends, arriving);
+    let lower = |level, up| Some(part(level, [up, down], edge.arriving));
     match drain.mid {
         // No river runs above a spring.
-        Some(mid) if !up.is_wet() => [None, part(level + 1, [mid, down], edge.arriving)],
-        Some(mid) if level < STRAIGHT_LEVEL => [
-            part(level + 1, [up, mid], mid.discharge),
-            part(level + 1, [mid, down], edge.arriving),
-        ],
-        _ if up.is_wet() => [None, part(level, [up, down], edge.arriving)],
+        Some(mid) if !up.is_wet() => [None, lower(level + 1, mid)],
+        Some(mid) if level < STRAIGHT_LEVEL => {
+            let upper = part(level + 1, [up, mid], mid.discharge);
+            [Some(upper), lower(level + 1, mid)]
+        }
+        _ if up.is_wet() => [None, lower(level, up)],
         _ => [None; 2],
     }
 }

@@ -58,13 +58,9 @@ impl PamFile {
             number(text).ok_or_else(|| unsound("NoDataValue", text))?;
             self.nodata = Some(text.to_string());
         }
-        let told = |name: &str| {
-            content(band, name)
-                .map(|text| finite(name, text))
-                .transpose()
-        };
-        self.scale = told("Scale")?;
-        self.offset = told("Offset")?;
+        let told = |name| content(band, name).map(|text| finite(name, text));
+        self.scale = told("Scale").transpose()?;
+        self.offset = told("Offset").transpose()?;
         self.unit = content(band, "UnitType").map(str::to_string);
         Ok(())
     }

@@ -60,17 +60,11 @@ impl SideFiles {
     /// Names a file that would.
     pub(in crate::io) fn load_place(raster: &Path) -> Result<Self, IoError> {
         let all = Self::load(raster)?;
-        let refused = |ending: &str, what: &str| {
-            let path = beside(raster, ending).unwrap_or_default();
-            let kind = extension(raster).unwrap_or_default();
-            let problem = format!("{what} is read beside .tif files, not beside .{kind} files");
-            Err(IoError::dem(&path, invalid(problem)))
-        };
         if all.mask.is_some() {
-            return refused(".msk", "a mask");
+            return Err(refusal(raster, ".msk", "a mask"));
         }
         match all.pam.calibration() {
-            Some(what) => refused(".aux.xml", what),
+            Some(what) => Err(refusal(raster, ".aux.xml", what)),
             None => Ok(all),
         }
     }
@@ -129,6 +123,14 @@ fn world_file(raster: &Path) -> Option<PathBuf> {
         .flat_map(|ending| [ending.clone(), ending.to_ascii_uppercase()]);
     let mut paths = both.map(|ending| raster.with_extension(ending));
     paths.find(|path| path.is_file())
+}
+
+/// Why a file beside a raster is not passed over, though no raster of its format has one.
+fn refusal(raster: &Path, ending: &str, what: &str) -> IoError {
+    let path = beside(raster, ending).unwrap_or_default();
+    let kind = extension(raster).unwrap_or_default();
+    let problem = format!("{what} is read beside .tif files, not beside .{kind} files");
+    IoError::dem(&path, invalid(problem))
 }
 
 /// The system that NAME.prj tells.

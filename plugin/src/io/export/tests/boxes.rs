@@ -62,6 +62,12 @@ fn a_box_reaches_the_poles() {
     assert!((values[9 * 36] - north(80.5)).abs() < 0.01);
 }
 
+/// Takes a number out of an object.
+fn take(json: &mut serde_json::Value, key: &str) -> f64 {
+    let taken = json.as_object_mut().unwrap().remove(key);
+    taken.unwrap().as_f64().unwrap()
+}
+
 #[test]
 fn the_sidecar_of_a_box_tells_its_bounds() {
     let pixels = degrees([-20.0, 170.0, -10.0, -170.0], [40, 10]);
@@ -69,16 +75,7 @@ fn the_sidecar_of_a_box_tells_its_bounds() {
     let mut found = json(&files[1]);
     // A degree is 52.36 km long, and at 15° S 0.9659 of that from west to east.
     let keys = ["metres_per_pixel", "metres_per_pixel_across", "lat", "lon"];
-    let mut take = |key| {
-        found
-            .as_object_mut()
-            .unwrap()
-            .remove(key)
-            .unwrap()
-            .as_f64()
-            .unwrap()
-    };
-    let [down, across, lat, lon] = keys.map(&mut take);
+    let [down, across, lat, lon] = keys.map(|key| take(&mut found, key));
     assert!((down - 52_359.877_56).abs() < 1e-3, "{down}");
     assert!(
         (across - 0.5 * 0.965_925_826_3 * 52_359.877_56).abs() < 1e-3,

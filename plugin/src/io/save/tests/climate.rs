@@ -1,6 +1,6 @@
 //! Maps of the climate come back to the last bit, and sizes that bytes do not bear out are refused.
 
-use super::format::{file, parts, replaced};
+use super::format::{file, has_section, replaced};
 use super::*;
 use crate::io::codec::Encoder;
 use crate::io::digest;
@@ -27,26 +27,21 @@ fn voids_come_back_to_the_last_bit() {
 #[test]
 fn a_planet_without_maps_has_no_section_for_them() {
     let mut state = state();
-    let tags = |state: &PlanetState| -> Vec<SectionTag> {
-        let parts = parts(&bytes(state));
-        parts.into_iter().map(|(tag, _)| tag).collect()
-    };
-    assert!(tags(&state).contains(&CLIMATE));
+    assert!(has_section(&state, CLIMATE));
     state.climate = ClimateMaps::default();
-    assert!(!tags(&state).contains(&CLIMATE));
+    assert!(!has_section(&state, CLIMATE));
     let back = read_from(&bytes(&state)).unwrap();
     assert_eq!(back.climate, ClimateMaps::default());
+}
+
+/// The digest of the state with these maps.
+fn digest_with(climate: ClimateMaps) -> String {
+    digest(&PlanetState { climate, ..state() })
 }
 
 #[test]
 fn the_digest_sees_maps_and_their_last_bits() {
     let original = state();
-    let digest_with = |climate: ClimateMaps| {
-        digest(&PlanetState {
-            climate,
-            ..original.clone()
-        })
-    };
     let only_rain = ClimateMaps {
         temperature: None,
         ..maps()

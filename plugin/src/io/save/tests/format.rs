@@ -18,6 +18,12 @@ pub(super) fn parts(file: &[u8]) -> Vec<(SectionTag, Vec<u8>)> {
     parts
 }
 
+/// Whether the file of a planet has a section.
+pub(super) fn has_section(state: &PlanetState, tag: SectionTag) -> bool {
+    let parts = parts(&bytes(state));
+    parts.into_iter().any(|(other, _)| other == tag)
+}
+
 /// A file of that version with these sections and the right hash.
 pub(super) fn file(version: u32, parts: &[(SectionTag, Vec<u8>)]) -> Vec<u8> {
     let mut file = [&MAGIC[..], &version.to_le_bytes()].concat();

@@ -228,19 +228,19 @@ fn tiles_that_are_left_out_hold_the_void_or_zero() {
 /// other pixel through.
 #[test]
 fn internal_masks_make_voids() {
-    let image = |fields, block| Image {
-        fields,
-        blocks: vec![block],
-    };
     let kind = |number| (254, Values::Long(vec![number]));
     let overview = with(fields([4, 1], 8, UNSIGNED, 1), [kind(1)]);
     let mask = with(fields([9, 1], 1, UNSIGNED, 1), [kind(4), (262, short(4))]);
-    let images = vec![
-        image(fields([9, 1], 8, UNSIGNED, 1), vec![7; 9]),
-        image(overview, vec![1; 4]),
-        image(mask, vec![0b1010_1010, 0b1000_0000]),
+    let images = [
+        (fields([9, 1], 8, UNSIGNED, 1), vec![7; 9]),
+        (overview, vec![1; 4]),
+        (mask, vec![0b1010_1010, 0b1000_0000]),
     ];
-    let values = values(&tiff(PLAIN, images)).unwrap();
+    let images = images.map(|(fields, block)| {
+        let blocks = vec![block];
+        Image { fields, blocks }
+    });
+    let values = values(&tiff(PLAIN, images.into())).unwrap();
     for (x, value) in values.iter().enumerate() {
         assert_eq!(value.is_nan(), x % 2 == 1, "{x}");
     }

@@ -42,20 +42,25 @@ impl Style {
         if self.is_big_tiff { 8 } else { 4 }
     }
 
+    /// Bytes of numbers, one after the other.
+    fn numbers(self, numbers: impl Iterator<Item = u64>, size: usize) -> Vec<u8> {
+        numbers.flat_map(|n| self.number(n, size)).collect()
+    }
+
     /// Type, count and bytes of values.
     fn values(self, values: &Values) -> (u64, u64, Vec<u8>) {
-        let join = |numbers: &mut dyn Iterator<Item = u64>, size: usize| -> Vec<u8> {
-            numbers.flat_map(|n| self.number(n, size)).collect()
-        };
         match values {
             Values::Short(all) => {
-                let mut numbers = all.iter().map(|&n| u64::from(n));
-                (3, all.len() as u64, join(&mut numbers, 2))
+                let numbers = all.iter().map(|&n| u64::from(n));
+                (3, all.len() as u64, self.numbers(numbers, 2))
             }
-            Values::Long(all) => (4, all.len() as u64, join(&mut all.iter().copied(), 4)),
+            Values::Long(all) => {
+                let numbers = all.iter().copied();
+                (4, all.len() as u64, self.numbers(numbers, 4))
+            }
             Values::Double(all) => {
-                let mut numbers = all.iter().map(|z| z.to_bits());
-                (12, all.len() as u64, join(&mut numbers, 8))
+                let numbers = all.iter().map(|z| z.to_bits());
+                (12, all.len() as u64, self.numbers(numbers, 8))
             }
             Values::Text(text) => {
                 let bytes = [text.as_bytes(), b"\0"].concat();

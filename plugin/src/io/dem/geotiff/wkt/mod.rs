@@ -73,15 +73,14 @@ impl WktNode {
         let of_code = self.code().and_then(|code| known(code, false).ok());
         let own = || self.projection().map(Box::new);
         let projection = of_code.flatten().or_else(own);
-        let unread = || {
-            invalid(format!(
-                "the projection of the SRS {:?} is not read",
-                self.title()
-            ))
-        };
-        let projection = Some(projection.ok_or_else(unread)?);
+        let projection = Some(projection.ok_or_else(|| self.unread())?);
         let unit_m = self.unit().unwrap_or(1.0);
         Ok(System::Lengths { unit_m, projection })
+    }
+
+    fn unread(&self) -> DemError {
+        let title = self.title();
+        invalid(format!("the projection of the SRS {title:?} is not read"))
     }
 
     fn geographic(&self) -> System {
