@@ -1,17 +1,16 @@
-//! The passes that mark, count and place a level, as their Rust twins do them.
+//! The passes that mark and count a level, as their Rust twins do them.
 //!
 //! Every word that a pass writes is stale before it, so that nothing hangs on a buffer that someone
 //! emptied.
 
 use super::columns::{
-    Blocks, STALE, block, edge_joins, edge_states, face_corners, face_sides, face_splits, finer,
-    stale, stale_sizes,
+    Blocks, STALE, block, edge_joins, edge_states, face_sides, face_splits, finer, stale,
+    stale_sizes,
 };
 use super::pass::{ColumnWords, PassCase};
 use pangaea_shaders::amplify::columns::LEVELS;
 use pangaea_shaders::amplify::count::{BLOCK, count_edges, count_faces};
 use pangaea_shaders::amplify::mark::mark_halo;
-use pangaea_shaders::amplify::place::{place_edges, place_faces};
 use pangaea_shaders::amplify::rows::{EdgeState, LevelArgs, LevelSizes, words};
 use pangaea_shaders::amplify::sight::Sight;
 use pangaea_shaders::amplify::topology::{Level, SplitMark};
@@ -202,56 +201,6 @@ impl<'a> MarkedLevel<'a> {
                 ("block_counts", blocks.words()),
                 ("level_sizes", words(sizes)),
                 ("level_args", args),
-            ],
-        )
-    }
-
-    fn place_edges(&mut self, blocks: &Blocks, halved: &mut [u32]) -> PassCase<'a> {
-        let before = edge_states(self.level).into_iter().map(|row| EdgeState {
-            mid: STALE,
-            child: STALE,
-            ..row
-        });
-        let before = words(before);
-        let first = self.sizes.first_vertex;
-        let Level { items, edges, .. } = &mut *self.level;
-        for (items, row) in items.edges.chunks(BLOCK).zip(&blocks.edges) {
-            place_edges(items, row.made, first, edges, halved);
-        }
-        self.case(
-            "place_edges",
-            self.args().edge_blocks,
-            [
-                ("block_counts", blocks.words()),
-                ("edge_states", before),
-                ("halved", stale(halved.len())),
-            ],
-            [
-                ("edge_states", words(edge_states(self.level))),
-                ("halved", halved.to_vec()),
-            ],
-        )
-    }
-
-    fn place_faces(&mut self, blocks: &Blocks, decided: &mut [u32]) -> PassCase<'a> {
-        let mut before = face_corners(self.level);
-        before.iter_mut().for_each(|row| row.child = STALE);
-        let Level { items, faces, .. } = &mut *self.level;
-        for (items, row) in items.faces.chunks(BLOCK).zip(&blocks.faces) {
-            place_faces(items, row.made, faces, decided);
-        }
-        self.case(
-            "place_faces",
-            self.args().face_blocks,
-            [
-                ("block_counts", blocks.words()),
-                ("face_sides", words(face_sides(self.level))),
-                ("face_corners", words(before)),
-                ("decided", stale(decided.len())),
-            ],
-            [
-                ("face_corners", words(face_corners(self.level))),
-                ("decided", decided.to_vec()),
             ],
         )
     }

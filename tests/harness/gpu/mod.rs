@@ -8,6 +8,7 @@ mod device;
 mod kernel;
 mod layout;
 mod level;
+mod made;
 mod pass;
 mod run;
 mod words;

@@ -1,6 +1,6 @@
 //! A whole run on the CPU, pass by pass, and each pass once more on the GPU.
 
-use super::columns::{edge_joins, edge_states, face_corners, face_sides, face_splits, stale};
+use super::columns::{edge_states, face_corners, face_sides, face_splits, stale};
 use super::level::MarkedLevel;
 use super::pass::{PassCase, assert_pass};
 use pangaea_shaders::amplify::base::Base;
@@ -10,9 +10,7 @@ use pangaea_shaders::amplify::face_decide::face_decide;
 use pangaea_shaders::amplify::face_split::{grow_faces, grow_halves, grow_inner};
 use pangaea_shaders::amplify::ground::{Caps, refine};
 use pangaea_shaders::amplify::mark::{View, mark_split};
-use pangaea_shaders::amplify::rows::{
-    EdgeState, FaceCorners, FaceSides, LevelSizes, VertexCore, words,
-};
+use pangaea_shaders::amplify::rows::{LevelSizes, VertexCore, words};
 use pangaea_shaders::amplify::rules::{EdgeKind, Rules};
 use pangaea_shaders::amplify::sight::Sight;
 use pangaea_shaders::amplify::topology::{Edge, Face, Items, Level, LevelMesh, NONE};
@@ -201,73 +199,11 @@ impl Run<'_> {
         let level = &*marked.level;
         let view = self.vertices.view();
         grow_inner(uniform, level, view, decided, made.halves, &mut edges);
-        check(&self.inner_case(marked, decided, &edges[made.halves as usize..]));
+        check(&marked.inner(self.cores(), decided, &edges[made.halves as usize..]));
         grow_halves(uniform, level, view, halved, &mut edges);
         let mut faces = vec![Face::default(); made.children as usize];
         grow_faces(level, decided, made.halves, &mut faces);
-        check(&self.faces_case(marked, decided, &faces));
+        check(&marked.children(decided, &faces));
         LevelMesh { edges, faces }
-    }
-
-    fn inner_case<'a>(
-        &self,
-        marked: &MarkedLevel<'a>,
-        decided: &[u32],
-        inner: &[Edge],
-    ) -> PassCase<'a> {
-        let halves = marked.sizes.made.halves as usize;
-        let level = &*marked.level;
-        let states = inner
-            .iter()
-            .map(|edge| EdgeState::from((edge, &Default::default())));
-        let all = stale(4 * (halves + inner.len()));
-        let after = |rows: Vec<u32>| [stale(4 * halves), rows].concat();
-        marked.case(
-            "grow_inner",
-            marked.args().decided,
-            [
-                ("vertex_cores", self.cores()),
-                ("edge_joins", edge_joins(&level.mesh.edges)),
-                ("edge_states", words(edge_states(level))),
-                ("face_sides", words(face_sides(level))),
-                ("face_corners", words(face_corners(level))),
-                ("decided", decided.to_vec()),
-                ("finer_edge_joins", all.clone()),
-                ("finer_edge_states", all),
-            ],
-            [
-                ("finer_edge_joins", after(edge_joins(inner))),
-                ("finer_edge_states", after(words(states))),
-            ],
-        )
-    }
-
-    fn faces_case<'a>(
-        &self,
-        marked: &MarkedLevel<'a>,
-        decided: &[u32],
-        faces: &[Face],
-    ) -> PassCase<'a> {
-        let level = &*marked.level;
-        let none = Default::default();
-        let sides = faces.iter().map(|face| FaceSides::from((face, &none, 0)));
-        let corners = faces.iter().map(|face| FaceCorners::from((face, &none)));
-        marked.case(
-            "grow_faces",
-            marked.args().decided,
-            [
-                ("edge_joins", edge_joins(&level.mesh.edges)),
-                ("edge_states", words(edge_states(level))),
-                ("face_sides", words(face_sides(level))),
-                ("face_corners", words(face_corners(level))),
-                ("decided", decided.to_vec()),
-                ("finer_face_sides", stale(4 * faces.len())),
-                ("finer_face_corners", stale(4 * faces.len())),
-            ],
-            [
-                ("finer_face_sides", words(sides)),
-                ("finer_face_corners", words(corners)),
-            ],
-        )
     }
 }
