@@ -2,7 +2,8 @@
 //!
 //! - [`amplify`] refines a control mesh of 52 km to ground of half a metre. It runs on the CPU, is
 //!   written pass by pass and in operations that WGSL's 32-bit integers have, so that compute
-//!   passes can have the same bits. Its arithmetic has twins in WGSL; there is no compute pass yet.
+//!   passes can have the same bits. Its arithmetic and the passes that know no rule of the ground
+//!   have twins in WGSL; nothing runs them but tests.
 //! - [`wgsl`] puts compute shaders together of such twins.
 //! - [`globe`] holds the WGSL that draws a planet from orbit, as constants: ground and sea, air,
 //!   lines.

@@ -1,8 +1,11 @@
 //! The ground's modules in WGSL: each is valid alone, has its Rust module's functions under their
-//! names, takes its constants from there, and has the same bits on every input.
+//! names, takes its constants from there, and has the same bits on every input; each pass has the
+//! same words on every level.
 
 mod arithmetic;
+mod layouts;
 mod names;
 mod noise;
+mod passes;
 mod places;
 mod views;

@@ -7,7 +7,7 @@ use pangaea_tests::source::{files_below, workspace};
 use syn::{ImplItem, Item, Type, Visibility};
 
 /// Public functions of modules with twins that no shader calls.
-const CPU_ONLY: [(&str, &str); 14] = [
+const CPU_ONLY: [(&str, &str); 27] = [
     ("amplify/fixed", "q16"),
     ("amplify/fixed", "tan_deg"),
     ("amplify/fixed", "metres"),
@@ -24,6 +24,21 @@ const CPU_ONLY: [(&str, &str); 14] = [
     // They pick the faces of the control mesh, which is whole on a GPU.
     ("amplify/sight", "sight_reach"),
     ("amplify/sight", "horizon"),
+    ("amplify/uniform", "level_words"),
+    ("amplify/columns", "column_named"),
+    ("amplify/columns", "pass_named"),
+    // They make views, and look at single faces.
+    ("amplify/mark", "view_camera"),
+    ("amplify/mark", "view_distance"),
+    ("amplify/mark", "view_shown_level"),
+    ("amplify/mark", "view_splits"),
+    // They wait for the rules.
+    ("amplify/face_split", "grow_halves"),
+    ("amplify/face_split", "half_kind"),
+    ("amplify/face_split", "arriving_at"),
+    ("amplify/emit", "refined_ground_triangles"),
+    ("amplify/emit", "water"),
+    ("amplify/emit", "is_resolved"),
 ];
 
 /// The module without a twin: what Rust's own integers have.

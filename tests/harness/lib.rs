@@ -9,7 +9,7 @@
 //! measure    areas, volumes, hypsometry, coverage, by brute force
 //! probe      what every stage of a step does to the state
 //! fuzz       damaged inputs for readers
-//! gpu        functions in WGSL beside their twins in Rust (with the feature `render`)
+//! gpu        functions and passes in WGSL beside their twins (with the feature `render`)
 //! soak       long runs, and the memory that they take
 //! source     the code of the workspace: figures, imports, names
 //! ```

@@ -3,11 +3,12 @@
 //! Every child edge and child face is written from its parent's data and that of the parent's
 //! neighbours alone.
 
+use super::fixed::mul_high;
 use super::rules::{EdgeKind, Rules, gully};
+use super::seed::share;
 use super::topology::{Edge, Face, FaceSplit, Level, NONE, SplitMark, gather};
 use super::uniform::LevelUniform;
 use super::vertex::Vertex;
-use super::vertex_resolve::tributary;
 use super::vertices::VertexView;
 
 /// Pass: the two halves of every split edge. New dry land drains along one of them.
@@ -127,6 +128,16 @@ pub fn half_kind(
 pub fn arriving_at(mid: &Vertex, up: &Vertex) -> u32 {
     // The tributary joins at the middle itself, not on the way to it.
     mid.discharge - if mid.branched { tributary(mid, up) } else { 0 }
+}
+
+/// Discharge that a tributary brings to a junction: a quarter to a half of what its river has
+/// gained since the upstream vertex, so that what came from upstream and what the tributary brings
+/// make the junction's discharge.
+#[inline]
+pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
+    let gain = junction.discharge.saturating_sub(upstream.discharge);
+    let quarter = gain / 4;
+    quarter + mul_high(quarter, (share(junction.seed, 20) as u32) << 16)
 }
 
 /// Number of the first inner edge of a split face among the next level's edges: they follow the

@@ -96,6 +96,10 @@
 //!
 //! [`twins`] lists the modules that have a twin in WGSL beside them. Products of 64 bits are taken
 //! as such here, by [`fixed`] and [`arith`], and by halves there: the only functions that differ.
+//!
+//! Passes that know no rule of the ground have twins, too: [`columns::PASSES`]. Their buffers hold
+//! the columns in [`rows`] of words. On a GPU level 0 is whole, numbers of items are never read
+//! back ([`scan`] writes the next level's), and a leaf's triangles are counted with what it makes.
 
 pub mod arith;
 pub mod curve;
@@ -128,6 +132,7 @@ pub mod reach;
 pub mod mark;
 
 pub mod count;
+pub mod rows;
 pub mod scan;
 
 pub mod place;
@@ -151,6 +156,7 @@ pub mod local;
 
 pub mod synthetic;
 
+pub mod columns;
 pub mod twins;
 
 #[cfg(test)]

@@ -1,6 +1,10 @@
 //! Pass: exclusive prefix sums over blocks, which give every block its place among what all make.
+//!
+//! On a GPU the same pass, one group of it, writes how large the next level is and how many groups
+//! run over it: nothing is read back.
 
-use super::count::LevelCounts;
+use super::count::{BLOCK, LevelCounts};
+use super::rows::level::{GROUP, LevelArgs, LevelSizes};
 
 /// Replaces the counts of every block by those of all blocks before it; returns the sum of all.
 pub fn scan(blocks: &mut [LevelCounts]) -> LevelCounts {
@@ -11,6 +15,43 @@ pub fn scan(blocks: &mut [LevelCounts]) -> LevelCounts {
         before = before.and(counts);
     }
     before
+}
+
+impl LevelSizes {
+    /// Sizes of the level after one that becomes so many triangles.
+    pub const fn next(&self, triangles: u32) -> Self {
+        Self {
+            edges: self.made.edges(),
+            faces: self.made.children,
+            first_vertex: self.first_vertex + self.made.mids,
+            first_triangle: self.first_triangle + triangles,
+            made: LevelCounts {
+                mids: 0,
+                halves: 0,
+                children: 0,
+                decided: 0,
+            },
+        }
+    }
+}
+
+impl LevelArgs {
+    /// The groups of a level of some sizes.
+    pub const fn new(sizes: &LevelSizes) -> Self {
+        Self {
+            faces: groups(sizes.faces, GROUP),
+            edge_blocks: groups(sizes.edges, BLOCK),
+            face_blocks: groups(sizes.faces, BLOCK),
+            halved: groups(sizes.made.mids, GROUP),
+            decided: groups(sizes.made.decided, GROUP),
+            unused: 0,
+        }
+    }
+}
+
+/// Groups of a size that hold so many items.
+const fn groups(items: u32, size: usize) -> [u32; 3] {
+    [items.div_ceil(size as u32), 1, 1]
 }
 
 #[cfg(test)]

@@ -29,6 +29,17 @@ pub enum SplitMark {
     Split = 2,
 }
 
+impl SplitMark {
+    /// The mark with this number; [`SplitMark::Leaf`] for a number that has none.
+    pub const fn from_number(number: u8) -> Self {
+        match number {
+            1 => Self::Halo,
+            2 => Self::Split,
+            _ => Self::Leaf,
+        }
+    }
+}
+
 /// One edge as the level above made it, 24 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]

@@ -7,9 +7,10 @@
 //!
 //! Every name is global in WGSL; it may hide a built-in function, as `mix` and `length` do.
 
+use super::rows::{edge, face, level};
 use super::rules::noise;
 use super::rules::ocean::phasor;
-use super::{arith, curve, fixed, geometry, seed, sight, view};
+use super::{arith, columns, curve, fixed, geometry, seed, sight, view};
 use crate::wgsl::WgslModule;
 
 /// A module beside which a twin stands: `twin!("path", module, [needs])`.
@@ -25,7 +26,7 @@ macro_rules! twin {
 }
 
 /// All modules, each after those that it needs.
-pub const MODULES: [WgslModule; 11] = [
+pub const MODULES: [WgslModule; 23] = [
     twin!("integer", String::new, []),
     twin!("fixed", fixed::shared_constants, ["integer"]),
     twin!("arith", arith::shared_constants, ["integer", "fixed"]),
@@ -56,5 +57,55 @@ pub const MODULES: [WgslModule; 11] = [
         "rules/ocean/phasor",
         phasor::shared_constants,
         ["integer", "fixed", "arith", "rules/noise"]
+    ),
+    twin!("uniform", String::new, ["sight"]),
+    twin!("rows/vertex", String::new, []),
+    twin!("rows/edge", edge::shared_constants, []),
+    twin!("rows/face", face::shared_constants, ["rows/edge"]),
+    twin!("rows/level", level::shared_constants, []),
+    twin!(
+        "columns",
+        columns::shared_constants,
+        [
+            "uniform",
+            "rows/vertex",
+            "rows/edge",
+            "rows/face",
+            "rows/level"
+        ]
+    ),
+    twin!(
+        "mark",
+        String::new,
+        ["sight", "rows/edge", "rows/face", "columns"]
+    ),
+    twin!(
+        "count",
+        String::new,
+        ["rows/edge", "rows/face", "rows/level", "columns"]
+    ),
+    twin!("scan", String::new, ["rows/level", "columns", "count"]),
+    twin!(
+        "place",
+        String::new,
+        ["rows/edge", "rows/face", "columns", "count"]
+    ),
+    twin!(
+        "face_split",
+        String::new,
+        [
+            "integer",
+            "fixed",
+            "seed",
+            "rows/vertex",
+            "rows/edge",
+            "rows/face",
+            "columns"
+        ]
+    ),
+    twin!(
+        "emit",
+        String::new,
+        ["geometry", "rows/edge", "rows/face", "columns", "count"]
     ),
 ];

@@ -2,6 +2,7 @@
 
 use super::rules::Rules;
 use super::scale::PlanetScale;
+use super::sight::Sight;
 
 /// Data that all items of a level's passes have in common, as a uniform holds it.
 #[derive(Clone, Copy, Debug)]
@@ -12,4 +13,13 @@ pub struct LevelUniform<'a> {
     pub rules: &'a Rules,
     /// The level that is split.
     pub level: u32,
+}
+
+/// The uniform of a level's passes on a GPU: the view, in which the planet's constants are, and the
+/// level. The rules are not in it yet: no pass that has a twin in WGSL reads them.
+pub fn level_words(sight: &Sight, level: u32) -> [u32; 32] {
+    let mut words = [0; 32];
+    words[..28].copy_from_slice(&sight.words());
+    words[28] = level;
+    words
 }

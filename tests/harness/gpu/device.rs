@@ -1,9 +1,9 @@
 //! A device for compute shaders, without a window.
 
 use bevy::render::render_resource::{
-    BindGroupEntry, Buffer, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,
-    ComputePassDescriptor, MapMode, PollType, RawComputePipelineDescriptor, ShaderModuleDescriptor,
-    ShaderSource, WgpuFeatures, WgpuLimits,
+    BindGroup, BindGroupEntry, Buffer, BufferDescriptor, BufferUsages, CommandEncoder,
+    CommandEncoderDescriptor, ComputePassDescriptor, ComputePipeline, MapMode, PollType,
+    RawComputePipelineDescriptor, ShaderModuleDescriptor, ShaderSource, WgpuFeatures, WgpuLimits,
 };
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use bevy::render::settings::{RenderCreation, RenderResources, WgpuSettings};
@@ -54,44 +54,99 @@ impl Gpu {
 
     /// Runs `call_twin` of a shader on `count` inputs; an output has `words` words.
     pub fn run(&self, wgsl: &str, inputs: &[u32], count: usize, words: usize) -> Vec<u32> {
+        let pipeline = self.pipeline(wgsl, "call_twin");
+        let input = self.upload(inputs, BufferUsages::STORAGE);
+        let output = self.buffer(
+            count * words,
+            BufferUsages::STORAGE | BufferUsages::COPY_SRC,
+        );
+        let group = self.group(&pipeline, 0, &[(0, &input), (1, &output)]);
+        let groups = count.div_ceil(GROUP) as u32;
+        self.dispatch(&pipeline, &[group], groups);
+        let copies = self.download(&[&output]);
+        copies.into_iter().next().expect("one buffer")
+    }
+
+    /// The pipeline of an entry point, with the layout that follows from its text.
+    pub fn pipeline(&self, wgsl: &str, entry: &str) -> ComputePipeline {
+        let source = ShaderSource::Wgsl(wgsl.into());
         let module = self
             .device
             .create_and_validate_shader_module(ShaderModuleDescriptor {
                 label: None,
-                source: ShaderSource::Wgsl(wgsl.into()),
+                source,
             });
-        let pipeline = self
-            .device
+        self.device
             .create_compute_pipeline(&RawComputePipelineDescriptor {
                 label: None,
                 layout: None,
                 module: &module,
-                entry_point: Some("call_twin"),
+                entry_point: Some(entry),
                 compilation_options: Default::default(),
                 cache: None,
-            });
-        let input = self.buffer(inputs.len(), BufferUsages::STORAGE | BufferUsages::COPY_DST);
-        let bytes: Vec<u8> = inputs.iter().flat_map(|word| word.to_le_bytes()).collect();
-        self.queue.write_buffer(&input, 0, &bytes);
-        let size = count * words;
-        let output = self.buffer(size, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-        let group = self.device.create_bind_group(
-            None,
-            &pipeline.get_bind_group_layout(0).into(),
-            &[entry(0, &input), entry(1, &output)],
-        );
-        let mut encoder = self
-            .device
-            .create_command_encoder(&CommandEncoderDescriptor::default());
+            })
+    }
+
+    /// Buffers at bindings of a group of a pipeline.
+    pub fn group(
+        &self,
+        pipeline: &ComputePipeline,
+        group: u32,
+        buffers: &[(u32, &Buffer)],
+    ) -> BindGroup {
+        let layout = pipeline.get_bind_group_layout(group).into();
+        let entries = buffers.iter().map(|&(binding, buffer)| BindGroupEntry {
+            binding,
+            resource: buffer.as_entire_binding(),
+        });
+        let entries: Vec<BindGroupEntry> = entries.collect();
+        self.device.create_bind_group(None, &layout, &entries)
+    }
+
+    /// Runs so many groups of a pipeline alone.
+    pub fn dispatch(&self, pipeline: &ComputePipeline, bound: &[BindGroup], groups: u32) {
+        let mut encoder = self.encoder();
         let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &*group, &[]);
-        pass.dispatch_workgroups(count.div_ceil(GROUP) as u32, 1, 1);
+        pass.set_pipeline(pipeline);
+        for (i, group) in (0..).zip(bound) {
+            pass.set_bind_group(i, &**group, &[]);
+        }
+        pass.dispatch_workgroups(groups, 1, 1);
         drop(pass);
-        let copy = self.buffer(size, BufferUsages::MAP_READ | BufferUsages::COPY_DST);
-        encoder.copy_buffer_to_buffer(&output, 0, &copy, 0, copy.size());
+        self.submit(encoder);
+    }
+
+    /// Hands commands to the device.
+    pub fn submit(&self, commands: CommandEncoder) {
+        self.queue.submit([commands.finish()]);
+    }
+
+    /// An encoder of commands.
+    pub fn encoder(&self) -> CommandEncoder {
+        self.device
+            .create_command_encoder(&CommandEncoderDescriptor::default())
+    }
+
+    /// A buffer of words; one word where there are none, for no buffer is empty.
+    pub fn upload(&self, words: &[u32], usage: BufferUsages) -> Buffer {
+        let buffer = self.buffer(words.len().max(1), usage | BufferUsages::COPY_DST);
+        let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        self.queue.write_buffer(&buffer, 0, &bytes);
+        buffer
+    }
+
+    /// The words of buffers that can be copied from, once all that was submitted is done.
+    pub fn download(&self, buffers: &[&Buffer]) -> Vec<Vec<u32>> {
+        let mut encoder = self.encoder();
+        let copies = buffers.iter().map(|from| {
+            let words = from.size() as usize / 4;
+            let to = self.buffer(words, BufferUsages::MAP_READ | BufferUsages::COPY_DST);
+            encoder.copy_buffer_to_buffer(from, 0, &to, 0, to.size());
+            to
+        });
+        let copies: Vec<Buffer> = copies.collect();
         self.queue.submit([encoder.finish()]);
-        self.read(&copy)
+        copies.iter().map(|copy| self.read(copy)).collect()
     }
 
     fn buffer(&self, words: usize, usage: BufferUsages) -> Buffer {
@@ -103,25 +158,23 @@ impl Gpu {
         })
     }
 
-    fn read(&self, buffer: &Buffer) -> Vec<u32> {
-        let slice = buffer.slice(..);
-        slice.map_async(MapMode::Read, |mapped| mapped.expect("a buffer is mapped"));
+    /// Waits until all that was submitted is done.
+    pub fn wait(&self) {
         let wait = PollType::Wait {
             submission_index: None,
             timeout: None,
         };
         self.device.poll(wait).expect("the device answers");
+    }
+
+    fn read(&self, buffer: &Buffer) -> Vec<u32> {
+        let slice = buffer.slice(..);
+        slice.map_async(MapMode::Read, |mapped| mapped.expect("a buffer is mapped"));
+        self.wait();
         let bytes = slice.get_mapped_range();
         let words = bytes
             .chunks(4)
             .map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         words.collect()
-    }
-}
-
-fn entry(binding: u32, buffer: &Buffer) -> BindGroupEntry<'_> {
-    BindGroupEntry {
-        binding,
-        resource: buffer.as_entire_binding(),
     }
 }

@@ -1,6 +1,6 @@
 //! The compute shader that calls one function of a module on many inputs.
 
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{ArraySize, Function, Handle, Module, Scalar, ScalarKind, Type, TypeInner};
 use pangaea_shaders::amplify::twins::MODULES;
 use pangaea_shaders::wgsl::{ComposedWgsl, compose};
@@ -15,16 +15,21 @@ pub struct TwinKernel {
 
 /// A composed text as a valid module. Fails with the place of the mistake.
 pub fn parsed(name: &str, shader: &ComposedWgsl) -> Module {
+    validated(name, shader).0
+}
+
+/// The same, with all that the validator found out about it.
+pub fn validated(name: &str, shader: &ComposedWgsl) -> (Module, ModuleInfo) {
     let module = naga::front::wgsl::parse_str(&shader.wgsl).unwrap_or_else(|error| {
         let line = error.location(&shader.wgsl).map(|at| at.line_number);
         let place = line.and_then(|line| shader.place(line as usize));
         panic!("{name}: {place:?}: {}", error.emit_to_string(&shader.wgsl))
     });
     // The limits of every WebGPU device: no 64-bit numbers, no subgroups.
-    Validator::new(ValidationFlags::all(), Capabilities::empty())
+    let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
         .validate(&module)
         .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(&shader.wgsl)));
-    module
+    (module, info)
 }
 
 impl TwinKernel {

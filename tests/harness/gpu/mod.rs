@@ -1,13 +1,25 @@
-//! Functions in WGSL beside their twins in Rust, on the same inputs, word by word.
+//! Functions and passes in WGSL beside their twins in Rust, on the same inputs, word by word.
 //!
 //! Any Vulkan adapter will do, at the limits and features that every WebGPU device has.
 
+mod chain;
+mod columns;
 mod device;
 mod kernel;
+mod layout;
+mod level;
+mod made;
+mod pass;
+mod run;
 mod words;
 
+pub use chain::assert_chains;
 pub use device::Gpu;
-pub use kernel::{TwinKernel, parsed};
+pub use kernel::{TwinKernel, parsed, validated};
+pub use layout::{FoundBinding, FoundStruct, Reflected};
+pub use level::MarkedLevel;
+pub use pass::{PassCase, assert_pass, pass_times};
+pub use run::{assert_run, each_pass};
 pub use words::Words;
 
 use fastrand::Rng;

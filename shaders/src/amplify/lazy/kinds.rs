@@ -2,9 +2,8 @@
 
 use super::{EdgeOrigin, LazyEdge, LazyGround};
 use crate::amplify::base::Base;
-use crate::amplify::face_split::{HalfKind, arriving_at, half_kind};
+use crate::amplify::face_split::{HalfKind, arriving_at, half_kind, tributary};
 use crate::amplify::rules::{EdgeKind, STRAIGHT_LEVEL};
-use crate::amplify::vertex_resolve::tributary;
 use core::ops::Deref;
 
 impl<B: Deref<Target = Base>> LazyGround<B> {

@@ -15,7 +15,7 @@ use super::uniform::LevelUniform;
 use super::vertex::{ValleySection, Vertex};
 use super::vertices::{VertexView, Vertices};
 use river::NearestRiver;
-pub use river::{most_move, tributary};
+pub use river::most_move;
 
 /// Pass: the vertices of split edges settle. Each reads the middles of the edges beside its own, but
 /// of those only what no settling changes.

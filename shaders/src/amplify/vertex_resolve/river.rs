@@ -6,11 +6,9 @@
 
 use super::{DrainBeside, VertexContext};
 use crate::amplify::control::VertexKind;
-use crate::amplify::fixed::mul_high;
 use crate::amplify::rules::valley::{Reach, RiverPlace};
 use crate::amplify::rules::{EdgeKind, Rules, STRAIGHT_LEVEL, valley};
 use crate::amplify::scale::PlanetScale;
-use crate::amplify::seed::share;
 use crate::amplify::segment::is_lost;
 use crate::amplify::vertex::{FAR, RiverSegment, ValleySection, Vertex};
 
@@ -19,16 +17,6 @@ const NEAR_BANK: i32 = 4;
 
 /// Half-widths of a river up to which its bends reach.
 const BENDS: i32 = 10;
-
-/// Discharge that a tributary brings to a junction: a quarter to a half of what its river has
-/// gained since the upstream vertex, so that what came from upstream and what the tributary brings
-/// make the junction's discharge.
-#[inline]
-pub fn tributary(junction: &Vertex, upstream: &Vertex) -> u32 {
-    let gain = junction.discharge.saturating_sub(upstream.discharge);
-    let quarter = gain / 4;
-    quarter + mul_high(quarter, (share(junction.seed, 20) as u32) << 16)
-}
 
 /// Nearest segment found so far.
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,8 @@
+// Data that all items of a level's passes have in common.
+
+struct LevelUniform {
+    // The view, and in it the planet's constants.
+    sight: Sight,
+    // The level that is split.
+    level: u32,
+}
