@@ -9,6 +9,7 @@ mod table;
 
 use crate::cli::BenchArgs;
 use crate::error::CliError;
+use crate::inputs::Inputs;
 use crate::output::{check_file, json, print, say, write_file};
 
 /// Runs the command.
@@ -17,7 +18,7 @@ use crate::output::{check_file, json, print, say, write_file};
 /// If a file for the timings is refused, or a planet cannot be grown.
 pub fn bench(args: &BenchArgs) -> Result<(), CliError> {
     if let Some(path) = &args.json {
-        check_file(path, [])?;
+        check_file(path, &Inputs::new([]))?;
     }
     let mut rows = Vec::new();
     for &samples in &args.samples.0 {

@@ -3,8 +3,9 @@
 use crate::cli::ExportArgs;
 use crate::error::CliError;
 use crate::ground::{bake_planet, ground};
+use crate::inputs::Inputs;
 use crate::interrupt;
-use crate::output::{check_apart, say};
+use crate::output::say;
 use crate::progress;
 use crate::source::load_planet;
 use crate::values::{BoxSpec, PixelsSpec, RegionSpec, TilesSpec};
@@ -151,11 +152,12 @@ fn check_output(args: &ExportArgs, shape: &Shape) -> Result<(), CliError> {
     if args.range.is_some() && !format.has_greys() {
         return Err(ExportError::NoGreys(format.name()).into());
     }
-    let field = args.field.height_field.as_deref();
-    for output in files.outputs() {
-        check_apart(output.path(), args.ground.files().chain(field))?;
+    let inputs = Inputs::new(args.ground.files().chain(args.field.files()));
+    let outputs = files.outputs();
+    for output in &outputs {
+        inputs.check(output.path())?;
     }
-    Ok(check_outputs(&files.outputs())?)
+    Ok(check_outputs(&outputs)?)
 }
 
 /// Level and resolution of a grid, for the user.

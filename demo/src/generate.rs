@@ -5,9 +5,10 @@ use crate::error::CliError;
 use crate::ground::bake_planet;
 use crate::growth::GrowthPlan;
 use crate::headless::{Headless, initial_planet};
+use crate::inputs::Inputs;
 use crate::interrupt;
 use crate::maps::MapSet;
-use crate::output::{Files, check_file, json, say_written};
+use crate::output::{Files, json, say_written};
 use bevy_pangaea::climate::ClimateMaps;
 use bevy_pangaea::control::PlanetBake;
 use bevy_pangaea::io::scenario::scenario_of;
@@ -34,11 +35,9 @@ pub fn generate(args: &GenerateArgs) -> Result<(), CliError> {
     // Refused before minutes are spent on growing.
     save::check_maps(&climate).map_err(CliError::input)?;
     let maps = MapSet::default();
-    let mut files = Files::new(&args.out, file_names(&maps))?;
+    let inputs = Inputs::new(args.growth.files().chain(args.climate.files()));
     let scenario_out = args.scenario_out.as_deref();
-    if let Some(path) = scenario_out {
-        check_file(path, args.climate.files())?;
-    }
+    let mut files = Files::new(&args.out, file_names(&maps), scenario_out, &inputs)?;
     let (state, timings) = grow(&recipe, climate, plan)?;
     let digest = add_planet(&state, &mut files)?;
     let scenario = scenario_of(&state);

@@ -3,13 +3,14 @@
 use crate::cli::InfoArgs;
 use crate::error::CliError;
 use crate::headless::Headless;
+use crate::inputs::Inputs;
 use crate::output::{check_file, print, write_file};
 use crate::source::load_planet;
 use bevy_pangaea::authoring::Recording;
 use bevy_pangaea::climate::{ClimateMaps, EquirectMap};
 use bevy_pangaea::hydrology::TerrainMaps;
 use bevy_pangaea::io::scenario::scenario_of;
-use bevy_pangaea::io::{PlanetFileKind, Stats, Timings, digest, map_digest, save};
+use bevy_pangaea::io::{PlanetFileKind, Stats, Timings, digest, map_digest, planet_files, save};
 use bevy_pangaea::planet::Planet;
 use std::fmt::Write;
 use std::path::Path;
@@ -21,7 +22,7 @@ use std::path::Path;
 pub fn info(args: &InfoArgs) -> Result<(), CliError> {
     let scenario_out = args.scenario_out.as_deref();
     if let Some(path) = scenario_out {
-        check_file(path, [args.file.as_path()])?;
+        check_file(path, &Inputs::new(planet_files(&args.file)))?;
     }
     let state = load_planet(&args.file)?;
     let format = format(&args.file)?;

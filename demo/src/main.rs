@@ -12,6 +12,7 @@ mod values;
 mod cli;
 #[cfg(unix)]
 mod ending;
+mod inputs;
 mod interrupt;
 #[cfg(unix)]
 mod memory;
@@ -47,9 +48,11 @@ mod explorer;
 #[cfg(test)]
 mod fuzz_tests;
 
+use bevy_pangaea::io::planet_files;
 use clap::{Parser, error::ErrorKind};
 use cli::{Cli, Command};
 use error::CliError;
+use inputs::Inputs;
 use source::load_planet;
 use std::process::ExitCode;
 
@@ -88,7 +91,10 @@ fn run(cli: &Cli) -> Result<(), CliError> {
 fn explore(cli: &Cli) -> Result<(), CliError> {
     let recipe = cli.start.recipe.checked()?;
     if let Some(path) = &cli.capture {
-        output::check_file(path, cli.start.open.as_deref())?;
+        let opened = cli.start.open.as_deref().map(planet_files);
+        let preset = cli.start.recipe.preset.clone();
+        let inputs = Inputs::new(opened.into_iter().flatten().chain(preset));
+        output::check_file(path, &inputs)?;
     }
     let open = match &cli.start.open {
         Some(path) => Some((Box::new(load_planet(path)?), path.clone())),

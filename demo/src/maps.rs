@@ -4,6 +4,7 @@ use crate::cli::MapsArgs;
 use crate::error::CliError;
 use crate::ground::bake_planet;
 use crate::headless::Headless;
+use crate::inputs::Inputs;
 use crate::interrupt;
 use crate::output::{Files, say_written};
 use crate::progress;
@@ -92,9 +93,10 @@ fn not_encoded(error: impl Display) -> CliError {
 pub fn maps(args: &MapsArgs) -> Result<(), CliError> {
     interrupt::watch();
     let maps = MapSet::new(args);
+    let inputs = Inputs::new(args.ground.files());
+    let mut files = Files::new(&args.out, maps.names(), None, &inputs)?;
     let climate = args.ground.climate.load()?;
     let state = load_planet(&args.ground.planet)?;
-    let mut files = Files::new(&args.out, maps.names())?;
     maps.draw(&bake_planet(state, climate)?, &mut files)?;
     interrupt::check()?;
     say_written(&files.write()?, &args.out);

@@ -1,6 +1,7 @@
 //! Files that a command writes, all of them or not one, and text on stdout.
 
 use crate::error::CliError;
+use crate::inputs::Inputs;
 use crate::interrupt;
 use bevy_pangaea::io::{Output, abandon_outputs, check_outputs, write_all, write_atomically};
 use serde::Serialize;
@@ -37,13 +38,16 @@ pub struct Files {
 
 impl Files {
     /// Makes the folder where it is missing, and tries whether files of these names can be written
-    /// to it. Older files of these names must be ours.
+    /// to it, and the one that the user `named` to be written with them. Older files of these names
+    /// must be ours.
     ///
     /// # Errors
-    /// If one of them cannot be written.
+    /// If one of them cannot be written, or is among `inputs`.
     pub fn new(
         folder: &Path,
         names: impl IntoIterator<Item = impl AsRef<str>>,
+        named: Option<&Path>,
+        inputs: &Inputs,
     ) -> Result<Self, CliError> {
         // From here on an early return removes the folders that were made.
         let files = Self {
@@ -54,7 +58,10 @@ impl Files {
         made_folders().extend(files.made.iter().cloned());
         files.make_folder()?;
         let outputs = names.into_iter().map(|name| files.output(name.as_ref()));
-        let outputs: Vec<Output> = outputs.collect();
+        let outputs: Vec<Output> = outputs.chain(named.map(Output::named)).collect();
+        for output in &outputs {
+            inputs.check(output.path())?;
+        }
         check_outputs(&outputs)?;
         Ok(files)
     }
@@ -126,38 +133,13 @@ fn missing_folders(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// Refuses a path at which no file can be written, before minutes are spent on its content, and one
-/// of the files that the command `reads`.
+/// of the files that the command reads.
 ///
 /// # Errors
 /// If it cannot be written, or is to be read.
-pub fn check_file<'a>(
-    path: &Path,
-    reads: impl IntoIterator<Item = &'a Path>,
-) -> Result<(), CliError> {
-    check_apart(path, reads)?;
+pub fn check_file(path: &Path, inputs: &Inputs) -> Result<(), CliError> {
+    inputs.check(path)?;
     Ok(check_outputs(&[Output::named(path)])?)
-}
-
-/// Refuses to write over a file that the command `reads`: a slip, by which a planet would be lost.
-///
-/// # Errors
-/// Names the file.
-pub fn check_apart<'a>(
-    path: &Path,
-    reads: impl IntoIterator<Item = &'a Path>,
-) -> Result<(), CliError> {
-    let Ok(place) = fs::canonicalize(path) else {
-        return Ok(());
-    };
-    let is_there = |read: &Path| fs::canonicalize(read).is_ok_and(|read| read == place);
-    // A device is no file that could be lost.
-    if place.is_file() && reads.into_iter().any(is_there) {
-        let path = path.display();
-        return Err(CliError::input(format!(
-            "cannot write {path}: the command reads it"
-        )));
-    }
-    Ok(())
 }
 
 /// Writes one file, whole or not at all.

@@ -4,6 +4,7 @@
 use crate::cli::{RenderArgs, ViewsArgs};
 use crate::error::CliError;
 use crate::ground::replace_maps;
+use crate::inputs::Inputs;
 use crate::interrupt;
 use crate::offscreen::{Offscreen, OffscreenError};
 use crate::output::{Files, check_file, print, write_file};
@@ -11,6 +12,7 @@ use crate::source::PlanetSource;
 use crate::values::CameraSpec;
 use bevy::math::DVec3;
 use bevy::prelude::*;
+use bevy_pangaea::io::planet_files;
 use bevy_pangaea::io::png::rgb_png;
 use bevy_pangaea::math;
 use bevy_pangaea::overlay::{Overlay, Raster};
@@ -61,13 +63,7 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     // All that can be refused is refused before the planet grows.
     let source = PlanetSource::new(args.planet.as_deref(), &args.growth)?;
     let climate = args.climate.load()?;
-    check_file(
-        &args.out,
-        args.planet
-            .as_deref()
-            .into_iter()
-            .chain(args.climate.files()),
-    )?;
+    check_file(&args.out, &inputs(args))?;
     let view = view(&args.camera, source.radius());
     let globe = Globe {
         overlay: args.overlay,
@@ -85,6 +81,17 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     write_file(&args.out, &png(&picture)?)
 }
 
+/// The files that are read: those of a planet or of a recipe, and the maps.
+fn inputs(args: &RenderArgs) -> Inputs {
+    let planet = args.planet.as_deref().map(planet_files);
+    let planet = planet.into_iter().flatten();
+    Inputs::new(
+        planet
+            .chain(args.growth.files())
+            .chain(args.climate.files()),
+    )
+}
+
 /// Grows a planet, draws it from eight sides, and says where the pictures are.
 ///
 /// # Errors
@@ -94,7 +101,8 @@ pub fn views(args: &ViewsArgs) -> Result<(), CliError> {
     let source = PlanetSource::new(None, &args.growth)?;
     let names = ORBIT_VIEWS.map(|(name, ..)| format!("{name}.png"));
     // The adapter and the folder are tried before the planet grows.
-    let mut files = Files::new(&args.out, &names)?;
+    let inputs = Inputs::new(args.growth.files());
+    let mut files = Files::new(&args.out, &names, None, &inputs)?;
     let mut offscreen = Offscreen::new(ORBIT_SIZE).map_err(PictureError::from)?;
     let radius = source.radius();
     offscreen.show(source.planet()?);

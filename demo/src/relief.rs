@@ -11,10 +11,12 @@ use crate::cli::ReliefArgs;
 use crate::error::CliError;
 use crate::ground::{bake_planet, ground};
 use crate::headless::Headless;
+use crate::inputs::Inputs;
 use crate::output::{self, check_file, print, write_file};
 use crate::progress;
 use crate::source::load_planet;
 use bevy_pangaea::crust::PlanetSurface;
+use bevy_pangaea::io::{dem_files, raster_files};
 use bevy_pangaea::planet::{Lattice, Planet};
 use bevy_pangaea::relief_stats::{CLASSES, ReliefClass, SiteInput, class_relief, sites};
 use figures::{ReliefFigures, all_figures, compare};
@@ -28,7 +30,7 @@ use tiles::tile_figures;
 /// passed over with a warning.
 pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
     if let Some(path) = &args.json {
-        check_file(path, args.ground.files())?;
+        check_file(path, &inputs(args))?;
     }
     let climate = args.ground.climate.load()?;
     // A folder without a good tile is refused before the planet is measured.
@@ -43,6 +45,13 @@ pub fn relief(args: &ReliefArgs) -> Result<(), CliError> {
         write_file(path, &output::json(&all_figures(&classes, &tiles))?)?;
     }
     print(&tables(&classes, &tiles))
+}
+
+/// The files that are read: those of the planet, and the tiles.
+fn inputs(args: &ReliefArgs) -> Inputs {
+    let tiles = args.dem.iter().filter_map(|folder| dem_files(folder).ok());
+    let tiles = tiles.flatten().flat_map(|tile| raster_files(&tile));
+    Inputs::new(args.ground.files().chain(tiles))
 }
 
 /// The figures of every class, of at most `most` sites each.

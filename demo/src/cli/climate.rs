@@ -4,7 +4,7 @@
 use crate::error::CliError;
 use crate::output::say;
 use bevy_pangaea::climate::{ClimateField, ClimateMaps};
-use bevy_pangaea::io::load_climate_maps;
+use bevy_pangaea::io::{load_climate_maps, raster_files};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -46,11 +46,12 @@ impl ClimateArgs {
         Ok(loaded.maps)
     }
 
-    /// The files of the maps.
-    pub fn files(&self) -> impl Iterator<Item = &Path> {
+    /// The files of the maps, and those that belong to them.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
         ClimateField::ALL
             .into_iter()
             .filter_map(|field| self.file(field))
+            .flat_map(raster_files)
     }
 
     /// The file of the map of a field.

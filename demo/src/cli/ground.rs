@@ -6,8 +6,9 @@ use crate::values::{
     BoxSpec, PixelsSpec, PlaceSpec, RangeSpec, RegionSpec, TilesSpec, degree_box, height_range,
     level, pixels, place, region, sites, tiles,
 };
+use bevy_pangaea::io::planet_files;
 use clap::{ArgGroup, Args};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The planet whose ground is asked for.
 #[derive(Args, Debug)]
@@ -29,8 +30,8 @@ pub struct GroundArgs {
 
 impl GroundArgs {
     /// The files of the planet and its maps.
-    pub fn files(&self) -> impl Iterator<Item = &Path> {
-        [self.planet.as_path()]
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        planet_files(&self.planet)
             .into_iter()
             .chain(self.climate.files())
     }

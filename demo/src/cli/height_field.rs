@@ -3,7 +3,7 @@
 use crate::dem::tell_means;
 use crate::error::CliError;
 use crate::values::{PlaceSpec, place};
-use bevy_pangaea::io::load_dem;
+use bevy_pangaea::io::{load_dem, raster_files};
 use bevy_pangaea::query::{AzimuthalEquidistant, HeightField};
 use clap::Args;
 use std::path::PathBuf;
@@ -34,6 +34,14 @@ pub struct HeightFieldArgs {
 }
 
 impl HeightFieldArgs {
+    /// The files of the field.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        self.height_field
+            .as_deref()
+            .into_iter()
+            .flat_map(raster_files)
+    }
+
     /// Reads the field, if there is one, for a planet of `radius_m`.
     ///
     /// # Errors

@@ -37,7 +37,7 @@ use std::path::PathBuf;
 /// Whether files can be written is tried before the work begins, and all files of a command are
 /// written or none. A file that an option names replaces an older one, which keeps its mode; links
 /// stay links. Files whose names follow from it, in a folder or beside it, replace only what Pangaea
-/// made: any other file of such a name is refused.
+/// made: any other file of such a name is refused. So is a file that the command reads.
 #[derive(Parser, Debug)]
 #[command(
     name = "pangaea",

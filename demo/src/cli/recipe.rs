@@ -81,6 +81,12 @@ pub struct GrowthArgs {
 }
 
 impl GrowthArgs {
+    /// The preset and the scenario.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        let both = [&self.recipe.preset, &self.scenario];
+        both.into_iter().flatten().cloned()
+    }
+
     /// Geological time to simulate in My where `--until` is not given.
     pub const UNTIL: f64 = 250.0;
 

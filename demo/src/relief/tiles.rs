@@ -7,14 +7,16 @@ use crate::output::say;
 use bevy_pangaea::io::{dem_files, load_dem};
 use bevy_pangaea::relief_stats::ReliefStats;
 use std::ffi::OsStr;
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// The figures of the elevation models in a folder. Files that are none are passed over with a
 /// warning; it is an error if nothing is left.
 pub(super) fn tile_figures(folder: &Path) -> Result<Vec<ReliefFigures>, CliError> {
     let mut figures: Vec<ReliefFigures> = Vec::new();
-    let mut problems = Vec::new();
-    for path in dem_files(folder)? {
+    let files = dem_files(folder)?;
+    let mut problems = strangers(folder, &files);
+    for path in files {
         match tile_relief(&path) {
             Ok(relief) => {
                 let name = tile_name(&path, &figures);
@@ -30,6 +32,36 @@ pub(super) fn tile_figures(folder: &Path) -> Result<Vec<ReliefFigures>, CliError
         say(&format!("warning: {problem}; it is passed over"));
     }
     Ok(figures)
+}
+
+/// Extensions of elevation models that are not read, of archives and of half a download.
+const NOT_READ: &str = "7z adf asc bil bin bip bsq bz2 crdownload dem dt0 dt1 dt2 flt grd gz img jp2 \
+                        nc part rar tar tgz vrt xz zip";
+
+/// What is wrong with whatever in a folder looks like an elevation model and is not among `files`: a
+/// folder or a pipe of such a name, or one in a form that is not read.
+fn strangers(folder: &Path, files: &[PathBuf]) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    paths.retain(|path| !files.contains(path) && !text(path.file_name()).starts_with('.'));
+    paths.sort();
+    paths
+        .iter()
+        .filter_map(|path| Some(format!("{}: {}", path.display(), stranger(path)?)))
+        .collect()
+}
+
+/// What is wrong with one of them; nothing with a file that may be anything else.
+fn stranger(path: &Path) -> Option<&'static str> {
+    let extension = text(path.extension()).to_lowercase();
+    let is_file = path.is_file();
+    match extension.as_str() {
+        "hgt" | "tif" | "tiff" | "png" if !is_file => Some("it is no file"),
+        other if is_file && NOT_READ.split(' ').any(|known| known == other) => {
+            Some("no elevation model is read in this form")
+        }
+        _ => None,
+    }
 }
 
 /// Share of voids in a tile that is no more than a flaw.

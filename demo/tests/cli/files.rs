@@ -1,8 +1,6 @@
 //! Files are written all or none: what is in the way, and what stays.
 
-use crate::program::{
-    assert_refused_in, begun, names_in, planet, small_planet, stats, stderr, succeed,
-};
+use crate::program::{assert_refused_in, begun, names_in, small_planet, stats, stderr, succeed};
 use std::fs;
 use std::process::Stdio;
 use tempfile::TempDir;
@@ -84,36 +82,6 @@ fn two_runs_at_once_leave_one_planet() {
     let facts = succeed(folder.path(), &["info", "out/planet.pangaea"]);
     let digest = stats(&folder.path().join("out"))["digest"].to_string();
     assert!(facts.contains(digest.trim_matches('"')), "{facts} {digest}");
-}
-
-#[test]
-fn a_file_that_a_command_reads_is_not_written_over() {
-    let folder = planet();
-    let before = fs::read(folder.path().join("planet.pangaea")).unwrap();
-    for args in [
-        &["info", "planet.pangaea", "--scenario-out", "planet.pangaea"][..],
-        &[
-            "info",
-            "planet.pangaea",
-            "--scenario-out",
-            "./planet.pangaea",
-        ],
-        &["relief", "planet.pangaea", "--json", "planet.pangaea"],
-    ] {
-        assert_refused_in(folder.path(), args, &["planet.pangaea", "reads it"]);
-    }
-    let after = fs::read(folder.path().join("planet.pangaea")).unwrap();
-    assert_eq!(after, before);
-    fs::write(folder.path().join("earth.tif"), "II").unwrap();
-    let args = [
-        "export",
-        "earth.tif",
-        "--region",
-        "0,0,10",
-        "--out",
-        "earth.tif",
-    ];
-    assert_refused_in(folder.path(), &args, &["earth.tif", "reads it"]);
 }
 
 /// A command that fails at step 1.

@@ -84,6 +84,43 @@ fn an_interrupt_ends_an_export_between_its_rows() {
     assert_eq!(names_in(folder.path()), ["planet.pangaea"]);
 }
 
+/// Waits until a file grows in a hidden folder of `temp`.
+#[cfg(unix)]
+fn wait_for_a_part(temp: &Path) {
+    let deadline = Instant::now() + Duration::from_secs(60);
+    let is_growing = || {
+        let hidden = names_in(temp);
+        let part = hidden.first().map(|name| temp.join(name).join("0"));
+        part.is_some_and(|part| fs::metadata(part).is_ok_and(|facts| facts.len() > 0))
+    };
+    while !is_growing() && Instant::now() < deadline {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_while_a_pipe_has_no_reader_leaves_nothing() {
+    let folder = planet();
+    let temp = TempDir::new().unwrap();
+    let mut make = Command::new("mkfifo");
+    let made = make.arg(folder.path().join("pipe")).status().unwrap();
+    assert!(made.success());
+    let child = Command::new(env!("CARGO_BIN_EXE_pangaea"))
+        .args(["info", "planet.pangaea", "--scenario-out", "pipe"])
+        .current_dir(folder.path())
+        .env("TMPDIR", temp.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // What is written grows beside other temporary files, and then waits for its reader.
+    wait_for_a_part(temp.path());
+    std::thread::sleep(Duration::from_millis(100));
+    assert_ended_by("TERM", 143, child, "");
+    assert!(names_in(temp.path()).is_empty());
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_an_error_and_not_a_panic() {

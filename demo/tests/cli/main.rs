@@ -9,6 +9,7 @@
 //! maps         maps of a planet file
 //! scenarios    commands of a planet, written and played again
 //! files        written all or none: what is in the way, what stays
+//! inputs       what a command reads is not written over
 //! interrupts   signals, and a full disk
 //! pipes        questions and answers through pipes
 //! explorer     what is refused before a window opens
@@ -34,6 +35,8 @@ mod maps;
 mod scenarios;
 
 mod files;
+
+mod inputs;
 
 #[cfg(unix)]
 mod interrupts;

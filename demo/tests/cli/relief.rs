@@ -184,6 +184,33 @@ fn bad_tiles_beside_good_ones_are_passed_over() {
 }
 
 #[test]
+fn what_looks_like_a_tile_and_is_none_is_named() {
+    let folder = planet();
+    let tiles = folder.path().join("tiles");
+    fs::create_dir_all(tiles.join("N02E006.hgt")).unwrap();
+    for name in [
+        "N03E006.zip",
+        "N04E006.hgt.part",
+        "a.ASC",
+        "notes.txt",
+        "a.md5",
+    ] {
+        fs::write(tiles.join(name), "x").unwrap();
+    }
+    let args = ["relief", "planet.pangaea", "--dem", "tiles"];
+    assert_refused_in(folder.path(), &args, &["N02E006.hgt", "no file", "3 more"]);
+    fs::write(tiles.join("N44W072.hgt"), hgt(hills)).unwrap();
+    let output = pangaea(folder.path(), &BESIDE_TILES);
+    let said = stderr(&output);
+    assert!(output.status.success(), "{said}");
+    let named = ["N02E006.hgt", "N03E006.zip", "N04E006.hgt.part", "a.ASC"];
+    assert_eq!(said.lines().count(), named.len(), "{said}");
+    for (warning, name) in said.lines().zip(named) {
+        assert_contains(warning, &["warning", name, "passed over"]);
+    }
+}
+
+#[test]
 fn a_folder_without_a_good_tile_is_refused_in_one_line() {
     let folder = planet();
     let tiles = folder.path().join("tiles");

@@ -71,7 +71,7 @@ pub mod terrain;
 
 pub use capture::capture;
 #[cfg(feature = "dem")]
-pub use dem::{Dem, DemError, dem_files, load_dem};
+pub use dem::{Dem, DemError, dem_files, load_dem, raster_files};
 pub use digest::{digest, map_digest};
 pub use error::{IoError, SaveError};
 #[cfg(feature = "export")]
@@ -90,5 +90,7 @@ pub use scenario::{load_scenario, save_scenario};
 pub use sidecar::Sidecar;
 pub use stats::{Stats, Timings};
 #[cfg(feature = "dem")]
-pub use terrain::{LoadedPlanet, PlanetFileKind, load_planet, load_planet_with_notes};
+pub use terrain::{
+    LoadedPlanet, PlanetFileKind, load_planet, load_planet_with_notes, planet_files,
+};
 pub use text::TextError;

@@ -83,6 +83,19 @@ pub fn dem_files(folder: &Path) -> Result<Vec<PathBuf>, IoError> {
     Ok(files)
 }
 
+/// The files that are read with an elevation model or a map: itself, the sidecar of a picture, and
+/// whatever beside it belongs to it by its name. A command that writes over one of them changes what
+/// it was given.
+pub fn raster_files(raster: &Path) -> Vec<PathBuf> {
+    let sidecar = sidecar::beside(raster);
+    let is_picture = extension(raster).as_deref() == Some("png");
+    let sidecar = Some(sidecar).filter(|path| is_picture && path.is_file());
+    let others = sidecar.into_iter().chain(geotiff::files_beside(raster));
+    core::iter::once(raster.to_path_buf())
+        .chain(others)
+        .collect()
+}
+
 /// Reads an elevation model; its extension says of which kind.
 ///
 /// ```

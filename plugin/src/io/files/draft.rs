@@ -7,7 +7,7 @@ use super::place::{adopt, check_owner, copy_into};
 use super::target::Target;
 use super::unfinished;
 use crate::io::IoError;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::env;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -19,6 +19,8 @@ pub(super) struct OutputSet {
     drafts: Vec<OutputDraft>,
     /// Hidden folders, each with the folder that it is in.
     stages: Vec<(PathBuf, HiddenFolder)>,
+    /// The files that the drafts will be.
+    taken: BTreeSet<PathBuf>,
 }
 
 /// A file while it grows.
@@ -48,6 +50,10 @@ impl OutputSet {
         let target = Target::of(output.path())?;
         if target.older.is_some() && !target.is_device() {
             output.check_older()?;
+        }
+        if !target.is_device() && !self.taken.insert(target.real()) {
+            let problem = "it is to hold two things: choose another name for one of them";
+            return Err(io::Error::new(ErrorKind::AlreadyExists, problem));
         }
         let (stage, is_beside) = self.stage_for(&target)?;
         let part = self.stages[stage].1.part(self.drafts.len());
@@ -101,10 +107,18 @@ impl OutputSet {
 
     /// Gives all files their names.
     pub(super) fn commit(self) -> Result<(), IoError> {
+        let (devices, files): (Vec<_>, Vec<_>) =
+            (self.drafts.iter()).partition(|draft| draft.target.is_device());
+        // First, for a pipe may wait for its reader as long as it likes: no folder is locked yet, and
+        // the program can be ended.
+        for draft in devices {
+            let placed = draft.place();
+            placed.map_err(|source| IoError::write(&draft.path, source))?;
+        }
         let locks = self.lock_folders()?;
         let mut unfinished = unfinished::hold();
-        for (done, draft) in self.drafts.iter().enumerate() {
-            let total = self.drafts.len();
+        for (done, draft) in files.iter().enumerate() {
+            let total = files.len();
             draft.place().map_err(|source| match done {
                 0 => IoError::write(&draft.path, source),
                 _ => IoError::half(&draft.path, source, [done, total]),

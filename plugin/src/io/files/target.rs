@@ -70,6 +70,17 @@ impl Target {
         self.older.as_ref().is_some_and(|older| older.is_writable)
     }
 
+    /// The path by which the system knows it, by whatever links and names it was given; in a folder
+    /// that hides its place, as it was given.
+    pub(super) fn real(&self) -> PathBuf {
+        let whole = fs::canonicalize(&self.path);
+        let in_folder = || {
+            let folder = fs::canonicalize(self.folder()).ok()?;
+            Some(folder.join(self.path.file_name()?))
+        };
+        whole.ok().or_else(in_folder).unwrap_or(self.path.clone())
+    }
+
     /// The folder that it is in.
     pub(super) fn folder(&self) -> &Path {
         folder_of(&self.path)

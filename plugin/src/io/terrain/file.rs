@@ -56,6 +56,23 @@ impl TerrainFile {
         }
     }
 
+    /// The maps that a file at `path` names.
+    pub(super) fn maps(&self, path: &Path) -> Vec<PathBuf> {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let others = [
+            &self.age,
+            &self.plateaus,
+            &self.hills,
+            &self.temperature,
+            &self.rain,
+            &self.wetness,
+        ];
+        core::iter::once(&self.elevation)
+            .chain(others.into_iter().flatten())
+            .map(|map| folder.join(map))
+            .collect()
+    }
+
     /// The planet of a file at `path`.
     pub(super) fn planet(&self, path: &Path) -> Result<LoadedPlanet, IoError> {
         let folder = path.parent().unwrap_or(Path::new(""));

@@ -41,11 +41,11 @@ mod file;
 pub use loaded::LoadedPlanet;
 
 use self::file::TerrainFile;
-use super::dem::extension;
+use super::dem::{extension, raster_files};
 use super::text::{parse, read_text};
 use super::{IoError, save};
 use crate::spawn::PlanetState;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A kind of file that holds a planet; its name says which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,6 +68,23 @@ impl PlanetFileKind {
         match extension(path).as_deref() {
             Some("tif" | "tiff" | "png") => Self::Elevation,
             _ => Self::Save,
+        }
+    }
+}
+
+/// The files that are read with a planet: its own, and of one of maps those of the maps, as far as
+/// they can be found out without an error.
+pub fn planet_files(path: &Path) -> Vec<PathBuf> {
+    match PlanetFileKind::of(path) {
+        PlanetFileKind::Save => vec![path.to_path_buf()],
+        PlanetFileKind::Elevation => raster_files(path),
+        PlanetFileKind::Terrain => {
+            let file = read_text(path).ok().and_then(|text| parse(&text).ok());
+            let maps = file.map(|file: TerrainFile| file.maps(path));
+            let maps = maps.into_iter().flatten();
+            core::iter::once(path.to_path_buf())
+                .chain(maps.flat_map(|map| raster_files(&map)))
+                .collect()
         }
     }
 }

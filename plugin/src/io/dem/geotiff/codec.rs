@@ -69,7 +69,7 @@ impl Compression {
 impl Codec {
     /// The codec of an image.
     pub(super) fn read<R: Read + Seek>(
-        file: &mut TiffFile<R>,
+        file: &TiffFile<R>,
         directory: &Directory,
         sample_type: SampleType,
     ) -> Result<Self, DemError> {

@@ -51,7 +51,7 @@ pub(super) struct KeyDirectory {
 impl KeyDirectory {
     /// Reads the keys of an image; there may be none.
     pub(super) fn read<R: Read + Seek>(
-        file: &mut TiffFile<R>,
+        file: &TiffFile<R>,
         directory: &Directory,
     ) -> Result<Self, DemError> {
         let numbers = file.numbers(directory, tag::GEO_KEY_DIRECTORY)?;

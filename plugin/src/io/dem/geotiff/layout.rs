@@ -37,7 +37,7 @@ const MAX_SAMPLES: u64 = 2;
 
 /// Columns and rows of the image of a directory.
 pub(super) fn size<R: Read + Seek>(
-    file: &mut TiffFile<R>,
+    file: &TiffFile<R>,
     directory: &Directory,
 ) -> Result<[u32; 2], DemError> {
     Ok([
@@ -48,7 +48,7 @@ pub(super) fn size<R: Read + Seek>(
 
 /// A length in pixels, from 1 to `most`.
 fn side<R: Read + Seek>(
-    file: &mut TiffFile<R>,
+    file: &TiffFile<R>,
     directory: &Directory,
     tag: Tag,
     most: u32,
@@ -61,7 +61,7 @@ fn side<R: Read + Seek>(
 impl Layout {
     /// The layout of the image of a directory.
     pub(super) fn read<R: Read + Seek>(
-        file: &mut TiffFile<R>,
+        file: &TiffFile<R>,
         directory: &Directory,
     ) -> Result<Self, DemError> {
         let size = size(file, directory)?;
@@ -95,7 +95,7 @@ impl Layout {
     /// Offset and length of every block.
     fn find_blocks<R: Read + Seek>(
         &self,
-        file: &mut TiffFile<R>,
+        file: &TiffFile<R>,
         directory: &Directory,
     ) -> Result<Vec<(u64, u64)>, DemError> {
         let (where_, lengths) = if directory.has(tag::TILE_OFFSETS) {
@@ -126,6 +126,11 @@ impl Layout {
     pub(super) fn rows_in(&self, blocks: Range<u32>) -> Range<u32> {
         let start = |block: u32| block.saturating_mul(self.block[1]).min(self.size[1]);
         start(blocks.start)..start(blocks.end)
+    }
+
+    /// Are blocks as wide as the image?
+    pub(super) fn is_of_strips(&self) -> bool {
+        self.blocks_a_side()[0] == 1
     }
 
     /// Blocks to a row of blocks, and rows of blocks.
@@ -164,7 +169,7 @@ impl Layout {
 
 /// Columns and rows of a block.
 fn block<R: Read + Seek>(
-    file: &mut TiffFile<R>,
+    file: &TiffFile<R>,
     directory: &Directory,
     [width, height]: [u32; 2],
 ) -> Result<[u32; 2], DemError> {

@@ -2,7 +2,7 @@
 //! in a file of its own (NAME.EXT.msk), or a second sample that says how opaque a pixel is.
 
 use super::layout::{self, Layout};
-use super::rows::each_row;
+use super::rows::{StripRows, each_row};
 use super::structure::{Directory, TiffFile, unsupported};
 use super::tag;
 use crate::io::dem::error::{DemError, invalid};
@@ -19,7 +19,7 @@ const MOST_DIRECTORIES: usize = 256;
 
 /// The layout of the mask of an image of that size, if there is one.
 fn find<R: Read + Seek>(
-    file: &mut TiffFile<R>,
+    file: &TiffFile<R>,
     first: &Directory,
     size: [u32; 2],
 ) -> Result<Option<Layout>, DemError> {
@@ -47,36 +47,35 @@ pub(in crate::io) struct MaskFile<R> {
 impl<R: Read + Seek> MaskFile<R> {
     /// Opens a file of a mask; nothing of it is read yet.
     pub(in crate::io) fn open(source: R) -> Result<Self, DemError> {
-        let mut file = TiffFile::open(source)?;
+        let file = TiffFile::open(source)?;
         let directory = file.directory(file.first)?;
-        let layout = Layout::read(&mut file, &directory)?;
+        let layout = Layout::read(&file, &directory)?;
         Ok(Self { file, layout })
     }
 }
 
 /// The pixels of some rows that are invalid, by all masks that an image has: its second sample, the
-/// one in its file, the one beside it. Rows are read in the order of the image's blocks.
-pub(super) struct InvalidPixels<'a, M> {
+/// one in its file, the one beside it. Rows are asked for in their order.
+pub(super) struct InvalidPixels<'a, R, M> {
+    image: (&'a TiffFile<R>, &'a Layout),
     own: Option<Layout>,
-    beside: Option<&'a mut MaskFile<M>>,
-    bands: [MaskBand; 3],
+    beside: Option<&'a MaskFile<M>>,
+    bands: [MaskBand<'a>; 3],
 }
 
-impl<'a, M: Read + Seek> InvalidPixels<'a, M> {
+impl<'a, R: Read + Seek, M: Read + Seek> InvalidPixels<'a, R, M> {
     /// Finds the masks of an image; nothing of them is read yet.
-    pub(super) fn find<R: Read + Seek>(
-        file: &mut TiffFile<R>,
+    pub(super) fn find(
+        file: &'a TiffFile<R>,
         directory: &Directory,
-        layout: &Layout,
-        beside: Option<&'a mut MaskFile<M>>,
+        layout: &'a Layout,
+        beside: Option<&'a MaskFile<M>>,
     ) -> Result<Self, DemError> {
-        if beside
-            .as_ref()
-            .is_some_and(|mask| mask.layout.size != layout.size)
-        {
+        if beside.is_some_and(|mask| mask.layout.size != layout.size) {
             return Err(invalid("the mask beside it (.msk) has another size"));
         }
         Ok(Self {
+            image: (file, layout),
             own: find(file, directory, layout.size)?,
             beside,
             bands: Default::default(),
@@ -84,21 +83,17 @@ impl<'a, M: Read + Seek> InvalidPixels<'a, M> {
     }
 
     /// Reads the masks of some rows of an image.
-    pub(super) fn load<R: Read + Seek>(
-        &mut self,
-        file: &mut TiffFile<R>,
-        layout: &Layout,
-        rows: Range<u32>,
-    ) -> Result<(), DemError> {
+    pub(super) fn load(&mut self, rows: Range<u32>) -> Result<(), DemError> {
         let [opacity, own, beside] = &mut self.bands;
+        let (file, layout) = self.image;
         if layout.samples > 1 {
             opacity.load(file, layout, 1, rows.clone())?;
         }
         if let Some(mask) = &self.own {
             own.load(file, mask, 0, rows.clone())?;
         }
-        if let Some(mask) = &mut self.beside {
-            beside.load(&mut mask.file, &mask.layout, 0, rows)?;
+        if let Some(mask) = self.beside {
+            beside.load(&mask.file, &mask.layout, 0, rows)?;
         }
         Ok(())
     }
@@ -109,52 +104,61 @@ impl<'a, M: Read + Seek> InvalidPixels<'a, M> {
     }
 }
 
-/// Some rows of a mask: those of whole blocks.
+/// Some rows of a mask: those that are wanted, or, of tiles, those of whole ones.
 #[derive(Default)]
-struct MaskBand {
-    /// Rows of blocks.
-    blocks: Range<u32>,
+struct MaskBand<'a> {
+    rows: Range<u32>,
     /// Its first pixel.
     first: usize,
     /// A bit for each pixel, set if that is invalid.
     bits: Vec<u64>,
+    strips: StripRows<'a>,
 }
 
-impl MaskBand {
-    /// Reads the blocks of some rows, unless they are here already. Invalid is a sample of 0.
-    fn load<R: Read + Seek>(
+impl<'a> MaskBand<'a> {
+    /// Reads some rows, unless they are here already. Invalid is a sample of 0.
+    fn load<R: Read + Seek + 'a>(
         &mut self,
-        file: &mut TiffFile<R>,
+        file: &TiffFile<R>,
         layout: &Layout,
         sample: usize,
-        rows: Range<u32>,
+        wanted: Range<u32>,
     ) -> Result<(), DemError> {
-        let blocks = layout.rows_of_blocks(rows);
-        if blocks == self.blocks {
+        if self.rows.start <= wanted.start && wanted.end <= self.rows.end {
             return Ok(());
         }
-        let rows = layout.rows_in(blocks.clone());
+        let blocks = layout.rows_of_blocks(wanted.clone());
+        self.rows = match layout.is_of_strips() {
+            true => wanted,
+            false => layout.rows_in(blocks.clone()),
+        };
         let width = layout.size[0] as usize;
-        self.first = rows.start as usize * width;
-        let words = (rows.len() * width).div_ceil(64);
+        self.first = self.rows.start as usize * width;
+        self.clear(self.rows.len() * width)?;
+        if layout.is_of_strips() {
+            for row in 0..self.rows.len() {
+                let numbers = self.strips.next(file, layout, sample, 0.0)?;
+                mark(&mut self.bits, row * width, numbers);
+            }
+            return Ok(());
+        }
+        for row in blocks {
+            each_row(file, layout, sample, row, 0.0, |place, numbers| {
+                mark(&mut self.bits, place - self.first, numbers);
+                Ok(())
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Makes room for so many valid pixels.
+    fn clear(&mut self, pixels: usize) -> Result<(), DemError> {
+        let words = pixels.div_ceil(64);
         self.bits.clear();
         let room = try_reserve(&mut self.bits, words);
         room.map_err(|_| DemError::Memory(8 * words as u64))?;
         self.bits.resize(words, 0);
-        for row in blocks.clone() {
-            each_row(file, layout, sample, row, 0.0, |place, numbers| {
-                self.mark(place - self.first, numbers);
-            })?;
-        }
-        self.blocks = blocks;
         Ok(())
-    }
-
-    /// Notes the zeros among numbers of pixels, the first of which has this place in the band.
-    fn mark(&mut self, place: usize, numbers: &[f64]) {
-        for (pixel, _) in (place..).zip(numbers).filter(|(_, number)| **number == 0.0) {
-            self.bits[pixel / 64] |= 1 << (pixel % 64);
-        }
     }
 
     fn has(&self, pixel: usize) -> bool {
@@ -164,9 +168,16 @@ impl MaskBand {
     }
 }
 
+/// Notes the zeros among numbers of pixels, the first of which has this place among bits.
+fn mark(bits: &mut [u64], place: usize, numbers: &[f64]) {
+    for (pixel, _) in (place..).zip(numbers).filter(|(_, number)| **number == 0.0) {
+        bits[pixel / 64] |= 1 << (pixel % 64);
+    }
+}
+
 /// Refuses images of several bands: one band may have a second sample that says how opaque it is.
 pub(super) fn check_samples<R: Read + Seek>(
-    file: &mut TiffFile<R>,
+    file: &TiffFile<R>,
     directory: &Directory,
 ) -> Result<(), DemError> {
     let samples = file.number_or(directory, tag::SAMPLES_PER_PIXEL, 1)?;

@@ -28,7 +28,7 @@
 //!
 //! Read are whole numbers of 1 to 32 and of 64 bits and floating-point ones of 16, 32 and 64;
 //! compressed by Deflate, LZW, PackBits, Zstandard or LERC, or not; of any size up to 100,000 a
-//! side. Memory holds a row, and of masks the rows of a block, while values are handed on.
+//! side. Memory holds a row, and of masks the rows of a tile, while values are handed on.
 
 mod tag;
 
@@ -80,7 +80,7 @@ mod raster;
 
 pub(in crate::io) use pam::PamFile;
 pub(in crate::io) use raster::RasterFile;
-pub(in crate::io) use side_files::SideFiles;
+pub(in crate::io) use side_files::{SideFiles, files_beside};
 
 use super::error::DemError;
 use super::shrink::ShrunkRaster;

@@ -22,7 +22,7 @@ pub(super) struct Placement {
 impl Placement {
     /// The place of an image, if the file tells one.
     pub(super) fn read<R: Read + Seek>(
-        file: &mut TiffFile<R>,
+        file: &TiffFile<R>,
         directory: &Directory,
         keys: &KeyDirectory,
     ) -> Result<Option<Self>, DemError> {

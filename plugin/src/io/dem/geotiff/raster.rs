@@ -43,23 +43,23 @@ impl<R: Read + Seek> RasterFile<R> {
         beside: SideFiles,
         check: impl FnOnce(u32, u32) -> Result<(), E>,
     ) -> Result<Self, E> {
-        let mut file = TiffFile::open(source)?;
+        let file = TiffFile::open(source)?;
         let directory = file.directory(file.first)?;
-        let [width, height] = layout::size(&mut file, &directory)?;
+        let [width, height] = layout::size(&file, &directory)?;
         check(width, height)?;
         Ok(Self::describe(file, directory, beside)?)
     }
 
     /// Reads everything but values.
     fn describe(
-        mut file: TiffFile<R>,
+        file: TiffFile<R>,
         directory: Directory,
         mut beside: SideFiles,
     ) -> Result<Self, DemError> {
-        check_kind(&mut file, &directory)?;
-        mask::check_samples(&mut file, &directory)?;
-        let layout = Layout::read(&mut file, &directory)?;
-        let keys = KeyDirectory::read(&mut file, &directory)?;
+        check_kind(&file, &directory)?;
+        mask::check_samples(&file, &directory)?;
+        let layout = Layout::read(&file, &directory)?;
+        let keys = KeyDirectory::read(&file, &directory)?;
         let own = file.text(&directory, tag::GDAL_NODATA)?;
         let nodata = beside.pam.nodata.clone().or(own);
         let metadata = file.text(&directory, tag::GDAL_METADATA)?;
@@ -71,7 +71,7 @@ impl<R: Read + Seek> RasterFile<R> {
                 Some(told) => told,
                 None => beside.system(System::of(&keys)?),
             },
-            placement: placement(&mut file, &directory, &keys, &beside)?,
+            placement: placement(&file, &directory, &keys, &beside)?,
             nodata: Nodata::of(nodata.as_deref(), layout.sample_type)?,
             calibration: Calibration::of(metadata.as_deref())?.with(&beside.pam),
             file,
@@ -108,14 +108,21 @@ impl<R: Read + Seek> RasterFile<R> {
         [factor, summand]: [f64; 2],
         mut take: impl FnMut(usize, &[f32]),
     ) -> Result<(), DemError> {
-        let (file, layout) = (&mut self.file, &self.layout);
+        let (file, layout) = (&self.file, &self.layout);
         let (nodata, calibration) = (self.nodata, &self.calibration);
-        let mask = self.beside.mask.as_mut();
+        let mask = self.beside.mask.as_ref();
         let mut invalid = InvalidPixels::find(file, &self.directory, layout, mask)?;
         let mut values = Vec::new();
         for row in 0..layout.blocks_a_side()[1] {
-            invalid.load(file, layout, layout.rows_in(row..row + 1))?;
+            let rows = layout.rows_in(row..row + 1);
             each_row(file, layout, 0, row, nodata.fill, |place, numbers| {
+                // The rows of a strip come one after the other, those of tiles again and again.
+                let y = (place / layout.size[0] as usize) as u32;
+                invalid.load(if layout.is_of_strips() {
+                    y..y + 1
+                } else {
+                    rows.clone()
+                })?;
                 values.clear();
                 values.extend((place..).zip(numbers).map(|(pixel, &number)| {
                     if nodata.marks(number) || invalid.has(pixel) {
@@ -124,6 +131,7 @@ impl<R: Read + Seek> RasterFile<R> {
                     (calibration.apply(number) * factor + summand) as f32
                 }));
                 take(place, &values);
+                Ok(())
             })?;
         }
         Ok(())
@@ -185,7 +193,7 @@ impl<R: Read + Seek> RasterFile<R> {
 
 /// The place of an image: that of a side file, its own, or that of a world file.
 fn placement<R: Read + Seek>(
-    file: &mut TiffFile<R>,
+    file: &TiffFile<R>,
     directory: &Directory,
     keys: &KeyDirectory,
     beside: &SideFiles,
@@ -206,10 +214,7 @@ fn placement<R: Read + Seek>(
 }
 
 /// Refuses pictures: numbers that are colours or places in a palette.
-fn check_kind<R: Read + Seek>(
-    file: &mut TiffFile<R>,
-    directory: &Directory,
-) -> Result<(), DemError> {
+fn check_kind<R: Read + Seek>(file: &TiffFile<R>, directory: &Directory) -> Result<(), DemError> {
     // Whether white is the least or the greatest number is how to paint them; they stay as they are.
     match file.number_or(directory, tag::PHOTOMETRIC, 1)? {
         0 | 1 => Ok(()),

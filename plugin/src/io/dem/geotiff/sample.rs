@@ -36,7 +36,7 @@ macro_rules! each {
 impl SampleType {
     /// The type of an image's samples, which must be one.
     pub(super) fn read<R: Read + Seek>(
-        file: &mut TiffFile<R>,
+        file: &TiffFile<R>,
         directory: &Directory,
     ) -> Result<Self, DemError> {
         let all = file.numbers(directory, tag::BITS_PER_SAMPLE)?;

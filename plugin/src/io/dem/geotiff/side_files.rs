@@ -102,6 +102,13 @@ impl SideFiles {
     }
 }
 
+/// The files beside a raster that are read with it.
+pub(in crate::io) fn files_beside(raster: &Path) -> impl Iterator<Item = PathBuf> {
+    let by_name = [".aux.xml", ".msk"].map(|ending| beside(raster, ending));
+    let place = [world_file(raster), system_file(raster)];
+    by_name.into_iter().chain(place).flatten()
+}
+
 /// The file whose name is that of a raster and an ending.
 fn beside(raster: &Path, ending: &str) -> Option<PathBuf> {
     let mut name = raster.file_name()?.to_os_string();
@@ -133,12 +140,15 @@ fn refusal(raster: &Path, ending: &str, what: &str) -> IoError {
     IoError::dem(&path, invalid(problem))
 }
 
+/// NAME.prj.
+fn system_file(raster: &Path) -> Option<PathBuf> {
+    let both = ["prj", "PRJ"].map(|ending| raster.with_extension(ending));
+    both.into_iter().find(|path| path.is_file())
+}
+
 /// The system that NAME.prj tells.
 fn world_system(raster: &Path) -> Result<Option<System>, IoError> {
-    let mut paths = ["prj", "PRJ"]
-        .map(|ending| raster.with_extension(ending))
-        .into_iter();
-    let Some(path) = paths.find(|path| path.is_file()) else {
+    let Some(path) = system_file(raster) else {
         return Ok(None);
     };
     let refused = |error| IoError::dem(&path, error);

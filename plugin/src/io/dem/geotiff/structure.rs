@@ -7,12 +7,14 @@
 
 use super::tag::Tag;
 use crate::io::dem::error::{DemError, invalid};
+use core::cell::RefCell;
 use std::collections::BTreeMap;
-use std::io::{BufReader, Read, Seek, SeekFrom, Take};
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
+use std::rc::Rc;
 
 /// A TIFF that is read from `R`.
 pub(super) struct TiffFile<R> {
-    source: BufReader<R>,
+    source: Rc<RefCell<R>>,
     /// Bytes of the file.
     pub(super) length: u64,
     pub(super) order: ByteOrder,
@@ -92,11 +94,10 @@ impl Directory {
 
 impl<R: Read + Seek> TiffFile<R> {
     /// Opens a file.
-    pub(super) fn open(source: R) -> Result<Self, DemError> {
-        let mut source = BufReader::new(source);
+    pub(super) fn open(mut source: R) -> Result<Self, DemError> {
         let length = source.seek(SeekFrom::End(0)).map_err(unread)?;
         let mut file = Self {
-            source,
+            source: Rc::new(RefCell::new(source)),
             length,
             order: ByteOrder::Little,
             offset_size: 4,
@@ -120,7 +121,7 @@ impl<R: Read + Seek> TiffFile<R> {
     }
 
     /// The directory at `place`.
-    pub(super) fn directory(&mut self, place: u64) -> Result<Directory, DemError> {
+    pub(super) fn directory(&self, place: u64) -> Result<Directory, DemError> {
         // Bytes of the number of tags, and of a tag.
         let (counter, step) = if self.offset_size == 8 {
             (8, 20)
@@ -158,7 +159,7 @@ impl<R: Read + Seek> TiffFile<R> {
     }
 
     /// All values of a tag of whole numbers; none without the tag.
-    pub(super) fn numbers(&mut self, of: &Directory, tag: Tag) -> Result<Vec<u64>, DemError> {
+    pub(super) fn numbers(&self, of: &Directory, tag: Tag) -> Result<Vec<u64>, DemError> {
         let Some(field) = of.fields.get(&tag.number) else {
             return Ok(Vec::new());
         };
@@ -172,7 +173,7 @@ impl<R: Read + Seek> TiffFile<R> {
 
     /// The first value of a tag of whole numbers, or what it is without the tag.
     pub(super) fn number_or(
-        &mut self,
+        &self,
         of: &Directory,
         tag: Tag,
         default: u64,
@@ -181,7 +182,7 @@ impl<R: Read + Seek> TiffFile<R> {
     }
 
     /// All values of a tag of floating-point numbers; none without the tag.
-    pub(super) fn reals(&mut self, of: &Directory, tag: Tag) -> Result<Vec<f64>, DemError> {
+    pub(super) fn reals(&self, of: &Directory, tag: Tag) -> Result<Vec<f64>, DemError> {
         let Some(field) = of.fields.get(&tag.number) else {
             return Ok(Vec::new());
         };
@@ -196,7 +197,7 @@ impl<R: Read + Seek> TiffFile<R> {
     }
 
     /// The text of a tag up to its end.
-    pub(super) fn text(&mut self, of: &Directory, tag: Tag) -> Result<Option<String>, DemError> {
+    pub(super) fn text(&self, of: &Directory, tag: Tag) -> Result<Option<String>, DemError> {
         let Some(field) = of.fields.get(&tag.number) else {
             return Ok(None);
         };
@@ -208,37 +209,58 @@ impl<R: Read + Seek> TiffFile<R> {
         Ok(Some(String::from_utf8_lossy(text).into_owned()))
     }
 
-    fn values(&mut self, field: &Field) -> Result<Vec<u8>, DemError> {
+    fn values(&self, field: &Field) -> Result<Vec<u8>, DemError> {
         let size = size(field.kind).unwrap_or(1);
         self.bytes(field.place, field.count.saturating_mul(size))
     }
 
-    fn number(&mut self, place: u64, size: u64) -> Result<u64, DemError> {
+    fn number(&self, place: u64, size: u64) -> Result<u64, DemError> {
         let bytes = self.bytes(place, size)?;
         Ok(self.order.number(&bytes))
     }
 
     /// So many bytes of the file.
-    pub(super) fn bytes(&mut self, place: u64, count: u64) -> Result<Vec<u8>, DemError> {
+    pub(super) fn bytes(&self, place: u64, count: u64) -> Result<Vec<u8>, DemError> {
         // Refused before room is made for what the file only promises.
         if place.saturating_add(count) > self.length {
             return Err(cut_short());
         }
         let mut bytes = vec![0; count as usize];
-        self.part(place, count)?
+        self.unbuffered(place, count)
             .read_exact(&mut bytes)
             .map_err(unread)?;
         Ok(bytes)
     }
 
-    /// A reader of a part of the file.
-    pub(super) fn part(
-        &mut self,
-        place: u64,
-        count: u64,
-    ) -> Result<Take<&mut BufReader<R>>, DemError> {
-        self.source.seek(SeekFrom::Start(place)).map_err(unread)?;
-        Ok(Read::take(&mut self.source, count))
+    /// A reader of a part of the file, which knows its place whatever others read meanwhile.
+    pub(super) fn part(&self, place: u64, count: u64) -> BufReader<FilePart<R>> {
+        BufReader::new(self.unbuffered(place, count))
+    }
+
+    fn unbuffered(&self, place: u64, count: u64) -> FilePart<R> {
+        FilePart {
+            source: self.source.clone(),
+            place,
+            end: place.saturating_add(count),
+        }
+    }
+}
+
+/// A part of a file.
+pub(super) struct FilePart<R> {
+    source: Rc<RefCell<R>>,
+    place: u64,
+    end: u64,
+}
+
+impl<R: Read + Seek> Read for FilePart<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let most = (self.end - self.place).min(buffer.len() as u64) as usize;
+        let mut source = self.source.borrow_mut();
+        source.seek(SeekFrom::Start(self.place))?;
+        let count = source.read(&mut buffer[..most])?;
+        self.place += count as u64;
+        Ok(count)
     }
 }
 
@@ -251,7 +273,7 @@ pub(super) fn cut_short() -> DemError {
     invalid("the file is cut short, or no TIFF")
 }
 
-fn unread(error: std::io::Error) -> DemError {
+fn unread(error: io::Error) -> DemError {
     invalid(format!("the file cannot be read: {error}"))
 }
 

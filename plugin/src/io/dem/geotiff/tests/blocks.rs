@@ -246,6 +246,51 @@ fn internal_masks_make_voids() {
     }
 }
 
+/// Blocks of 8 x 6 pixels, of so many columns and rows, and the tags that tell them.
+fn cut(
+    block: [usize; 2],
+    pixel: impl Fn(usize, usize) -> u8,
+) -> (Vec<(u16, Values)>, Vec<Vec<u8>>) {
+    let [across, down] = block;
+    let of = |x0: usize, y0: usize| {
+        let rows = y0..y0 + down;
+        let pixel = &pixel;
+        rows.flat_map(move |y| (x0..x0 + across).map(move |x| pixel(x, y)))
+            .collect()
+    };
+    let starts = (0..6)
+        .step_by(down)
+        .flat_map(|y| (0..8).step_by(across).map(move |x| (x, y)));
+    let blocks = starts.map(|(x, y)| of(x, y)).collect();
+    let tags = fields([8, 6], 8, UNSIGNED, 1);
+    let [columns, rows] = block.map(|side| short(side as u16));
+    if across == 8 {
+        return (with(tags, [(278, rows)]), blocks);
+    }
+    let mut tags = with(tags, [(322, columns), (323, rows)]);
+    tags.retain(|(tag, _)| *tag != 278);
+    (tags, blocks)
+}
+
+#[test]
+fn masks_may_lie_in_other_blocks_than_their_images() {
+    let is_void = |x: usize, y: usize| (x + 3 * y).is_multiple_of(5);
+    let forms = [[8, 6], [8, 2], [8, 1], [4, 2], [4, 3], [2, 6]];
+    for (of_image, of_mask) in forms.into_iter().flat_map(|a| forms.map(|b| (a, b))) {
+        let (image, pixels) = cut(of_image, |x, y| (8 * y + x) as u8);
+        let (mask, valid) = cut(of_mask, |x, y| u8::from(!is_void(x, y)));
+        let mask = with(mask, [(254, Values::Long(vec![4])), (262, short(4))]);
+        let [image, mask] =
+            [(image, pixels), (mask, valid)].map(|(fields, blocks)| Image { fields, blocks });
+        let values = values(&tiff(PLAIN, vec![image, mask])).unwrap();
+        for (i, value) in values.iter().enumerate() {
+            let right = (!is_void(i % 8, i / 8)).then_some(i as f32);
+            let read = (!value.is_nan()).then_some(*value);
+            assert_eq!(read, right, "pixel {i}: {of_image:?}, {of_mask:?}");
+        }
+    }
+}
+
 #[test]
 fn a_second_sample_tells_how_opaque_a_pixel_is() {
     for (planar, blocks) in [
