@@ -14,7 +14,7 @@ use pangaea_shaders::amplify::uniform::level_words;
 use pangaea_shaders::wgsl::compose;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Words of columns, by their names.
 pub(super) type ColumnWords = BTreeMap<&'static str, Vec<u32>>;
@@ -43,29 +43,40 @@ pub struct PassCase<'a> {
     pub after: ColumnWords,
 }
 
-/// Time that a pass took.
-#[derive(Clone, Copy, Default)]
-struct PassTime {
-    runs: u32,
-    items: u64,
-    time: Duration,
+/// Times of a pass, seconds: a run of it with its submission, and an item.
+#[derive(Clone, Debug, Default)]
+struct PassTimes {
+    items: Vec<u64>,
+    runs: Vec<f64>,
 }
 
 /// Times of passes by their entry points.
-static TIMES: Mutex<BTreeMap<&'static str, PassTime>> = Mutex::new(BTreeMap::new());
+static TIMES: Mutex<BTreeMap<&'static str, PassTimes>> = Mutex::new(BTreeMap::new());
 
-/// A line for each pass that has run in this process: how often, over how many items, how long a
-/// run took with its submission, and how long an item.
+/// A line for each pass that has run in this process: how often, over how many items, how long half
+/// of the runs took at most, and how long an item of the fastest.
 pub fn pass_times() -> String {
     let times = TIMES.lock().unwrap_or_else(PoisonError::into_inner);
-    let line = |(entry, PassTime { runs, items, time }): (&&str, &PassTime)| {
-        let (run, item) = (f64::from(*runs), *items as f64);
-        let [run, item] = [run / 1e6, item / 1e9].map(|n| time.as_secs_f64() / n);
+    times
+        .iter()
+        .map(|(entry, times)| times.line(entry))
+        .collect()
+}
+
+impl PassTimes {
+    fn line(&self, entry: &str) -> String {
+        let mut runs = self.runs.clone();
+        runs.sort_by(f64::total_cmp);
+        let half = runs[runs.len() / 2] * 1e6;
+        let each = self.items.iter().zip(&self.runs);
+        let each = each.map(|(&items, run)| run / items.max(1) as f64 * 1e9);
+        let fastest = each.fold(f64::MAX, f64::min);
+        let items: u64 = self.items.iter().sum();
+        let count = runs.len();
         format!(
-            "{entry:<12} {runs:>6} runs, {items:>10} items, {run:>8.0} us, {item:>6.1} ns an item\n"
+            "{entry:<12} {count:>5} runs, {items:>9} items, {half:>7.0} us, {fastest:>6.1} ns\n"
         )
-    };
-    times.iter().map(line).collect()
+    }
 }
 
 /// Asserts that a pass writes what its Rust twin does, and nothing else. Without an adapter nothing
@@ -136,9 +147,8 @@ fn run(gpu: &Gpu, pass: &ComputePass, case: &PassCase) -> ColumnWords {
     let took = start.elapsed();
     let mut times = TIMES.lock().unwrap_or_else(PoisonError::into_inner);
     let entry = times.entry(pass.entry).or_default();
-    entry.runs += 1;
-    entry.items += u64::from(case.groups) * pass.group as u64;
-    entry.time += took;
+    entry.items.push(u64::from(case.groups) * pass.group as u64);
+    entry.runs.push(took.as_secs_f64());
     drop(times);
     bound.written(gpu)
 }

@@ -6,6 +6,11 @@ use crate::amplify::count::{BLOCK, LevelCounts};
 /// Items in a group of the passes that run over single items.
 pub const GROUP: usize = 64;
 
+/// Items of a block that are summed one after the other, and rows of so many in a block.
+const SUM_ROW: usize = 16;
+
+const _: () = assert!(SUM_ROW * SUM_ROW == BLOCK);
+
 row!(LevelCounts {
     mids,
     halves,
@@ -83,4 +88,9 @@ row!(LevelArgs {
     unused,
 });
 
-crate::wgsl::shared!(BLOCK = BLOCK as u32, GROUP = GROUP as u32,);
+crate::wgsl::shared!(
+    BLOCK = BLOCK as u32,
+    GROUP = GROUP as u32,
+    SUM_ROW = SUM_ROW as u32,
+    SUM_ROWS = (BLOCK / SUM_ROW) as u32,
+);
