@@ -38,8 +38,8 @@ pub(super) fn tile_figures(folder: &Path) -> Result<Vec<ReliefFigures>, CliError
 const NOT_READ: &str = "7z adf asc bil bin bip bsq bz2 crdownload dem dt0 dt1 dt2 flt grd gz img jp2 \
                         nc part rar tar tgz vrt xz zip";
 
-/// What is wrong with whatever in a folder looks like an elevation model and is not among `files`: a
-/// folder or a pipe of such a name, or one in a form that is not read.
+/// Reasons why things in a folder that look like elevation models are not among `files`: folders and
+/// pipes of such names, and models in forms that are not read.
 fn strangers(folder: &Path, files: &[PathBuf]) -> Vec<String> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
@@ -51,7 +51,7 @@ fn strangers(folder: &Path, files: &[PathBuf]) -> Vec<String> {
         .collect()
 }
 
-/// What is wrong with one of them; nothing with a file that may be anything else.
+/// The reason of one of them; none of a file that may be anything else.
 fn stranger(path: &Path) -> Option<&'static str> {
     let extension = text(path.extension()).to_lowercase();
     let is_file = path.is_file();

@@ -111,7 +111,7 @@ impl<'a> MarkedLevel<'a> {
         let before = edge_states(self.level).into_iter().map(|row| EdgeState {
             mid: STALE,
             child: STALE,
-            marks: row.marks | 0xffff_0000,
+            marks: row.marks | 0xff00_0000,
             ..row
         });
         let before: Vec<EdgeState> = before.collect();
