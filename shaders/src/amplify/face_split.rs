@@ -116,7 +116,8 @@ pub fn half_kind(
             is_reversed: slot == 0,
             is_descent: false,
         },
-        EdgeKind::Terrain => HalfKind {
+        // Edges of finer levels keep between their ends, and their halves depend on no vertex.
+        EdgeKind::Terrain if level < rules.gully_levels => HalfKind {
             is_descent: edge.is_descent || gully::leads_down(mid, end, other),
             ..whole
         },

@@ -57,6 +57,7 @@ pub struct Edge {
     /// Level at which its river was born; 0 for a river of the control mesh.
     pub birth: u8,
     /// Whether dry land drains along it without a gully: nothing on it may stand above its ends.
+    /// Settled on levels that have gullies; finer ones hand it on.
     pub is_descent: bool,
 }
 

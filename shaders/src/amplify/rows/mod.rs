@@ -3,9 +3,9 @@
 //!
 //! An edge has two rows and so has a face: the part that passes of the level above wrote and a
 //! run's own part are mixed, so that both rows of an item are full and a pass that follows a number
-//! loads no more than it needs. Nothing is smaller than a word but kinds, births and marks, which
-//! share one. A run therefore has rows of level 0 of its own, copied once; it never resets them,
-//! because each pass writes all that it owns, of items that take no part, too.
+//! loads no more than it needs. Nothing is smaller than a word but kinds, births, descents and
+//! marks, which share one. A run therefore has rows of level 0 of its own, copied once; it never
+//! resets them, because each pass writes all that it owns, of items that take no part, too.
 //!
 //! | row | bytes | written by |
 //! |---|---|---|
