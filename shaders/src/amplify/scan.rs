@@ -58,13 +58,16 @@ const fn groups(items: u32, size: usize) -> [u32; 3] {
 mod tests {
     use super::*;
 
-    #[test]
-    fn places_follow_one_another() {
-        let counts = |[mids, halves]: [u32; 2]| LevelCounts {
+    fn counts([mids, halves]: [u32; 2]) -> LevelCounts {
+        LevelCounts {
             mids,
             halves,
             ..LevelCounts::default()
-        };
+        }
+    }
+
+    #[test]
+    fn places_follow_one_another() {
         let mut blocks = [[2, 4], [0, 0], [1, 0], [4, 6]].map(counts);
         assert_eq!(scan(&mut blocks), counts([7, 10]));
         let wanted = [[0, 0], [2, 4], [2, 4], [3, 4]].map(counts);

@@ -171,15 +171,13 @@ fn noise(context: &EdgeContext) -> i32 {
 /// The octaves of a level at a vertex.
 fn octaves(level: u32, vertex: &Vertex) -> i32 {
     let cell = EDGE_BITS - level.min(16);
-    let octave = |cell| {
-        gradient(
-            &mut CornerCache::default(),
-            vertex.direction,
-            cell,
-            SHORE_SEED + cell,
-        )
-    };
-    2 * octave(cell) + octave(cell - 1)
+    2 * octave(vertex, cell) + octave(vertex, cell - 1)
+}
+
+/// The octave of a size of cells at a vertex.
+fn octave(vertex: &Vertex, cell: u32) -> i32 {
+    let cache = &mut CornerCache::default();
+    gradient(cache, vertex.direction, cell, SHORE_SEED + cell)
 }
 
 /// How far the noise moves the shore at most, as a share of the edge, Q16.

@@ -56,54 +56,59 @@ fn ranges_are_unevenly_spaced() {
     assert!(all > 500 && 5 * fullest < 2 * all, "{fullest} of {all}");
 }
 
+/// Squares of how folds differ between places so many times 4 km apart.
+fn change(north: i32, east: i32) -> f64 {
+    let pairs =
+        (0..500).map(|k| [0, 4].map(|d| vertex(7 * k - 1_500 + d * north, 5 * k + d * east)));
+    let heights = pairs.map(|pair| pair.map(|v| waves(&v, 0)[1].height));
+    heights
+        .map(|[a, b]| f64::from(a - b) * f64::from(a - b))
+        .sum::<f64>()
+}
+
 #[test]
 fn stripes_run_along_the_axis() {
-    let change = |north, east| {
-        let pairs =
-            (0..500).map(|k| [0, 4].map(|d| vertex(7 * k - 1_500 + d * north, 5 * k + d * east)));
-        let heights = pairs.map(|pair| pair.map(|v| waves(&v, 0)[1].height));
-        heights
-            .map(|[a, b]| f64::from(a - b) * f64::from(a - b))
-            .sum::<f64>()
-    };
     assert!(change(1, 0) > 3.0 * change(0, 1));
+}
+
+/// The skewness of slopes of ranges that lean to the north, or to the south.
+fn skewness(lean: i32) -> f64 {
+    let heights = (0..4_000).map(|k| waves(&vertex(k - 2_000, 0), lean)[0].height);
+    let heights: Vec<f64> = heights.map(f64::from).collect();
+    let slopes = heights.windows(2).map(|h| h[1] - h[0]);
+    let mean = |power: fn(f64) -> f64| slopes.clone().map(power).sum::<f64>() / 4_000.0;
+    let variance = mean(|s| s * s);
+    mean(|s| s * s * s) / (variance * variance.sqrt())
 }
 
 #[test]
 fn a_crest_is_steeper_on_the_side_that_it_leans_to() {
-    // The skewness of slopes, of ranges that lean north, and south.
-    let skewness = |lean| {
-        let heights = (0..4_000).map(|k| waves(&vertex(k - 2_000, 0), lean)[0].height);
-        let heights: Vec<f64> = heights.map(f64::from).collect();
-        let slopes = heights.windows(2).map(|h| h[1] - h[0]);
-        let mean = |power: fn(f64) -> f64| slopes.clone().map(power).sum::<f64>() / 4_000.0;
-        let variance = mean(|s| s * s);
-        mean(|s| s * s * s) / (variance * variance.sqrt())
-    };
     let [north, south] = [VERGENCE, -VERGENCE].map(skewness);
     // The way across points south of an axis that points east; both sides mirror each other.
     assert!(north.abs() > 0.2 && north * south < 0.0, "{north} {south}");
 }
 
+/// Strengths of ranges and folds of land that is worn, and hilly.
+fn strengths(worn: u16, hills: u16) -> [i32; 2] {
+    let vertex = Vertex {
+        worn,
+        hills,
+        ..vertex(0, 0)
+    };
+    FoldAxis::of(&vertex).strengths()
+}
+
 #[test]
 fn age_leaves_ridges_of_old_belts_alone() {
-    let at = |worn, hills| {
-        let vertex = Vertex {
-            worn,
-            hills,
-            ..vertex(0, 0)
-        };
-        FoldAxis::of(&vertex).strengths()
-    };
-    let young = at(0, 0);
+    let young = strengths(0, 0);
     assert!(young.iter().all(|&s| s > q16(0.99)), "{young:?}");
-    let old = at(u16::MAX, u16::MAX);
+    let old = strengths(u16::MAX, u16::MAX);
     assert!(
         old[0] < q16(0.001) && (q16(0.5)..q16(0.95)).contains(&old[1]),
         "{old:?}"
     );
     // A foreland has 0.7 of hills at most.
-    let foreland = at(u16::MAX, 45_875);
+    let foreland = strengths(u16::MAX, 45_875);
     assert!(foreland.iter().all(|&s| s < q16(0.001)), "{foreland:?}");
 }
 

@@ -30,13 +30,15 @@ fn piece_of(k: u32, waves: f64, winding: [i16; 2]) -> (Wander, i32) {
 
 /// Places of a river along its axis, metres.
 fn places(wander: &Wander, axis: i32) -> Vec<[f64; 2]> {
-    let place = |k: i32| {
-        let at = k * Q16 / 4096;
-        let beside = wander.at(at, axis);
-        let along = f64::from(axis) * f64::from(at) / 65_536.0 + f64::from(beside.along);
-        [along, f64::from(beside.across)].map(|x| x / 1024.0)
-    };
-    (0..=4096).map(place).collect()
+    let shares = (0..=4096).map(|k| k * Q16 / 4096);
+    shares.map(|at| place(wander, axis, at)).collect()
+}
+
+/// The place of a river beside a share of its axis, metres.
+fn place(wander: &Wander, axis: i32, at: i32) -> [f64; 2] {
+    let beside = wander.at(at, axis);
+    let along = f64::from(axis) * f64::from(at) / 65_536.0 + f64::from(beside.along);
+    [along, f64::from(beside.across)].map(|x| x / 1024.0)
 }
 
 fn way([a, b]: [[f64; 2]; 2]) -> f64 {

@@ -140,14 +140,18 @@ const GRADIENTS: [[f64; 3]; 16] = [
     [0.0, -1.0, -1.0],
 ];
 
+/// All 32-bit words.
+const ALL: u128 = 1 << 32;
+
+/// One round of the hash of a cell: each word takes in the product of the others.
+fn multiply([a, b, c]: [u128; 3]) -> [u128; 3] {
+    let a = (a + b * c) % ALL;
+    let b = (b + c * a) % ALL;
+    [a, b, (c + a * b) % ALL]
+}
+
 /// The hash of a cell in whole numbers that do not wrap, by remainders.
 fn hash_by_remainders(cell: [u32; 3], seed: u32) -> u32 {
-    const ALL: u128 = 1 << 32;
-    let multiply = |[a, b, c]: [u128; 3]| {
-        let a = (a + b * c) % ALL;
-        let b = (b + c * a) % ALL;
-        [a, b, (c + a * b) % ALL]
-    };
     let mut state = cell.map(|x| (u128::from(x) * 1_664_525 + 1_013_904_223) % ALL);
     state[0] ^= u128::from(seed);
     state = multiply(state).map(|x| x ^ (x / 65_536));

@@ -29,16 +29,20 @@ fn along(is_descent: bool, level: u32, ends: [&Vertex; 2], beside: [i32; 2], see
         seed: pcg(seed ^ 77),
         ..*ends[0]
     };
-    let corner = |height_m| CornerBeside {
-        height: metres(height_m),
-        distance: length / 8 * 7,
-    };
     let context = EdgeContext {
-        beside: beside.map(|height| Some(corner(height))),
+        beside: beside.map(|height_m| Some(corner(height_m, length))),
         is_descent,
         ..between_two(ends, &new, level, length)
     };
     f64::from(divide(&Rules::default(), &context)) / f64::from(GRAINS)
+}
+
+/// A corner beside an edge of some length.
+fn corner(height_m: i32, length: i32) -> CornerBeside {
+    CornerBeside {
+        height: metres(height_m),
+        distance: length / 8 * 7,
+    }
 }
 
 /// A vertex above the lower end of its edge keeps its way down for ever: what its descent is cut into

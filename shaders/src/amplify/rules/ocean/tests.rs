@@ -53,18 +53,22 @@ fn shelves_are_smooth_and_stay_under_water() {
     assert_eq!(relief(&floor(1, 1, -5), 52_000 * GRAINS), 0);
 }
 
+/// Places, or vertices, of which a mean is taken.
+const COUNT: u32 = 4_000;
+
+/// Mean of the squares of so many values.
+fn mean_square(value: impl Fn(u32) -> i32) -> f64 {
+    let values = (0..COUNT).map(|k| f64::from(value(k)));
+    values.map(|x| x * x).sum::<f64>() / f64::from(COUNT)
+}
+
 /// Under the levels that draw, the floor between an edge's ends goes on as rough as the octaves
 /// of its noise would be that are left out there.
 #[test]
 fn draws_go_on_where_the_noise_ends() {
-    const COUNT: u32 = 4_000;
-    let mean_square = |value: &dyn Fn(u32) -> i32| {
-        let values = (0..COUNT).map(|k| f64::from(value(k)));
-        values.map(|x| x * x).sum::<f64>() / f64::from(COUNT)
-    };
     let sea = floor(0, 5, 3_000);
     for level in SWELL_LEVEL + 1..=17 {
-        let drawn = mean_square(&|k| {
+        let drawn = mean_square(|k| {
             let mut new = Vertex {
                 level,
                 seed: pcg(k),
@@ -76,7 +80,7 @@ fn draws_go_on_where_the_noise_ends() {
         });
         let octave = u32::from(level - SWELL_LEVEL) + 4;
         let height = (0..octave).fold(FINE.height, |h, _| mul_q16(h, FINE.gain));
-        let noise = mean_square(&|k| {
+        let noise = mean_square(|k| {
             let at = [k, k + 70_000, k + 140_000].map(|k| (pcg(k) >> 1) as i32);
             let one = gradient(&mut CornerCache::default(), at, FINE.cell - octave, 5);
             mul_q16(height, one)
@@ -96,16 +100,18 @@ fn land_has_no_swell() {
     assert_eq!(new.swell, 0);
 }
 
+/// The relief of a floor whose ridge has a direction.
+fn relief_beside(ridge: [i16; 3], of: Vertex) -> i32 {
+    relief(&Vertex { ridge, ..of }, 52_000 * GRAINS)
+}
+
 /// Where the ridge's directions around a place are at right angles their mean is one of two, by
 /// chance. Whichever it is, the floor is the same: no scarp opens between the two.
 #[test]
 fn directions_that_disagree_make_no_scarp() {
     for i in 0..2_000 {
-        let at = |z| Vertex {
-            ridge: [0, 16_383, z],
-            ..floor(i * 400_000, 2, 2_600)
-        };
-        let [a, b] = [16_383, -16_383].map(|z| relief(&at(z), 52_000 * GRAINS));
+        let floor = floor(i * 400_000, 2, 2_600);
+        let [a, b] = [16_383, -16_383].map(|z| relief_beside([0, 16_383, z], floor));
         assert_eq!(a, b, "{i}");
     }
 }
@@ -115,11 +121,8 @@ fn directions_that_disagree_make_no_scarp() {
 #[test]
 fn short_directions_bend_no_stripes() {
     for i in 0..2_000 {
-        let at = |y| Vertex {
-            ridge: [0, y, 0],
-            ..floor(i * 400_000, 2, 2_600)
-        };
-        let [whole, short] = [32_767, 31_500].map(|y| relief(&at(y), 52_000 * GRAINS));
+        let floor = floor(i * 400_000, 2, 2_600);
+        let [whole, short] = [32_767, 31_500].map(|y| relief_beside([0, y, 0], floor));
         assert!((whole - short).abs() < 200, "{i}: {whole} {short}");
     }
 }

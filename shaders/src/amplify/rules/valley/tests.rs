@@ -68,12 +68,11 @@ fn beside_river(distance_m: f64, height_m: i32, flow: i32, valley: ValleyShape) 
 /// Width in metres of the water of a straight river, by steps of a 2000th of what is expected.
 fn wetted_width(scale: &PlanetScale, rules: &Rules, discharge: f64, expected: f64) -> f64 {
     let step = expected / 2_000.0;
-    let is_wet = |&k: &i32| {
-        let distance = (f64::from(k) * step * 1024.0) as i32;
-        let vertex = land(distance, metres(400), flow(discharge), ValleyShape::V);
-        carved(scale, rules, &vertex).is_wet()
-    };
-    let half = (0..4_000).take_while(is_wet).count();
+    let distances = (0..4_000).map(|k| (f64::from(k) * step * 1024.0) as i32);
+    let half = distances
+        .map(|distance| land(distance, metres(400), flow(discharge), ValleyShape::V))
+        .take_while(|vertex| carved(scale, rules, vertex).is_wet())
+        .count();
     2.0 * half as f64 * step
 }
 
