@@ -34,7 +34,7 @@ fn mean_height(local: &mut LocalGround<&Base>, places: &[[i32; 3]], level: u32) 
 }
 
 /// A planet without geology, of four times as long edges, which no constant was fitted to: within
-/// 15 % of the height. Without the lift level 0 shows its land nearly a half too low.
+/// a fifth of the height. Without the lift level 0 shows its land nearly a half too low.
 #[test]
 fn every_level_shows_the_same_land() {
     let base = base();
@@ -45,7 +45,7 @@ fn every_level_shows_the_same_land() {
     for level in 0..RESOLVED_LEVEL {
         let found = mean(level);
         assert!(
-            (found / fine - 1.0).abs() < 0.15,
+            (found / fine - 1.0).abs() < 0.2,
             "{level}: {found}, not {fine}"
         );
     }

@@ -116,6 +116,8 @@ pub struct Vertex {
     pub tide: u16,
     /// Whether a river or gully already branches here.
     pub branched: bool,
+    /// Whether a valley leads down from it; so at every vertex of level 0.
+    pub is_drained: bool,
     /// How far age has worn the land (A), Q16; see [`ControlVertex::worn`].
     pub worn: u16,
     /// How much the river winds here, Q15, and how it crosses its valley's axis: positive from the
@@ -176,6 +178,7 @@ impl Vertex {
             valley: control.valley,
             tide: 0,
             branched: false,
+            is_drained: true,
             worn: control.worn,
             winding: 0,
             keeps_course: false,

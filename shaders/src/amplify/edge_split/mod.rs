@@ -14,7 +14,7 @@ use super::curve::heading_of;
 use super::face_decide::junction_draw;
 use super::fixed::{Q16, difference};
 use super::rules::ocean::OceanCache;
-use super::rules::{self, EdgeKind, Rules, STRAIGHT_LEVEL, VertexGround, meander, ocean};
+use super::rules::{self, EdgeKind, Rules, STRAIGHT_LEVEL, VertexGround, gully, meander, ocean};
 use super::scale::PlanetScale;
 use super::seed::between;
 use super::topology::{Edge, LevelMesh};
@@ -86,6 +86,7 @@ pub fn split(
     new.river_distance = expected_distance(edge.kind, ends, length);
     new.discharge = gathered(a, edge);
     (new.lake, new.lake_level) = lakes::around(level, ends, opposite);
+    new.is_drained = gully::is_drained(edge.kind, level, new.seed, ends);
     let context = EdgeContext {
         a,
         b,
@@ -234,6 +235,7 @@ fn average(a: &Vertex, b: &Vertex, level: u32) -> Vertex {
         valley: if seed & 1 == 0 { a.valley } else { b.valley },
         tide: 0,
         branched: false,
+        is_drained: false,
         worn: mean(a.worn, b.worn),
         winding: 0,
         keeps_course: false,

@@ -26,31 +26,39 @@ pub const RESOLVED_LEVEL: u32 = 8;
 
 /// Share k by level at dry ground.
 const OPEN_GROUND: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.165),
-    q16(0.512),
+    q16(0.119),
     q16(0.367),
-    q16(0.24),
-    q16(0.132),
-    q16(0.024),
+    q16(0.287),
+    q16(0.208),
+    q16(0.154),
+    q16(0.04),
     0,
     0,
 ];
 
 /// The same in the bed of a gully.
 const GULLY: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.421),
-    q16(0.306),
-    q16(0.207),
-    q16(0.091),
-    q16(0.014),
+    q16(0.332),
+    q16(0.223),
+    q16(0.155),
+    q16(0.098),
+    q16(0.051),
     0,
     0,
     0,
 ];
 
 /// The same in the bed of a river: less, for its valley floor stays.
-const RIVER: [i32; RESOLVED_LEVEL as usize] =
-    [q16(0.295), q16(0.178), q16(0.099), q16(0.041), 0, 0, 0, 0];
+const RIVER: [i32; RESOLVED_LEVEL as usize] = [
+    q16(0.24),
+    q16(0.134),
+    q16(0.095),
+    q16(0.056),
+    q16(0.023),
+    0,
+    0,
+    0,
+];
 
 /// How much more land gains that is worn down altogether: its hills are laid on what slopes build.
 const WORN_GAIN: i32 = q16(0.1);

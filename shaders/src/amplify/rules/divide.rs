@@ -71,7 +71,7 @@ pub(super) fn gain(context: &EdgeContext, draws: RiseDraws, steep: i32, bulge: i
 }
 
 /// Room between the higher end and the crust elevation C, grains.
-fn room(context: &EdgeContext, steep: i32) -> i32 {
+pub(super) fn room(context: &EdgeContext, steep: i32) -> i32 {
     let new = context.new;
     let [a, b] = [context.a.height, context.b.height];
     let relief = (new.crust - a.min(b)).max(0);
@@ -82,7 +82,7 @@ fn room(context: &EdgeContext, steep: i32) -> i32 {
 /// Most that a crest takes of the room, between the least and the greatest draw; Q16. Little while
 /// edges are longer than the spacing of valleys: where a coarse vertex stood near C already, the
 /// land around it would fill up to a table under C, and no crest could stand out.
-fn part(level: u32, chi: i32) -> i32 {
+pub(super) fn part(level: u32, chi: i32) -> i32 {
     /// By level; the last holds for all that follow.
     const LEAST_AND_GREATEST: [[i32; 2]; 4] = [
         [q16(0.15), q16(0.5)],

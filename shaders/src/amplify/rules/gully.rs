@@ -3,11 +3,11 @@
 //! A gully follows the rules of a river without its water. It climbs steeper, and branches down to
 //! hillslopes.
 
-use super::VertexGround;
 use super::preset::Rules;
+use super::{EdgeKind, VertexGround};
 use crate::amplify::arith::{mix, mul_q16, ordered, smoothstep};
 use crate::amplify::control::VertexKind;
-use crate::amplify::fixed::{metres, q16};
+use crate::amplify::fixed::{Q16, metres, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::{EdgeContext, Vertex};
 
@@ -45,15 +45,18 @@ const GREAT_FLOW: i32 = q16(0.5);
 /// How much higher a gully's tip must stand to branch off another, grains (release).
 const LEAST_HILLSLOPE: i32 = metres(50);
 
-/// First level whose new land may drain along its edge.
-const FIRST_DRAIN_LEVEL: u32 = 1;
+/// Number of coarse levels, whose edges are longer than hillsides: 6 km and more on an Earth-sized
+/// planet. Their valleys are the trunks of a range.
+const COARSE_LEVELS: usize = 4;
 
-/// First level on which all of it does.
-const FIRST_DRAINED_LEVEL: u32 = 4;
+/// Share of the new land of a coarse level from which a valley leads down; from all land of finer
+/// levels a gully does. Crests begin on the rest: where every edge around a vertex of a trunk valley
+/// led another into it, they cut its sides down to a plain.
+const DRAINED_SHARE: [i32; COARSE_LEVELS] = [Q16, q16(0.7), q16(0.7), q16(0.7)];
 
-/// Share of the new land that does on the levels before. Where every edge around a vertex of a trunk
-/// valley led a drain into it, they cut its sides down to a plain.
-const DRAINED_SHARE: i32 = q16(0.4);
+/// Least rise of a valley over half of an edge, as a share of the slope of the land there. The draw
+/// adds as much again. The shorter a valley is the steeper it is, as small streams are.
+const VALLEY_RISE: [i32; COARSE_LEVELS] = [q16(0.04), q16(0.055), q16(0.08), q16(0.12)];
 
 /// Coarsest levels over which gullies become less hollow.
 const HOLLOW_LEVELS: u32 = 9;
@@ -127,21 +130,39 @@ pub fn is_gully(
     !off_gully || (share(seed, 9) < rules.gully_branching && high_enough)
 }
 
-/// Whether new dry land drains along the half of its edge that leads to `end`: to the lower end of
-/// an edge of the ground. On the coarse levels a part of it does, and drains stay apart; the rest
-/// keeps a way down that is no valley. The control mesh's own edges have no drains: valleys along all
-/// of them would show it.
+/// Whether a valley is to lead down from the vertex that halves an edge between two ends; `seed` is
+/// the vertex's. On the coarse levels it must lead to another one: valleys join into longer ones, all
+/// the way to a river.
+pub fn is_drained(edge: EdgeKind, level: u32, seed: u32, [a, b]: [&Vertex; 2]) -> bool {
+    let share_of_level = match DRAINED_SHARE.get(level as usize) {
+        Some(&share) if edge == EdgeKind::Terrain => share,
+        _ => return true,
+    };
+    let lower = if is_below(a, b) { a } else { b };
+    lower.is_drained && share(seed, 21) < share_of_level
+}
+
+/// Most that the floor of a valley rises over its lower end up to the middle of an edge, grains;
+/// `None` on levels whose gullies climb their hillsides. `slope` is the rise of the land there over
+/// half of the edge, `xi` the draw.
+pub(super) fn most_rise(level: u32, slope: i32, xi: i32) -> Option<i32> {
+    let &least = VALLEY_RISE.get(level as usize)?;
+    Some(mul_q16(slope, least + mul_q16(xi, least)))
+}
+
+/// Whether new dry land drains by a gully along the half of its edge that leads to `end`: to the
+/// lower end of an edge of the ground.
 pub fn drains(rules: &Rules, level: u32, new: &Vertex, end: &Vertex, other: &Vertex) -> bool {
-    rules.landforms
-        && (FIRST_DRAIN_LEVEL..rules.gully_levels).contains(&level)
-        && (level >= FIRST_DRAINED_LEVEL || share(new.seed, 21) < DRAINED_SHARE)
-        && leads_down(new, end, other)
+    rules.landforms && level < rules.gully_levels && new.is_drained && leads_down(new, end, other)
 }
 
 /// Whether the half of an edge that leads to `end` is the way down of the dry land in its middle.
 pub fn leads_down(new: &Vertex, end: &Vertex, other: &Vertex) -> bool {
-    new.kind == VertexKind::Terrain
-        && new.height > end.height
-        // Seeds decide between level ends, so that one half drains and not both.
-        && (end.height, end.seed) < (other.height, other.seed)
+    new.kind == VertexKind::Terrain && new.height > end.height && is_below(end, other)
+}
+
+/// Whether an end of an edge is the lower one. Seeds decide between level ends, so that one half
+/// drains and not both.
+fn is_below(end: &Vertex, other: &Vertex) -> bool {
+    (end.height, end.seed) < (other.height, other.seed)
 }

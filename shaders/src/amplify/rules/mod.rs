@@ -31,6 +31,7 @@ pub mod river;
 pub mod shift;
 pub mod slope;
 pub mod terrain;
+pub mod threshold;
 
 pub mod valley;
 

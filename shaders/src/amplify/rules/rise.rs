@@ -7,7 +7,9 @@
 //!
 //! - ends of one height with lower ground on both sides have a divide between them ([`divide`]);
 //! - where the rise is a whole slope or more the edge is a hillside;
-//! - in between the two are mixed.
+//! - in between the two are mixed;
+//! - the floor of a valley stands little above its lower end ([`gully`]);
+//! - the sides of valleys rise at the angle of their rock, whatever draw there is ([`threshold`]).
 //!
 //! From no corner around it does the middle stand steeper than its rock bears: so the sides of a
 //! valley rise from its floor evenly, whatever levels make them.
@@ -23,7 +25,7 @@ use super::divide::{evenness, gain};
 use super::fold::RiseDraws;
 use super::landform::steepness;
 use super::preset::Rules;
-use super::{FACE_LEVEL, fine};
+use super::{FACE_LEVEL, fine, gully, threshold};
 use crate::amplify::arith::{mix, mul_q16, ordered};
 use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::{Q16, metres, q16};
@@ -63,7 +65,7 @@ const BENT_LEVELS: u32 = 4;
 
 /// Most rise of a slope, grains: beyond any crust, and fit for the greatest bulge of a fold, which is
 /// eleven times as high before it is bounded by the room under the crust.
-const MOST_SLOPE: i32 = metres(150_000);
+pub(super) const MOST_SLOPE: i32 = metres(150_000);
 
 /// Height of the middle of an edge between two drains or on open ground.
 pub fn divide(rules: &Rules, context: &EdgeContext) -> i32 {
@@ -84,32 +86,63 @@ pub fn hillslope(rules: &Rules, context: &EdgeContext) -> i32 {
 /// Height of the middle of an edge. `bulge` (Q16) is the share of the full slope by which it
 /// overtops the higher end.
 fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
+    let land = EdgeLand::of(rules, context);
     let (low, high) = ordered(context.a.height, context.b.height);
-    let steep = steepness(rules, context.new);
-    let slope = slope(context, steep);
-    let draws = RiseDraws::of(context);
-    let bulge = mul_q16(bulge, draws.bulge);
-    let evenness = evenness(context, slope);
-    // Between level ends the ground is a crest, beside a whole slope a hillside, in between both.
-    // Squared, so that a hillside stays one until its ends are nearly level.
-    let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
-    let even = mix(hillside(rules, context, draws.xi), high, towards_crest);
-    let gain = gain(
-        context,
-        draws,
-        steep,
-        mul_q16(mul_q16(slope, evenness), bulge),
-    );
-    let crest = even + gain + bend(context);
-    let risen = crest
-        .min(steepest(context, steep, slope, draws.chi))
-        .max(least(context, low, high));
+    let risen = match gully::most_rise(context.level, land.slope, land.draws.xi) {
+        Some(most) if context.new.is_drained => {
+            let floor = least(context).max(low + most);
+            crest(rules, context, &land, bulge).min(floor)
+        }
+        _ if threshold::holds(context.level) => threshold::height(context, &land) + bend(context),
+        _ => crest(rules, context, &land, bulge),
+    };
     if context.level > LAST_CREST_LEVEL || context.is_descent {
         let step = (high - low) / LEAST_STEP;
         risen.clamp(low + step, high - step)
     } else {
         risen
     }
+}
+
+/// The land at the middle of an edge, as all rules of its rise see it.
+pub(super) struct EdgeLand {
+    /// Tangent of its slopes, Q16.
+    pub(super) steep: i32,
+    /// Rise of such a slope over half of the edge, grains.
+    slope: i32,
+    /// Its draws.
+    pub(super) draws: RiseDraws,
+}
+
+impl EdgeLand {
+    pub(super) fn of(rules: &Rules, context: &EdgeContext) -> Self {
+        let steep = steepness(rules, context.new);
+        Self {
+            steep,
+            slope: slope(context, steep),
+            draws: RiseDraws::of(context),
+        }
+    }
+}
+
+/// Height of the middle of an edge between a crest, if its ends are level, and an even hillside.
+fn crest(rules: &Rules, context: &EdgeContext, land: &EdgeLand, bulge: i32) -> i32 {
+    let EdgeLand {
+        steep,
+        slope,
+        draws,
+    } = *land;
+    let high = context.a.height.max(context.b.height);
+    let bulge = mul_q16(bulge, draws.bulge);
+    let evenness = evenness(context, slope);
+    // Between level ends the ground is a crest, beside a whole slope a hillside, in between both.
+    // Squared, so that a hillside stays one until its ends are nearly level.
+    let towards_crest = mul_q16(mul_q16(evenness, evenness), bulge.min(Q16));
+    let even = mix(hillside(rules, context, draws.xi), high, towards_crest);
+    let full = mul_q16(mul_q16(slope, evenness), bulge);
+    let crest = even + gain(context, draws, steep, full) + bend(context);
+    let most = steepest(context, steep, slope, draws.chi);
+    crest.min(most).max(least(context))
 }
 
 /// The highest that the middle of an edge may stand over the corners around it, drawn anew for each
@@ -172,7 +205,8 @@ const fn foot(context: &EdgeContext) -> i32 {
 }
 
 /// The lowest that the middle of an edge may stand, so that it drains to the lower end.
-fn least(context: &EdgeContext, low: i32, high: i32) -> i32 {
+pub(super) fn least(context: &EdgeContext) -> i32 {
+    let (low, high) = ordered(context.a.height, context.b.height);
     // The last term lifts the middle of a level edge, by a 4096th of its length.
     let least = mix(low, high, LEAST_RISE) + (context.length >> 12).max(1);
     // A small face drains to its lowest corner, which need not be an end of the edge.

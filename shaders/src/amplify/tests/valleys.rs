@@ -1,6 +1,7 @@
-//! Valleys: the ground drains without hollows.
+//! Valleys: the ground drains without hollows, and valleys lead on to rivers.
 
 use super::*;
+use crate::amplify::rules::EdgeKind;
 use crate::amplify::topology::{Level, NONE};
 use crate::amplify::vertices::Vertices;
 
@@ -43,4 +44,43 @@ fn land_has_no_hollows() {
     }
     assert!(land > 1_000, "{land}");
     assert!(pits * 1_000 < land, "{pits} of {land}");
+}
+
+/// Valleys of the coarse levels join into longer ones: where one ends another begins, or water, or
+/// the floor of a basin of the control mesh.
+#[test]
+fn valleys_lead_on_to_rivers() {
+    const LEVEL: u32 = 4;
+    let base = planet();
+    let [mut ends, mut lost] = [0, 0];
+    for k in 0..6 {
+        let ground = refined(&base, &View::disc(direction(k), 60_000, LEVEL));
+        let level = &ground.levels[LEVEL as usize];
+        let mut leads_on = vec![false; ground.vertices.len()];
+        for (edge, _) in level
+            .edges()
+            .filter(|(edge, _)| edge.kind != EdgeKind::Terrain)
+        {
+            leads_on[edge.vertices[0] as usize] = true;
+        }
+        let rim: Vec<u32> = level
+            .edges()
+            .filter(|(edge, _)| edge.faces.contains(&NONE))
+            .flat_map(|(edge, _)| edge.vertices)
+            .collect();
+        for (edge, _) in level
+            .edges()
+            .filter(|(edge, _)| edge.kind == EdgeKind::Gully)
+        {
+            let end = edge.vertices[1];
+            let vertex = &ground.vertices[end as usize];
+            let is_dry = matches!(vertex.kind, VertexKind::Terrain | VertexKind::Gully);
+            if is_dry && vertex.level > 0 && !rim.contains(&end) {
+                ends += 1;
+                lost += u32::from(!leads_on[end as usize]);
+            }
+        }
+    }
+    assert!(ends > 1_000, "{ends}");
+    assert_eq!(lost, 0, "of {ends}");
 }

@@ -18,6 +18,7 @@ fn pair(seed: u32, kinds: [VertexKind; 2]) -> [Vertex; 2] {
         direction: [0, 0, (draw(seed, 30) % ONE as u32) as i32],
         river_distance: (draw(seed, 31) % metres(40_000) as u32) as i32,
         branched: true,
+        is_drained: true,
         ..vertex(seed, kind)
     })
 }
