@@ -17,6 +17,7 @@ use bevy_pangaea::query::{
     AzimuthalEquidistant, DegreeBox, FieldGround, GridProjection, Ground, GroundError, MapGrid,
     MapSquare, TileBlock,
 };
+use std::path::PathBuf;
 
 /// Runs the command.
 ///
@@ -40,12 +41,31 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
     }
     let ground = ground(&bake_planet(state, climate)?)?;
     say(&scale_of(&job.grid()));
+    let older = job.files().older_tiles();
     let exported = match field {
         Some(field) => run(&job, &FieldGround::new(ground, field))?,
         None => run(&job, &ground)?,
     };
     report(args, &exported);
+    warn_of_older(&older);
     Ok(())
+}
+
+/// Names the tiles of an older block that the new manifest does not list. They stay: nothing that
+/// the user has is removed unasked.
+fn warn_of_older(tiles: &[PathBuf]) {
+    let Some((first, others)) = tiles.split_first() else {
+        return;
+    };
+    let (first, count) = (first.display(), others.len());
+    let more = if count == 0 {
+        String::new()
+    } else {
+        format!(" and {count} more")
+    };
+    say(&format!(
+        "warning: tiles of an older block stay, which the .json does not list any more: {first}{more}"
+    ));
 }
 
 /// The area that is asked for, before the size of the planet is known.

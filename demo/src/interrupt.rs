@@ -2,11 +2,13 @@
 //! half done; where they do not look in time, they are ended.
 //!
 //! Ctrl-C is SIGINT; terminals that are closed send SIGHUP; `docker stop`, systemd, batch systems and
-//! `timeout` send SIGTERM.
+//! `timeout` send SIGTERM. Batch systems warn by SIGUSR1, SIGUSR2 or SIGXCPU before they kill.
 
 #[cfg(unix)]
 use crate::ending;
 use crate::error::CliError;
+#[cfg(unix)]
+use libc::{SIGUSR1, SIGUSR2, SIGXCPU};
 #[cfg(unix)]
 use signal_hook::consts::{SIGHUP, SIGQUIT};
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -17,7 +19,7 @@ use std::sync::{Arc, LazyLock, Once};
 
 /// The signals that end a program.
 #[cfg(unix)]
-const SIGNALS: [i32; 4] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT];
+const SIGNALS: [i32; 7] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU];
 /// The signals that end a program.
 #[cfg(not(unix))]
 const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
@@ -34,6 +36,11 @@ pub fn watch() {
         let is_asked = Arc::default();
         for signal in SIGNALS.into_iter().filter(|&signal| !is_ignored(signal)) {
             let _ = note(signal, &is_asked);
+        }
+        #[cfg(unix)]
+        // SAFETY: no handler is run. A file that grows beyond the limit is an error of its write.
+        unsafe {
+            libc::signal(libc::SIGXFSZ, libc::SIG_IGN);
         }
     });
 }

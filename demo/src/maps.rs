@@ -63,12 +63,15 @@ impl MapSet {
         let grey = png::elevation_png(map.width(), &elevation).map_err(not_encoded)?;
         files.add(ELEVATION_FILE, grey);
         let bar = progress::bar(self.overlays.len() as u64, "maps", "drawing");
-        for &overlay in &self.overlays {
+        map.draw_each(&self.overlays, &input, |overlay, picture| {
             interrupt::check()?;
-            let picture = png::rgb_png(&map.draw(overlay, &input)).map_err(not_encoded)?;
-            files.add(&file_name(overlay), picture);
+            files.add(
+                &file_name(overlay),
+                png::rgb_png(&picture).map_err(not_encoded)?,
+            );
             bar.inc(1);
-        }
+            Ok::<_, CliError>(())
+        })?;
         bar.finish_and_clear();
         Ok(())
     }

@@ -55,7 +55,7 @@ fn short_of_memory_the_explorer_says_so_in_one_line() {
     let folder = TempDir::new().unwrap();
     // From too little for its threads to enough for the next fault, that there is no display.
     for kibibytes in [145_000, 150_000, 155_000, 400_000] {
-        let output = pangaea_within(kibibytes, folder.path(), &[]);
+        let output = pangaea_within(&format!("v {kibibytes}"), folder.path(), &[]);
         let text = stderr(&output);
         assert_eq!(output.status.code(), Some(1), "{kibibytes}: {text}");
         assert_eq!(text.lines().count(), 1, "{kibibytes}: {text}");

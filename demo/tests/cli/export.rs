@@ -189,6 +189,28 @@ fn tiles_are_written_with_a_manifest() {
 }
 
 #[test]
+fn tiles_of_an_older_block_are_named() {
+    let folder = planet();
+    let square = ["export", "planet.pangaea", "--region=60,20,60"];
+    let tiles = |block| {
+        let tiles = ["--pixels", "9", "--tiles", block, "--out", "t.png"];
+        let output = pangaea(folder.path(), &[&square[..], &tiles].concat());
+        assert!(output.status.success());
+        stderr(&output)
+    };
+    fs::write(folder.path().join("t_7_7.png"), "a picture of the user's").unwrap();
+    assert!(!tiles("2x2").contains("warning"));
+    assert!(!tiles("2x2").contains("warning"));
+    let said = tiles("3x1");
+    assert!(
+        said.contains("warning") && said.contains("t_0_1.png and 1 more"),
+        "{said}"
+    );
+    // The list is that of the last block.
+    assert!(!tiles("3x1").contains("warning"));
+}
+
+#[test]
 fn a_range_makes_greys_of_two_squares_alike() {
     let folder = planet();
     for region in ["10,20,60", "60,20,60"] {

@@ -24,11 +24,19 @@ fn assert_ended_by(signal: &str, code: i32, mut child: Child, before: &str) {
     assert_eq!(text, expected);
 }
 
+/// Signals by which batch systems tell that they will kill, and their codes where numbers of
+/// signals are Linux's.
+#[cfg(target_os = "linux")]
+const WARNINGS: [(&str, i32); 3] = [("USR1", 138), ("USR2", 140), ("XCPU", 152)];
+#[cfg(not(target_os = "linux"))]
+const WARNINGS: [(&str, i32); 0] = [];
+
 #[test]
 fn signals_end_a_command_and_leave_nothing() {
     let size = ["generate", "--samples", "5000", "--until", "10000"];
     let args = [&size[..], &["--out", "a/b/c"]].concat();
-    for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129), ("QUIT", 131)] {
+    let usual = [("INT", 130), ("TERM", 143), ("HUP", 129), ("QUIT", 131)];
+    for (signal, code) in usual.into_iter().chain(WARNINGS) {
         let folder = TempDir::new().unwrap();
         let child = begun(folder.path(), &args, Stdio::null());
         // It listens before it makes the folders.
@@ -58,9 +66,22 @@ fn a_signal_in_work_that_does_not_look_for_it_leaves_nothing() {
 
 #[cfg(target_os = "linux")]
 #[test]
+fn a_file_beyond_the_limit_is_an_error_and_leaves_nothing() {
+    let folder = planet();
+    let square = ["export", "planet.pangaea", "--region", "0,0,100"];
+    let file = ["--pixels", "512", "--level", "0", "--out", "a.tif"];
+    let output = pangaea_within("f 512", folder.path(), &[&square[..], &file].concat());
+    let text = stderr(&output);
+    assert!(text.contains("error: cannot write"), "{text}");
+    assert!(output.status.code().is_some(), "no signal ended it");
+    assert_eq!(names_in(folder.path()), ["planet.pangaea"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
 fn the_end_of_memory_is_one_line_and_leaves_nothing() {
     let folder = TempDir::new().unwrap();
-    let output = pangaea_within(400_000, folder.path(), &LONG);
+    let output = pangaea_within("v 400000", folder.path(), &LONG);
     let text = stderr(&output);
     assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(text.starts_with("error: memory is full"), "{text}");

@@ -33,10 +33,10 @@ pub(super) fn begun(folder: &Path, args: &[&str], input: Stdio) -> Child {
         .expect("the program starts")
 }
 
-/// Runs the program with at most so many KiB of addresses.
+/// Runs the program with a limit, as `ulimit` takes it: "v 400000" are so many KiB of addresses.
 #[cfg(target_os = "linux")]
-pub(super) fn pangaea_within(kibibytes: u32, folder: &Path, args: &[&str]) -> Output {
-    let limited = format!("ulimit -v {kibibytes} && exec \"$0\" \"$@\"");
+pub(super) fn pangaea_within(limit: &str, folder: &Path, args: &[&str]) -> Output {
+    let limited = format!("ulimit -{limit} && exec \"$0\" \"$@\"");
     Command::new("sh")
         .args(["-c", &limited, env!("CARGO_BIN_EXE_pangaea")])
         .args(args)

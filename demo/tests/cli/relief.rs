@@ -279,9 +279,9 @@ fn wide_raster(side: u32) -> Vec<u8> {
     file
 }
 
-/// Memory that a model may take, threads included.
+/// Memory that a model may take, threads included, in KiB.
 #[cfg(target_os = "linux")]
-const FEW_KIBIBYTES: u32 = 1_300_000;
+const LITTLE_MEMORY: &str = "v 1300000";
 
 #[cfg(target_os = "linux")]
 #[test]
@@ -291,7 +291,7 @@ fn a_raster_of_many_pixels_takes_little_memory() {
     fs::create_dir(&tiles).unwrap();
     // Whole it has 3.6 GB of heights.
     fs::write(tiles.join("wide.tif"), wide_raster(30_000)).unwrap();
-    let output = pangaea_within(FEW_KIBIBYTES, folder.path(), &BESIDE_TILES);
+    let output = pangaea_within(LITTLE_MEMORY, folder.path(), &BESIDE_TILES);
     let said = stderr(&output);
     assert!(output.status.success(), "{said}");
     assert_contains(

@@ -5,8 +5,10 @@
 
 pub mod classes;
 
+mod axis;
 mod ramps;
 
+pub use axis::axis_hue;
 pub use ramps::{AGE, AMOUNT, DISCHARGE, DIVERGING, HYPSOMETRIC, RAIN, STEEPNESS, TEMPERATURE};
 
 use crate::math;
@@ -22,9 +24,9 @@ impl Ramp {
     /// The colour at position `x`; beyond the ends, that of the end; NaN has that of the start.
     pub fn at(&self, x: f32) -> Rgba {
         let stops = self.0;
-        let after = stops.partition_point(|&(position, _)| position <= x);
-        // NaN compares with no stop, and counts as the start.
-        if after == 0 || x.is_nan() {
+        // One by one: stops are few, and maps ask a hundred million times. NaN is beyond no stop.
+        let after = stops.iter().take_while(|stop| stop.0 <= x).count();
+        if after == 0 {
             return opaque(stops[0].1);
         }
         if after == stops.len() {
@@ -110,11 +112,6 @@ pub fn distinct(n: u32) -> Rgba {
     // near hues apart.
     let lightness = [0.70, 0.60, 0.78][n as usize % 3];
     oklch(lightness, 0.115, turn)
-}
-
-/// Hues of a half turn of azimuth: 0 and 180 degrees are the same axis and the same colour.
-pub fn axis_hue(degrees: f64) -> Rgba {
-    oklch(0.72, 0.125, 0.08 + degrees / 180.0)
 }
 
 #[cfg(test)]

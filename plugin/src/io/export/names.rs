@@ -2,8 +2,11 @@
 
 use super::error::ExportError;
 use super::format::ExportFormat;
-use crate::io::Output;
+use crate::io::{Output, is_marked};
+use serde_json::Value;
+use std::collections::BTreeSet;
 use std::ffi::OsString;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files of an export.
@@ -95,6 +98,22 @@ impl ExportFiles {
         self.tiles.map(|_| json_of(&self.path))
     }
 
+    /// The tiles of an older block that stay beside the files of this export: those that the
+    /// manifest of its name lists so far, that are there, and that it does not write. Empty where
+    /// there is no such manifest.
+    pub fn older_tiles(&self) -> Vec<PathBuf> {
+        let ours = |manifest: &PathBuf| is_marked(manifest).is_ok_and(|is_ours| is_ours);
+        let own: BTreeSet<_> = self.all().into_iter().collect();
+        let manifest = self.manifest().filter(ours);
+        let listed = manifest.as_deref().map(listed_files).unwrap_or_default();
+        let paths = listed
+            .into_iter()
+            .map(|name| self.path.with_file_name(name));
+        paths
+            .filter(|path| path.is_file() && !own.contains(path))
+            .collect()
+    }
+
     /// All files.
     pub fn all(&self) -> Vec<PathBuf> {
         [self.named(), self.beside()].concat()
@@ -107,6 +126,18 @@ impl ExportFiles {
         name.push(self.path.extension().unwrap_or_default());
         self.path.with_file_name(name)
     }
+}
+
+/// The names of the tiles that a manifest lists; none if it cannot be read. A path is no name.
+fn listed_files(manifest: &Path) -> Vec<String> {
+    let text = fs::read(manifest).unwrap_or_default();
+    let manifest: Value = serde_json::from_slice(&text).unwrap_or_default();
+    let tiles = manifest["files"].as_array().map_or(&[][..], Vec::as_slice);
+    let names = tiles.iter().filter_map(|tile| tile["file"].as_str());
+    names
+        .filter(|name| Path::new(name).file_name() == Some(name.as_ref()))
+        .map(str::to_owned)
+        .collect()
 }
 
 /// The name of a file without its folder.

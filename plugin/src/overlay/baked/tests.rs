@@ -1,7 +1,10 @@
-use super::*;
+use super::{draw as draw_on, *};
 use crate::climate::{ClimateMaps, EquirectMap};
 use crate::control::{BakeFrame, BakeRules, BakeSource};
-use crate::hydrology::TerrainMaps;
+use crate::hydrology::{NO_VERTEX, TerrainMaps};
+use crate::overlay::palette::classes;
+use crate::overlay::raster::Raster;
+use crate::overlay::rivers;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -17,6 +20,14 @@ pub(crate) fn bake() -> Bake {
     let frame = Arc::new(BakeFrame::new(1, 0.04, None).unwrap());
     let (source, own) = (BakeSource::Maps(&maps), ClimateMaps::default());
     Bake::new(&frame, 6370.0, &source, &own, &BakeRules::default()).unwrap()
+}
+
+/// The map of one overlay.
+fn draw(overlay: Overlay, bake: &Bake, width: u32, height: u32) -> Raster {
+    let mut raster = [Raster::black(width, height)];
+    draw_on(&[overlay], bake, &mut raster);
+    let [raster] = raster;
+    raster
 }
 
 /// The colour of a pixel.
@@ -55,10 +66,39 @@ fn the_equator_is_redder_than_the_pole() {
     assert!(pixel(&warmth, 5, 32)[0] > pixel(&warmth, 5, 1)[0]);
 }
 
+#[test]
+fn maps_drawn_together_are_those_drawn_alone() {
+    let bake = bake();
+    let overlays: Vec<_> = Overlay::ALL
+        .into_iter()
+        .filter(|o| o.needs_bake())
+        .collect();
+    let mut together = vec![Raster::black(96, 48); overlays.len()];
+    draw_on(&overlays, &bake, &mut together);
+    for (overlay, map) in overlays.into_iter().zip(together) {
+        assert!(map == draw(overlay, &bake, 96, 48), "{overlay:?}");
+    }
+}
+
+#[test]
+fn pixels_have_the_colours_of_their_centres() {
+    let bake = bake();
+    let shown = Shown::new(Overlay::Temperature, &bake);
+    let map = draw(Overlay::Temperature, &bake, 96, 48);
+    for (x, y) in [(0, 0), (95, 47), (50, 13)] {
+        let (lat, lon) = (
+            90.0 - (f64::from(y) + 0.5) * 3.75,
+            (f64::from(x) + 0.5) * 3.75 - 180.0,
+        );
+        let at = bake.mesh().locate(crate::math::direction(lat, lon));
+        assert_eq!(pixel(&map, x, y), shown.at(&BasePlace::new(&bake, at)));
+    }
+}
+
 /// How dark the map of discharge is at a vertex of the base mesh.
-fn darkness(bake: &Bake, i: u32) -> i32 {
-    let place = bake.mesh().locate(bake.mesh().point(i));
-    let color = color_at(Overlay::Drainage, bake, &place);
+fn darkness(shown: &Shown, bake: &Bake, i: u32) -> i32 {
+    let at = bake.mesh().locate(bake.mesh().point(i));
+    let color = shown.at(&BasePlace::new(bake, at));
     -color[..3].iter().map(|&c| i32::from(c)).sum::<i32>()
 }
 
@@ -72,9 +112,10 @@ fn discharge_darkens_down_the_rivers() {
         .filter(|&(i, to)| on_land(i) && on_land(to))
         .collect();
     assert!(steps.len() > 1000);
+    let shown = Shown::new(Overlay::Drainage, &bake);
     for (i, to) in steps {
         assert!(
-            darkness(&bake, i) <= darkness(&bake, to) + 1,
+            darkness(&shown, &bake, i) <= darkness(&shown, &bake, to) + 1,
             "no water is lost on the way down"
         );
     }

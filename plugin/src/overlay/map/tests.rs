@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::crust::{Cover, Crust, CrustKind, Orogeny};
+use crate::overlay::baked::tests::bake;
 use crate::overlay::palette::{self, Rgba};
 use crate::overlay::{BoundaryKind, Legend, LegendEntries, boundaries, colorize};
 use crate::params::TectonicParams;
@@ -121,6 +122,26 @@ fn maps(small: &SmallPlanet, threads: usize) -> [Raster; Overlay::COUNT] {
 fn the_same_map_on_any_number_of_threads() {
     let small = small(0.01);
     assert_eq!(maps(&small, 1), maps(&small, 3));
+}
+
+#[test]
+fn maps_drawn_together_are_those_drawn_alone() {
+    let small = small(0.01);
+    let bake = bake();
+    let input = OverlayInput {
+        bake: Some(&bake),
+        ..small.input()
+    };
+    let map = MapProjection::new(&small.mesh, 96, 48);
+    let mut drawn = Vec::new();
+    let ended = map.draw_each(&Overlay::ALL, &input, |overlay, raster| {
+        assert!(raster == map.draw(overlay, &input), "{overlay:?}");
+        drawn.push(overlay);
+        // An error ends it, whatever is drawn together.
+        (overlay != Overlay::Rain).then_some(()).ok_or("enough")
+    });
+    assert_eq!(ended, Err("enough"));
+    assert!(drawn[..] == Overlay::ALL[..drawn.len()] && drawn.ends_with(&[Overlay::Rain]));
 }
 
 /// The kind of boundary at a place, or beside it.

@@ -53,9 +53,3 @@ fn oklch_knows_black_white_and_red() {
     let red = oklch(0.627_955, 0.257_683, 29.2339 / 360.0);
     assert!(red[0] >= 254 && red[1] <= 2 && red[2] <= 2, "{red:?}");
 }
-
-#[test]
-fn an_axis_has_one_colour() {
-    assert_eq!(axis_hue(0.0), axis_hue(180.0));
-    assert_ne!(axis_hue(0.0), axis_hue(90.0));
-}

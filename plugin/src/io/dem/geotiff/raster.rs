@@ -173,6 +173,11 @@ impl<R: Read + Seek> RasterFile<R> {
                 keys::MODEL_TYPE,
                 "(none: degrees or metres are not told)",
             )),
+            // So are pictures written that have no place at all.
+            System::Unknown if placement.is_plain() => Err(invalid(
+                "the file tells no size of its pixels: its ModelTransformation or ModelPixelScale \
+                 counts them",
+            )),
             System::Unknown => Ok((pixel, None)),
         }
     }

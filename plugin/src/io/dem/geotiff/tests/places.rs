@@ -90,6 +90,11 @@ fn rasters_without_a_sound_place_are_refused() {
     assert!(nowhere.to_string().contains("ModelPixelScale"));
     let unknown = dem(at([1e-3, 1e-3], 7.0, 46.0), &[], &[]).unwrap_err();
     assert!(unknown.to_string().contains("GTModelTypeGeoKey"));
+    // As GDAL's drivers and painting programs write what has no place.
+    for counted in [at([1.0; 2], 0.0, 0.0), matrix(1.0, 0.0, 1.0, 0.0, 0.0)] {
+        let no_size = dem(counted, &[], &[]).unwrap_err();
+        assert!(no_size.to_string().contains("no size"), "{no_size}");
+    }
 }
 
 #[test]
