@@ -1,9 +1,9 @@
 //! The structure of the code: imports go one way, a word has one meaning, documents are true.
 
-use pangaea_tests::source::documents::Named;
-use pangaea_tests::source::imports::{Import, Modules};
-use pangaea_tests::source::names::{riddles, types_named_twice};
-use pangaea_tests::source::{Source, files_below, sources, workspace};
+use pangaea_source::documents::Named;
+use pangaea_source::imports::{Import, Modules};
+use pangaea_source::names::{riddles, types_named_twice};
+use pangaea_source::{Source, files_below, sources, workspace};
 use std::fmt::Display;
 
 /// The folders with the code of the workspace's crates.
