@@ -317,7 +317,12 @@ pub mod prelude {
     pub use crate::spawn::{PlanetFailed, PlanetReady, PlanetState, SpawnPlanet};
 }
 
-/// The README's examples, compiled as doc-tests.
+/// The examples of the repository's README, compiled as doc-tests.
 #[cfg(all(doctest, feature = "render"))]
 #[doc = include_str!("../../README.md")]
 pub struct Readme;
+
+/// The example of the crate's README, compiled, too.
+#[cfg(all(doctest, feature = "render"))]
+#[doc = include_str!("../README.md")]
+pub struct CrateReadme;
