@@ -166,7 +166,7 @@
 //! # Further reading
 //!
 //! [ARCHITECTURE.md](https://github.com/pangaea-rs/pangaea/blob/main/ARCHITECTURE.md) is the map of
-//! the code and lists every departure from the papers;
+//! the code and lists the departures from the papers;
 //! [CHANGELOG.md](https://github.com/pangaea-rs/pangaea/blob/main/CHANGELOG.md) says which changes
 //! give other planets. The binary `pangaea` of the same repository is an explorer, and grows,
 //! draws and exports planets without a window.
