@@ -1,9 +1,9 @@
 //! The structure of the code: imports go one way, a word has one meaning, documents are true.
 
-use pangaea_tests::source::documents::Named;
-use pangaea_tests::source::imports::{Import, Modules};
-use pangaea_tests::source::names::{riddles, types_named_twice};
-use pangaea_tests::source::{Source, files_below, sources, workspace};
+use pangaea_source::documents::{Named, relative_links};
+use pangaea_source::imports::{Import, Modules};
+use pangaea_source::names::{riddles, types_named_twice};
+use pangaea_source::{Source, files_below, sources, workspace};
 use std::fmt::Display;
 
 /// The folders with the code of the workspace's crates.
@@ -89,9 +89,12 @@ fn documentation_states_instead_of_asking() {
     );
 }
 
+fn text(name: &str) -> String {
+    std::fs::read_to_string(workspace().join(name)).expect("a document of the workspace")
+}
+
 fn document(name: &str) -> Named {
-    let text = std::fs::read_to_string(workspace().join(name)).expect("a document of the root");
-    Named::read(&text)
+    Named::read(&text(name))
 }
 
 #[test]
@@ -103,6 +106,16 @@ fn documents_name_files_that_exist() {
             "{name} names what is not there:{}",
             list(missing)
         );
+    }
+}
+
+/// A registry shows a README without the files beside it.
+#[test]
+fn published_documents_have_no_relative_links() {
+    for name in ["plugin/README.md", "shaders/README.md"] {
+        let text = text(name);
+        let linked: Vec<&str> = relative_links(&text).collect();
+        assert!(linked.is_empty(), "{name} links to:{}", list(linked));
     }
 }
 

@@ -15,8 +15,8 @@
 //! - work on [`CurrentPlanet`] alone, in a set of [`TectonicStep`] after the stage that it follows;
 //! - keep the mathematics in functions that know no ECS: the system gathers, calls and writes;
 //! - sum in the order of samples, so that the same seed gives the same bits;
-//! - book what continents gain or lose: continental crust is conserved, and what no cause explains
-//!   shows in [`Ledger::unexplained_volume_max`].
+//! - book what continents gain or lose: what no cause explains shows in
+//!   [`Ledger::unexplained_volume_max`], and a resample takes it back.
 //!
 //! `cargo run -p bevy_pangaea --example custom_process --no-default-features`
 

@@ -166,7 +166,7 @@
 //! # Further reading
 //!
 //! [ARCHITECTURE.md](https://github.com/pangaea-rs/pangaea/blob/main/ARCHITECTURE.md) is the map of
-//! the code and lists every departure from the papers;
+//! the code and lists the departures from the papers;
 //! [CHANGELOG.md](https://github.com/pangaea-rs/pangaea/blob/main/CHANGELOG.md) says which changes
 //! give other planets. The binary `pangaea` of the same repository is an explorer, and grows,
 //! draws and exports planets without a window.
@@ -317,7 +317,12 @@ pub mod prelude {
     pub use crate::spawn::{PlanetFailed, PlanetReady, PlanetState, SpawnPlanet};
 }
 
-/// The README's examples, compiled as doc-tests.
+/// The examples of the repository's README, compiled as doc-tests.
 #[cfg(all(doctest, feature = "render"))]
 #[doc = include_str!("../../README.md")]
 pub struct Readme;
+
+/// The example of the crate's README, compiled, too.
+#[cfg(all(doctest, feature = "render"))]
+#[doc = include_str!("../README.md")]
+pub struct CrateReadme;

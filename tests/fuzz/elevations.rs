@@ -14,7 +14,7 @@ const SIDECARS: [&str; 2] = [
 ];
 
 /// Loads a tile; one that is accepted has a height at every pixel, and pixels have a size.
-fn read(path: &Path) {
+pub(super) fn read(path: &Path) {
     match load_dem(path) {
         Ok(tile) => {
             let grid = &tile.grid;
@@ -127,7 +127,7 @@ fn file_name(bytes: &[u8]) -> String {
 }
 
 /// A tile that repeats `bytes`, with voids in rows between.
-fn tile(bytes: &[u8]) -> Vec<u8> {
+pub(super) fn tile(bytes: &[u8]) -> Vec<u8> {
     let row: Vec<u8> = bytes
         .iter()
         .copied()

@@ -2,10 +2,12 @@
 //!
 //! Ten thousand damaged inputs for each reader, a million with `PANGAEA_SOAK=1`.
 
+mod archives;
 mod elevations;
 mod maps;
 mod pictures;
 mod saves;
+mod side_files;
 mod texts;
 
 use bevy::prelude::*;

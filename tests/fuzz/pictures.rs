@@ -86,15 +86,25 @@ pub(super) fn geotiffs(size: [u32; 2], place: Place) -> Vec<Vec<u8>> {
     let whole: Vec<i16> = values.iter().map(|&value| value as i16).collect();
     let mut files = Vec::new();
     for compression in compressions {
-        files.push(geotiff::<Gray32Float>(size, place, &values, compression));
-        files.push(geotiff::<GrayI16>(size, place, &whole, compression));
+        files.push(geotiff::<Gray32Float>(
+            size,
+            Some(place),
+            &values,
+            compression,
+        ));
+        files.push(geotiff::<GrayI16>(size, Some(place), &whole, compression));
     }
     files
 }
 
+/// A TIFF that tells no place.
+pub(super) fn placeless(size: [u32; 2]) -> Vec<u8> {
+    geotiff::<Gray32Float>(size, None, &ramp(size), Compression::Uncompressed)
+}
+
 fn geotiff<C>(
     [width, height]: [u32; 2],
-    place: Place,
+    place: Option<Place>,
     values: &[C::Inner],
     compression: Compression,
 ) -> Vec<u8>
@@ -108,10 +118,10 @@ where
     let mut image = encoder
         .new_image::<C>(width, height)
         .expect("a size that there is");
-    place
-        .write(image.encoder())
-        .and_then(|()| image.write_data(values))
-        .expect("memory can be written");
+    if let Some(place) = place {
+        place.write(image.encoder()).expect("memory can be written");
+    }
+    image.write_data(values).expect("memory can be written");
     bytes.into_inner()
 }
 

@@ -1,10 +1,12 @@
-//! Presets and scenarios.
+//! Presets, scenarios and terrain files.
 
 use super::{Trial, tiny};
+use bevy_pangaea::io::load_planet;
 use bevy_pangaea::io::preset::parse_recipe;
 use bevy_pangaea::io::scenario::parse_scenario;
 use bevy_pangaea::spawn::PlanetState;
 use pangaea_tests::fuzz::{Format, fuzz};
+use std::fs;
 
 /// Numbers and signs that a parser of RON meets.
 const WORDS: &[&str] = &[
@@ -100,5 +102,22 @@ fn damaged_scenarios_are_refused_or_play() {
                 trial.lives_on(state);
             }
         }
+    });
+}
+
+/// The maps are not there: a file that is understood is refused for that, and no planet is made.
+#[test]
+fn damaged_terrain_files_are_refused() {
+    let good = [
+        "(elevation: \"none.tif\", unit: kilometres, radius: 3000, seed: 9)",
+        "(elevation: \"none.png\", age: \"a.png\", plateaus: \"p.png\", hills: \"b.png\",
+          temperature: \"t.tif\", rain: \"r.tif\", wetness: \"w.png\")",
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.terrain.ron");
+    fuzz(&format("terrain files", &good), |bytes| {
+        fs::write(&path, bytes).unwrap();
+        let error = load_planet(&path).err().expect("none of its maps is there");
+        assert_one_line(&error);
     });
 }

@@ -2,8 +2,8 @@
 
 use pangaea_shaders::amplify::twins::MODULES;
 use pangaea_shaders::wgsl::{WgslModule, compose};
+use pangaea_source::{files_below, workspace};
 use pangaea_tests::gpu::parsed;
-use pangaea_tests::source::{files_below, workspace};
 use syn::{ImplItem, Item, Type, Visibility};
 
 /// Public functions of modules with twins that no shader calls.

@@ -11,7 +11,6 @@
 //! fuzz       damaged inputs for readers
 //! gpu        functions and passes in WGSL beside their twins (with the feature `render`)
 //! soak       long runs, and the memory that they take
-//! source     the code of the workspace: figures, imports, names
 //! ```
 
 pub mod earth;
@@ -24,5 +23,4 @@ pub mod order;
 pub mod probe;
 pub mod shape;
 pub mod soak;
-pub mod source;
 pub mod world;

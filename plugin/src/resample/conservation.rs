@@ -1,4 +1,4 @@
-//! Continental crust is conserved: its area by changing coasts, its volume by scaling.
+//! A resample keeps continental crust: its area by changing coasts, its volume by scaling.
 //!
 //! Crust below another frame loses its area: *stacking* where both belong to one plate, *forced
 //! subduction* where not. Its thickness is added to what lies above; what exceeds the root of the

@@ -51,7 +51,9 @@ fn part(mesh: &mut ControlMesh, main: u32) -> Option<u32> {
     for (end, flow) in ends.into_iter().zip(ARM_FLOWS) {
         let vertex = &mut mesh.vertices[end as usize];
         vertex.kind = VertexKind::River as u8;
-        (vertex.height, vertex.bed, vertex.water) = (bed - 2048, bed - 2048, 0);
+        vertex.height = bed - 2048;
+        vertex.bed = bed - 2048;
+        vertex.water = 0;
         vertex.flow = flow;
     }
     Some(apex)

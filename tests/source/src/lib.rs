@@ -1,8 +1,11 @@
-//! The source of the workspace, read as Rust: figures, imports and names.
+//! The source of the workspace, read as Rust: figures, imports and names. A crate of its own, so
+//! that figures need no engine.
 //!
 //! ```text
 //! tokens     a file as the lexer of Rust sees it, without comments
 //! functions  length and weight of every function
+//! counts     what is counted in a file
+//! habits     what is written how often
 //! figures    the table that `tests/house` prints
 //! paths      paths within a crate, as they are written
 //! imports    which file uses which, re-exports followed
@@ -12,9 +15,11 @@
 //! ```
 
 pub mod circles;
+pub mod counts;
 pub mod documents;
 pub mod figures;
 pub mod functions;
+pub mod habits;
 pub mod imports;
 pub mod names;
 pub mod paths;
@@ -67,11 +72,7 @@ impl Source {
 
 /// The root of the workspace.
 pub fn workspace() -> PathBuf {
-    let crate_folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    crate_folder
-        .parent()
-        .expect("the crate lies in the workspace")
-        .into()
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
 /// All Rust files in a folder of the workspace and below, in order of their paths.

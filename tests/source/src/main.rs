@@ -1,16 +1,13 @@
 //! Prints the figures of the workspace's code: `tests/house`.
 
-use pangaea_tests::source::figures::figures;
+use pangaea_source::figures::{Measured, figures};
 
 const CRATES: [&str; 3] = ["plugin/src", "shaders/src", "demo/src"];
 
 fn main() {
-    let columns = [
-        figures(&CRATES[..1]),
-        figures(&CRATES[1..2]),
-        figures(&CRATES[2..]),
-        figures(&CRATES),
-    ];
+    let crates = CRATES.map(Measured::read);
+    let [plugin, shaders, demo] = [0, 1, 2].map(|i| figures(&crates[i..=i]));
+    let columns = [plugin, shaders, demo, figures(&crates)];
     print_row("", &[CRATES[0], CRATES[1], CRATES[2], "all"]);
     for (i, (name, _)) in columns[0].iter().enumerate() {
         let values: Vec<&str> = columns.iter().map(|column| column[i].1.as_str()).collect();

@@ -108,12 +108,12 @@ impl Lexer {
 
 /// `[doc = ".."]`, which a comment `/// ..` stands for.
 fn is_doc(group: &Group) -> bool {
+    if group.delimiter() != Delimiter::Bracket {
+        return false;
+    }
     let mut content = group.stream().into_iter();
-    let name = content.next().map(|tree| tree.to_string());
-    let sign = content.next().map(|tree| tree.to_string());
-    group.delimiter() == Delimiter::Bracket
-        && name.as_deref() == Some("doc")
-        && sign.as_deref() == Some("=")
+    let is_named = matches!(content.next(), Some(TokenTree::Ident(name)) if name == "doc");
+    is_named && matches!(content.next(), Some(TokenTree::Punct(sign)) if sign.as_char() == '=')
 }
 
 #[cfg(test)]

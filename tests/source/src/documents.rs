@@ -59,6 +59,11 @@ impl Named {
     }
 }
 
+/// Targets of a document's links that count from its own folder.
+pub fn relative_links(markdown: &str) -> impl Iterator<Item = &str> {
+    lines_outside_fences(markdown).flat_map(|(_, line)| links(line))
+}
+
 /// A path below `home` if there is such a file or folder.
 fn existing(home: &str, span: &str) -> Option<String> {
     let path = format!("{home}/{span}");
@@ -123,6 +128,12 @@ mod tests {
             named.missing,
             ["line 2: io/nothing.rs", "line 3: docs/none.md"]
         );
+    }
+
+    #[test]
+    fn relative_links_are_told_from_those_of_the_web_and_of_the_page() {
+        let text = "[a](b.md#c) [d](https://e.f/g) [h](#i)\n```\n[j](k.md)\n```";
+        assert!(relative_links(text).eq(["b.md"]));
     }
 
     #[test]

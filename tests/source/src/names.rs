@@ -6,7 +6,9 @@ use syn::visit::{self, Visit};
 use syn::{Ident, ItemEnum, ItemStruct, ItemTrait, ItemType, ItemUnion};
 
 /// Names of types that stand more than once outside tests, with the places of their definitions.
-pub fn types_named_twice(sources: &[Source]) -> BTreeMap<String, Vec<String>> {
+pub fn types_named_twice<'a>(
+    sources: impl IntoIterator<Item = &'a Source>,
+) -> BTreeMap<String, Vec<String>> {
     let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for source in sources {
         let mut finder = Types(Vec::new());
