@@ -199,8 +199,8 @@ params! {
     }
     "Rifting" {
         /// Mean number of riftings λ_0 in a time step of a wholly continental plate of average
-        /// initial area. At this value a planet of 40 plates with 30 % land rifts about once in 15
-        /// to 50 My, which keeps its ocean floor below a mean age of 90 My.
+        /// initial area. At this value a planet of 40 plates with 30 % land rifts about once in 12
+        /// to 25 My, which keeps the mean age of its ocean floor at 80 to 105 My.
         rift_rate = 0.01 in 0.0..10.0, "";
         /// Share of λ that a wholly oceanic plate keeps.
         rift_oceanic_share = 0.3 in 0.0..1.0, "";
