@@ -66,7 +66,8 @@ impl WktNode {
             return Ok(self.geographic());
         }
         if !PROJECTED.contains(&self.name.as_str()) {
-            let (kind, title) = (&self.name, self.title());
+            // A damaged name may hold a line break, and errors are of one line.
+            let (kind, title) = (self.name.escape_debug(), self.title());
             return Err(invalid(format!("the SRS {kind} {title:?} is not read")));
         }
         // A code knows best: Web Mercator's method has the name of another.
