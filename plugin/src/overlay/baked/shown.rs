@@ -1,7 +1,7 @@
-//! What an overlay of a bake shows: a quantity at every vertex of the base mesh, and how it becomes
+//! The quantity that an overlay of a bake shows at every vertex of the base mesh, and how it becomes
 //! a colour between them.
 //!
-//! What costs a logarithm or a hue is found once a vertex: a map has ten times as many pixels.
+//! Logarithms and hues are found once a vertex: a map has ten times as many pixels.
 
 use super::BasePlace;
 use crate::control::Bake;
@@ -19,7 +19,7 @@ pub(in crate::overlay) const TEMPERATURE_MAX: f32 = 35.0;
 /// Rain at the end of the ramp in mm per year.
 pub(in crate::overlay) const RAIN_MAX: f32 = 4000.0;
 
-/// What an overlay shows, rivers apart.
+/// The quantity that an overlay shows, rivers apart.
 pub(super) enum Shown<'a> {
     /// Numbers on a ramp from `low` to `high`, on land and sea.
     Scalar {
@@ -41,7 +41,7 @@ pub(super) enum Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
-    /// What `overlay` shows of `bake`.
+    /// The quantity of `bake` that `overlay` shows.
     pub(super) fn new(overlay: Overlay, bake: &'a Bake) -> Self {
         let (climate, vertices) = (&bake.climate, bake.mesh().len());
         match overlay {

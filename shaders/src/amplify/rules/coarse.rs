@@ -26,23 +26,23 @@ pub const RESOLVED_LEVEL: u32 = 8;
 
 /// Share k by level at dry ground.
 const OPEN_GROUND: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.119),
-    q16(0.367),
-    q16(0.287),
-    q16(0.208),
-    q16(0.154),
-    q16(0.04),
+    q16(0.238),
+    q16(0.373),
+    q16(0.323),
+    q16(0.246),
+    q16(0.185),
+    q16(0.048),
     0,
     0,
 ];
 
 /// The same in the bed of a gully.
 const GULLY: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.332),
-    q16(0.223),
-    q16(0.155),
-    q16(0.098),
-    q16(0.051),
+    q16(0.342),
+    q16(0.246),
+    q16(0.173),
+    q16(0.117),
+    q16(0.074),
     0,
     0,
     0,
@@ -50,11 +50,11 @@ const GULLY: [i32; RESOLVED_LEVEL as usize] = [
 
 /// The same in the bed of a river: less, for its valley floor stays.
 const RIVER: [i32; RESOLVED_LEVEL as usize] = [
-    q16(0.24),
-    q16(0.134),
-    q16(0.095),
-    q16(0.056),
-    q16(0.023),
+    q16(0.279),
+    q16(0.174),
+    q16(0.121),
+    q16(0.045),
+    q16(0.013),
     0,
     0,
     0,

@@ -19,6 +19,7 @@ pub mod coarse;
 pub mod coast;
 pub mod crest;
 pub mod divide;
+pub mod edge_land;
 pub mod estuary;
 pub mod fine;
 pub mod fold;

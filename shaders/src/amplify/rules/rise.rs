@@ -22,13 +22,12 @@
 //! The numbers are chosen so that slopes and spectra are those of real relief.
 
 use super::divide::{evenness, gain};
-use super::fold::RiseDraws;
-use super::landform::steepness;
+use super::edge_land::{EdgeLand, MOST_SLOPE, is_small, least};
 use super::preset::Rules;
 use super::{FACE_LEVEL, fine, gully, threshold};
 use crate::amplify::arith::{mix, mul_q16, ordered};
 use crate::amplify::control::VertexKind;
-use crate::amplify::fixed::{Q16, metres, q16};
+use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::vertex::EdgeContext;
 
 /// Bulge of divides: between two drains, and on open ground.
@@ -43,9 +42,6 @@ const DRAWN_HILLSIDE: i32 = q16(0.21362);
 /// The steepest ground over a corner, as a share of the landform's slope, and how much the draw adds
 /// to it.
 const STEEPEST: [i32; 2] = [q16(0.5), q16(0.2)];
-
-/// Least share of the way up at which the middle of an edge stands.
-const LEAST_RISE: i32 = q16(0.15259);
 
 /// Last level whose edges may rise to crests. Shorter ones, of 400 m and less on an Earth-sized
 /// planet, keep between their ends: crests of theirs would be knobs and pits on hillsides.
@@ -62,10 +58,6 @@ const HILLSIDE_ROUGHNESS: i32 = q16(1.4);
 
 /// One beyond the last level whose ground goes on across its edges without a crease.
 const BENT_LEVELS: u32 = 4;
-
-/// Most rise of a slope, grains: beyond any crust, and fit for the greatest bulge of a fold, which is
-/// eleven times as high before it is bounded by the room under the crust.
-pub(super) const MOST_SLOPE: i32 = metres(150_000);
 
 /// Height of the middle of an edge between two drains or on open ground.
 pub fn divide(rules: &Rules, context: &EdgeContext) -> i32 {
@@ -101,27 +93,6 @@ fn height(rules: &Rules, context: &EdgeContext, bulge: i32) -> i32 {
         risen.clamp(low + step, high - step)
     } else {
         risen
-    }
-}
-
-/// The land at the middle of an edge, as all rules of its rise see it.
-pub(super) struct EdgeLand {
-    /// Tangent of its slopes, Q16.
-    pub(super) steep: i32,
-    /// Rise of such a slope over half of the edge, grains.
-    slope: i32,
-    /// Its draws.
-    pub(super) draws: RiseDraws,
-}
-
-impl EdgeLand {
-    pub(super) fn of(rules: &Rules, context: &EdgeContext) -> Self {
-        let steep = steepness(rules, context.new);
-        Self {
-            steep,
-            slope: slope(context, steep),
-            draws: RiseDraws::of(context),
-        }
     }
 }
 
@@ -166,22 +137,6 @@ const fn bend(context: &EdgeContext) -> i32 {
     }
 }
 
-/// Whether an edge is no longer than a hillside.
-const fn is_small(context: &EdgeContext) -> bool {
-    context.level >= FACE_LEVEL
-}
-
-/// Rise over half the edge at the landform's steepness, grains.
-fn slope(context: &EdgeContext, steep: i32) -> i32 {
-    // An edge along a thin face is long, but the rock beside it is no larger than that of others.
-    let length = if is_small(context) {
-        context.length.min(context.span)
-    } else {
-        context.length
-    };
-    mul_q16(length / 2, steep).min(MOST_SLOPE)
-}
-
 /// Height of the middle of an edge on an even hillside.
 fn hillside(rules: &Rules, context: &EdgeContext, xi: i32) -> i32 {
     if is_small(context) {
@@ -201,19 +156,6 @@ const fn foot(context: &EdgeContext) -> i32 {
         rise.abs() / HOLLOW_FOOT
     } else {
         0
-    }
-}
-
-/// The lowest that the middle of an edge may stand, so that it drains to the lower end.
-pub(super) fn least(context: &EdgeContext) -> i32 {
-    let (low, high) = ordered(context.a.height, context.b.height);
-    // The last term lifts the middle of a level edge, by a 4096th of its length.
-    let least = mix(low, high, LEAST_RISE) + (context.length >> 12).max(1);
-    // A small face drains to its lowest corner, which need not be an end of the edge.
-    if is_small(context) {
-        least.min(context.face)
-    } else {
-        least
     }
 }
 

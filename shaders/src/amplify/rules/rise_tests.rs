@@ -1,5 +1,5 @@
 use super::*;
-use crate::amplify::fixed::GRAINS;
+use crate::amplify::fixed::{GRAINS, metres};
 use crate::amplify::rules::graph_tests::between_two;
 use crate::amplify::seed::pcg;
 use crate::amplify::vertex::{CornerBeside, Vertex};

@@ -14,7 +14,7 @@
 //! needs no draw of its own. Worn land creeps to gentler slopes.
 
 use super::divide::{part, room};
-use super::rise::{EdgeLand, MOST_SLOPE, least};
+use super::edge_land::{EdgeLand, MOST_SLOPE, least};
 use crate::amplify::arith::{mix, mul_q16, ratio};
 use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::vertex::EdgeContext;
@@ -24,7 +24,7 @@ use crate::amplify::vertex::EdgeContext;
 const LEVELS: [u32; 2] = [2, 6];
 
 /// Tangent of threshold slopes, as a share of the landform's, and that of worn land.
-const STEEPNESS: [i32; 2] = [q16(0.44), q16(0.24)];
+const STEEPNESS: [i32; 2] = [q16(0.5), q16(0.36)];
 
 /// Part of a fold's bulge by which slopes on anticlines are steeper, and in synclines gentler.
 const FOLDED: i32 = 2;
