@@ -24,7 +24,7 @@ use crate::amplify::vertex::EdgeContext;
 const LEVELS: [u32; 2] = [2, 6];
 
 /// Tangent of threshold slopes, as a share of the landform's, and that of worn land.
-const STEEPNESS: [i32; 2] = [q16(0.5), q16(0.36)];
+const STEEPNESS: [i32; 2] = [q16(0.5), q16(0.4)];
 
 /// Part of a fold's bulge by which slopes on anticlines are steeper, and in synclines gentler.
 const FOLDED: i32 = 2;
