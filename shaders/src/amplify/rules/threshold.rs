@@ -11,7 +11,7 @@
 //! with the height h_c of a corner, its distance d_c and the tangent s. On an even side of a valley
 //! that is the side itself; between two valleys it is a sharp crest, which stands the higher the
 //! farther they are apart, and between the tributaries of a valley a spur. So ground of this kind
-//! needs no draw of its own. Worn land creeps to gentler slopes.
+//! needs no draw of its own. Worn land creeps to slopes gentler than its rock would bear.
 
 use super::divide::{part, room};
 use super::edge_land::{EdgeLand, MOST_SLOPE, least};
@@ -135,8 +135,12 @@ mod tests {
     #[test]
     fn worn_land_is_gentler() {
         let slope = |worn| {
-            let ends = [land(0), land(0)].map(|v| Vertex { worn, ..v });
-            let new = Vertex { worn, ..land(0) };
+            let collided = Vertex {
+                worn,
+                collision: u16::MAX,
+                ..land(0)
+            };
+            let (ends, new) = ([collided; 2], collided);
             let context = between_two([&ends[0], &ends[1]], &new, 4, metres(8_000));
             tangent(&context, &EdgeLand::of(&Rules::default(), &context))
         };
