@@ -15,7 +15,7 @@ const LEAST_RISE: i32 = q16(0.15259);
 
 /// Most rise of a slope, grains: beyond any crust, and fit for the greatest bulge of a fold, which is
 /// eleven times as high before it is bounded by the room under the crust.
-pub(super) const MOST_SLOPE: i32 = metres(150_000);
+const MOST_SLOPE: i32 = metres(150_000);
 
 /// The land at the middle of an edge, as all rules of its rise see it.
 pub(super) struct EdgeLand {
@@ -51,7 +51,21 @@ fn slope(context: &EdgeContext, steep: i32) -> i32 {
     } else {
         context.length
     };
-    mul_q16(length / 2, steep).min(MOST_SLOPE)
+    rise(length / 2, steep)
+}
+
+/// Rise of a slope of a tangent (Q16) over a distance, grains.
+pub(super) fn rise(distance: i32, tangent: i32) -> i32 {
+    mul_q16(distance, tangent).min(MOST_SLOPE)
+}
+
+/// The lowest of the cones over the corners around the middle of an edge, grains: that over its lower
+/// end is `over_ends` high there, the others have a tangent (Q16).
+pub(super) fn lowest_cone(context: &EdgeContext, over_ends: i32, tangent: i32) -> i32 {
+    let over_ends = context.a.height.min(context.b.height) + over_ends;
+    let corners = context.beside.iter().flatten();
+    let over_corners = corners.map(|c| c.height + rise(c.distance, tangent));
+    over_corners.fold(over_ends, i32::min)
 }
 
 /// The lowest that the middle of an edge may stand, so that it drains to the lower end.

@@ -22,7 +22,7 @@
 //! The numbers are chosen so that slopes and spectra are those of real relief.
 
 use super::divide::{evenness, gain};
-use super::edge_land::{EdgeLand, MOST_SLOPE, is_small, least};
+use super::edge_land::{EdgeLand, is_small, least, lowest_cone};
 use super::preset::Rules;
 use super::{FACE_LEVEL, fine, gully, threshold};
 use crate::amplify::arith::{mix, mul_q16, ordered};
@@ -120,11 +120,7 @@ fn crest(rules: &Rules, context: &EdgeContext, land: &EdgeLand, bulge: i32) -> i
 /// edge so that faces do not become planes. The land's tangent is `steep`.
 fn steepest(context: &EdgeContext, steep: i32, slope: i32, chi: i32) -> i32 {
     let share = STEEPEST[0] + mul_q16(chi, STEEPEST[1]);
-    let over_ends = context.a.height.min(context.b.height) + mul_q16(slope, share);
-    let steep = mul_q16(share, steep);
-    let corners = context.beside.iter().flatten();
-    let over_corners = corners.map(|c| c.height + mul_q16(c.distance, steep).min(MOST_SLOPE));
-    over_corners.fold(over_ends, i32::min)
+    lowest_cone(context, mul_q16(slope, share), mul_q16(share, steep))
 }
 
 /// How far the middle of a coarse edge bends up, grains. Faces that met at a crease along their edge

@@ -14,7 +14,7 @@
 //! needs no draw of its own. Worn land creeps to slopes gentler than its rock would bear.
 
 use super::divide::{part, room};
-use super::edge_land::{EdgeLand, MOST_SLOPE, least};
+use super::edge_land::{EdgeLand, least, lowest_cone, rise};
 use crate::amplify::arith::{mix, mul_q16, ratio};
 use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::vertex::EdgeContext;
@@ -37,7 +37,9 @@ pub(super) const fn holds(level: u32) -> bool {
 /// Height of the middle of an edge, grains.
 pub(super) fn height(context: &EdgeContext, land: &EdgeLand) -> i32 {
     let high = context.a.height.max(context.b.height);
-    let cones = cones(context, tangent(context, land)).max(least(context));
+    let tangent = tangent(context, land);
+    let over_ends = rise(context.length / 2, tangent);
+    let cones = lowest_cone(context, over_ends, tangent).max(least(context));
     let over = cones - high;
     if over <= 0 {
         return cones;
@@ -54,16 +56,6 @@ fn tangent(context: &EdgeContext, land: &EdgeLand) -> i32 {
     let share = mix(young, old, i32::from(context.new.worn));
     let folded = Q16 + (land.draws.bulge - Q16) / FOLDED;
     mul_q16(mul_q16(share, folded), land.steep)
-}
-
-/// The lowest of the cones over the corners around the middle of an edge, grains.
-fn cones(context: &EdgeContext, tangent: i32) -> i32 {
-    let rise = |distance| mul_q16(distance, tangent).min(MOST_SLOPE);
-    let over_ends = context.a.height.min(context.b.height) + rise(context.length / 2);
-    let corners = context.beside.iter().flatten();
-    corners.fold(over_ends, |lowest, c| {
-        lowest.min(c.height + rise(c.distance))
-    })
 }
 
 #[cfg(test)]
