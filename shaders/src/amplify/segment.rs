@@ -20,9 +20,9 @@ impl RiverSegment {
         arriving: u32,
     ) -> Self {
         let joins = !runs_into([up, down], arriving);
-        // At its lower end not the junction's flow: that holds the rivers that join there.
-        // Nor at its upper end that of all arms of a delta.
-        let flow = [up.discharge.min(arriving), arriving].map(|q| isqrt(q) as i32);
+        // At its lower end not the junction's flow: that holds the rivers that join there. At its
+        // upper end that of all arms of a delta, though: they leave it as one.
+        let flow = [up.discharge, arriving].map(|q| isqrt(q) as i32);
         let is_lake = [up, down].iter().all(|v| v.kind == VertexKind::Lake);
         Self {
             ends: [up.direction, down.direction],
@@ -31,7 +31,11 @@ impl RiverSegment {
             flow,
             tide: [up.tide, down.tide],
             // A smaller river joins with waves of its own, and straight.
-            waves: [flow[0], if joins { flow[1] } else { down.flow() }].map(|flow| flow as u16),
+            waves: [
+                flow[0].min(flow[1]),
+                if joins { flow[1] } else { down.flow() },
+            ]
+            .map(|flow| flow as u16),
             winding: [up.winding, if joins { 0 } else { down.winding }],
             reach: reach(scale, birth),
             level: level as u16,

@@ -24,7 +24,7 @@ pub struct RiverSegment {
     pub headings: [[i16; 3]; 2],
     /// Water surface at the ends, grains.
     pub water: [i32; 2],
-    /// Flow φ at the ends, Q16.
+    /// Flow φ at the ends, Q16; where an arm of a delta leaves its apex, the whole river's.
     pub flow: [i32; 2],
     /// Tides at the ends, as [`Vertex::tide`].
     pub tide: [u16; 2],

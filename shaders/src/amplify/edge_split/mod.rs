@@ -65,7 +65,7 @@ pub fn split(
 ) -> Vertex {
     let [a, b] = ends;
     let mut new = average(a, b, level);
-    let length = scale.grains(difference(b.direction, a.direction));
+    let length = length(scale, ends);
     let course = course(scale, rules, edge, level, ends);
     let placed = placed(
         rules,
@@ -87,26 +87,45 @@ pub fn split(
     new.discharge = gathered(a, edge);
     (new.lake, new.lake_level) = lakes::around(level, ends, opposite);
     new.is_drained = gully::is_drained(edge.kind, level, new.seed, ends);
-    let context = EdgeContext {
-        a,
-        b,
-        new: &new,
-        face: placed.face,
-        range: range(ends, opposite),
-        is_dammed: lakes::is_dammed(ends, opposite),
-        curvature: curvature(ends, opposite),
-        beside: opposite.map(|corner| corner.map(|v| beside(scale, &new, v))),
-        is_descent: edge.is_descent,
-        length,
-        span: scale.edge_grains(level),
-        level,
-        radius_m: scale.radius_m,
-    };
     // The rules see the vertex complete but for its ground.
+    let context = edge_context(scale, edge, level, &new, placed.face, ends, opposite);
     let ground = rules::halve(rules, edge.kind, &context);
     let mut new = on_ground(new, ground);
     lakes::settle(rules, edge.kind, &mut new, a, b);
     new
+}
+
+/// An edge of a level as the rules of its new vertex see it, on a flat face that is `face` high.
+fn edge_context<'a>(
+    scale: &PlanetScale,
+    edge: &Edge,
+    level: u32,
+    new: &'a Vertex,
+    face: i32,
+    [a, b]: [&'a Vertex; 2],
+    opposite: [Option<&Vertex>; 2],
+) -> EdgeContext<'a> {
+    let ends = [a, b];
+    EdgeContext {
+        a,
+        b,
+        new,
+        face,
+        range: range(ends, opposite),
+        is_dammed: lakes::is_dammed(ends, opposite),
+        curvature: curvature(ends, opposite),
+        beside: opposite.map(|corner| corner.map(|v| beside(scale, new, v))),
+        is_descent: edge.is_descent,
+        length: length(scale, ends),
+        span: scale.edge_grains(level),
+        level,
+        radius_m: scale.radius_m,
+    }
+}
+
+/// Length of an edge between two vertices, grains.
+fn length(scale: &PlanetScale, [a, b]: [&Vertex; 2]) -> i32 {
+    scale.grains(difference(b.direction, a.direction))
 }
 
 /// The place of a new vertex: on the course of a river, else beside the middle of its edge.

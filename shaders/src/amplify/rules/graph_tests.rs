@@ -253,10 +253,12 @@ fn lakes_lie_at_their_rivers_level_under_land() {
             assert!(
                 ground.water == river.water && ground.bed < river.bed && land.height > ground.water
             );
+            // A slope that is not too steep for shores: they lie a fifth of the way up at least.
+            assert!(land.height - ground.water <= 4 * (ground.water - ground.bed));
             lakes += 1;
         }
     }
-    assert!(lakes > 200, "{lakes}");
+    assert!(lakes > 100, "{lakes}");
 }
 
 /// A digest of all pairs of kinds under some rules.
@@ -279,7 +281,7 @@ fn digest(rules: &Rules) -> u32 {
 /// A change of any rule shows here; bless it only where it is meant.
 #[test]
 fn bits_are_pinned() {
-    assert_eq!(digest(&Rules::default()), 4_264_403_245);
+    assert_eq!(digest(&Rules::default()), 3_082_032_981);
     assert_eq!(
         [Rules::PAPER, Rules::RELEASE].map(|rules| digest(&rules)),
         [2_177_214_220, 3_067_952_355]

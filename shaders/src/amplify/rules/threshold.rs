@@ -124,18 +124,19 @@ mod tests {
         assert!(0 < held && held < cone / 10, "{held} of {cone}");
     }
 
+    /// The tangent of slopes in a belt of collision that is worn so far.
+    fn tangent_of_worn(worn: u16) -> i32 {
+        let collided = Vertex {
+            worn,
+            collision: u16::MAX,
+            ..land(0)
+        };
+        let context = between_two([&collided; 2], &collided, 4, metres(8_000));
+        tangent(&context, &EdgeLand::of(&Rules::default(), &context))
+    }
+
     #[test]
     fn worn_land_is_gentler() {
-        let slope = |worn| {
-            let collided = Vertex {
-                worn,
-                collision: u16::MAX,
-                ..land(0)
-            };
-            let (ends, new) = ([collided; 2], collided);
-            let context = between_two([&ends[0], &ends[1]], &new, 4, metres(8_000));
-            tangent(&context, &EdgeLand::of(&Rules::default(), &context))
-        };
-        assert!(slope(u16::MAX) < slope(0));
+        assert!(tangent_of_worn(u16::MAX) < tangent_of_worn(0));
     }
 }

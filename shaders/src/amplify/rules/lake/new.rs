@@ -34,6 +34,10 @@ const DRAWN_DEPTH: i32 = metres(100);
 /// Most depth of a new lake of ours, as a share of the edge that it was made on.
 const DEPTH_OF_EDGE: i32 = q16(0.04);
 
+/// Most height over a new lake of ours of the land around it, in depths of the lake: its shores lie a
+/// fifth of the way out at least. Where land is steeper a lake would be as thin as a needle.
+const LAND_OVER_DEPTH: i32 = 4;
+
 /// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet
 /// land, or high in the mountains, on the coarse levels only.
 pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u16) -> i32 {
@@ -64,9 +68,14 @@ pub fn widened(rules: &Rules, context: &EdgeContext) -> Option<VertexGround> {
     if river.water <= river.bed || (rules.landforms && !has_room) {
         return None;
     }
+    let bed = new_bed(rules, context, river.bed);
+    let over = context.range[1] - river.water;
+    if rules.landforms && over > LAND_OVER_DEPTH.saturating_mul(river.water - bed) {
+        return None;
+    }
     let new = context.new;
     let chance = chance(rules, context.level, river, new.crust, new.wetness);
-    (share(new.seed, 10) < chance).then(|| under(new_bed(rules, context, river.bed), river.water))
+    (share(new.seed, 10) < chance).then(|| under(bed, river.water))
 }
 
 /// Floor of a new lake under the bed of its river, a metre above the sea at least; grains.

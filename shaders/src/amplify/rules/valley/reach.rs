@@ -37,6 +37,10 @@ const HIGHEST_BANK: i32 = metres(4);
 /// four to nine bends.
 const PIECE_WIDTHS: i32 = 48;
 
+/// Part of its piece over which an arm of a delta narrows from the whole river: twelve of its widths
+/// at most.
+const APEX: i32 = 4;
+
 /// First level whose rivers keep their course whatever their width: brooks of a metre.
 const LAST_COURSE_LEVEL: u32 = 10;
 
@@ -51,6 +55,16 @@ fn half_bed(scale: &PlanetScale, rules: &Rules, flow: i32) -> i32 {
 /// Width of a river of a flow φ (Q16), grains.
 pub fn width(scale: &PlanetScale, rules: &Rules, flow: i32) -> i32 {
     2 * half_bed(scale, rules, flow)
+}
+
+/// Flow φ along a segment, between those at its ends, Q16: linear, but from the apex of a delta an
+/// arm narrows to its own over the first quarter.
+fn flow([up, down]: [i32; 2], along: i32) -> i32 {
+    if up <= down {
+        return mix(up, down, along);
+    }
+    let near = square(saturate(Q16 - APEX * along));
+    mix(down, up, near)
 }
 
 /// Whether a river of a flow φ (Q16) keeps its course from the edges of a level on.
@@ -78,10 +92,10 @@ impl Reach {
         Self::at(scale, rules, &vertex.river, vertex.river_along)
     }
 
-    /// The river at a share of a segment, Q16. Water and flow are linear between its ends.
+    /// The river at a share of a segment, Q16. Water is linear between its ends.
     pub fn at(scale: &PlanetScale, rules: &Rules, segment: &RiverSegment, along: i32) -> Self {
         let t = saturate(along);
-        let flow = mix(segment.flow[0], segment.flow[1], t);
+        let flow = flow(segment.flow, t);
         let strength = sqrt_q16(flow);
         let half_bed = if segment.is_lake == 1 {
             0

@@ -119,6 +119,24 @@ fn depth_is_a_fifteenth_of_a_brook_and_a_sixtieth_of_the_greatest_river() {
 }
 
 #[test]
+fn an_arm_leaves_the_apex_of_a_delta_as_wide_as_its_river() {
+    let [whole, own] = [20_000.0, 3_000.0].map(flow);
+    let arm = RiverSegment {
+        flow: [whole, own],
+        ..river(own)
+    };
+    let half_beds = |segment: RiverSegment| {
+        let at = |eighth| Reach::at(&earth(), &Rules::default(), &segment, Q16 / 8 * eighth);
+        [0, 1, 2, 3, 8].map(|eighth| at(eighth).half_bed)
+    };
+    let [at_apex, below, quarter, rest @ ..] = half_beds(arm);
+    let [river, own] = [whole, own].map(|flow| half_beds(river(flow))[0]);
+    assert_eq!(at_apex, river);
+    assert!(own + own / 8 < below && below < river, "{below}");
+    assert_eq!([quarter, rest[0], rest[1]], [own; 3]);
+}
+
+#[test]
 fn cross_section_is_continuous_and_above_the_bed() {
     for valley in ValleyShape::ALL {
         for flow in [200, 3_000, 20_000, 60_000] {
