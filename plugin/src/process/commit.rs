@@ -1,6 +1,4 @@
 //! The end of a step: the clock ticks, and the ledger is compared with what is there.
-//!
-//! Reads: crust. Writes: clock, ledger.
 
 use crate::crust::ledger::measure;
 use crate::crust::{Crust, Ledger};

@@ -1,7 +1,5 @@
 //! Contact: where plates meet, and which goes under (paper 000 §6); the geometry is in
 //! [`crate::plate::contact`].
-//!
-//! Reads: frames, crust, motions. Writes: candidate tables, contacts, polarity.
 
 use crate::crust::{Crust, Frames};
 use crate::plate::PlateAccess;

@@ -1,10 +1,8 @@
-//! Drift: frames rotate rigidly with their plates (paper 000 §3).
+//! Drift: frames rotate rigidly with their plates; no sample moves (paper 000 §3).
 //!
 //! ```text
 //! s(p) = omega w x p
 //! ```
-//!
-//! Reads: motions. Writes: frames, centroids. No sample moves.
 
 use crate::crust::{Frame, Frames};
 use crate::math::rotation;

@@ -8,8 +8,6 @@
 //! s is the slope that falls from the sea to the abyss within the margin's width. Subsidence works
 //! against it, so a margin far from any land disappears again. Slopes change slowly: every
 //! [`STEPS_BETWEEN_FILLINGS`] steps are enough.
-//!
-//! Reads: elevation, kind. Writes: elevation of ocean crust.
 
 use crate::crust::Crust;
 use crate::parallel;

@@ -7,8 +7,6 @@
 //! L_k is the length of front that q_k stands for, so that the pull does not depend on the
 //! resolution. The speed stays. Young fragments of a rift are left alone for `slab_pull_grace` My:
 //! pulled together, they would close the rift.
-//!
-//! Reads: contacts. Writes: motions.
 
 use crate::crust::{Crust, Frames};
 use crate::params::TectonicParams;

@@ -11,9 +11,6 @@
 //! Thickness follows by isostasy; on continents it is booked as subduction uplift. *Several
 //! fronts*: only the nearest lifts a sample. *Forced subduction*: where the crust going under is
 //! continental, h is large and so is the uplift.
-//!
-//! Reads: contacts, distances to fronts. Writes: elevation, thickness, fold, orogeny type and age,
-//! ledger.
 
 use super::saturating_rise;
 use super::uplift::{FastUplift, Push, Uplift};

@@ -4,8 +4,6 @@
 //! [`erosion`](super::erosion) and isostatic adjustment to continents, and
 //! [`subsidence`](super::ocean_floor) to ocean floor. *Arcs become land*: ocean crust above sea
 //! level turns continental, with an Andean orogeny of age 0.
-//!
-//! Reads: crust. Writes: elevation, thickness, ages, kind, orogeny, ledger.
 
 use super::erosion::{adjustment, eroded, wear};
 use super::ocean_floor::Subsidence;

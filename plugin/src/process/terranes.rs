@@ -2,8 +2,6 @@
 //!
 //! Land that rises is added to the census, terranes of crust that changed its frame are counted
 //! again; only a resample asks for a new census.
-//!
-//! Reads: frames, kinds. Writes: terranes.
 
 use super::commit::commit;
 use crate::crust::{Crust, Frames};

@@ -2,8 +2,6 @@
 //!
 //! A resample is due after 10 to 60 steps, sooner where plates are fast: `10 v_0 / v_max` steps,
 //! the time in which the fastest plate moves as far as a plate at v_0 in ten.
-//!
-//! Reads: everything. Writes: all columns, frames, ledger, surface.
 
 use super::work::{Aim, Resampling, advance};
 use crate::crust::Frames;

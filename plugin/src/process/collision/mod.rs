@@ -7,8 +7,6 @@
 //! *Surge* (`surge`): continental crust on both sides rises. *Small islands*, below
 //! [`TectonicParams::terrane_min_area`](crate::params::TectonicParams::terrane_min_area), do not
 //! break off: they are forced down, and booked as such when the crust is resampled.
-//!
-//! Reads: contacts, crust. Writes: frames, elevation, thickness, fold, orogeny, ledger.
 
 mod surge;
 

@@ -16,8 +16,6 @@
 //! | `opening` | the motions that open a line |
 //! | `plan` | what a line would do to a plate, before anything changes |
 //! | `breakup` | does it: columns, frames, plates |
-//!
-//! Reads: plates, crust. Writes: plates, motions, frames, thickness, ledger.
 
 mod breakup;
 
