@@ -73,12 +73,15 @@ impl Target {
     /// The path by which the system knows it, by whatever links and names it was given; in a folder
     /// that hides its place, as it was given.
     pub(super) fn real(&self) -> PathBuf {
-        let whole = fs::canonicalize(&self.path);
-        let in_folder = || {
-            let folder = fs::canonicalize(self.folder()).ok()?;
-            Some(folder.join(self.path.file_name()?))
-        };
-        whole.ok().or_else(in_folder).unwrap_or(self.path.clone())
+        let whole = fs::canonicalize(&self.path).ok();
+        let known = whole.or_else(|| self.real_in_folder());
+        known.unwrap_or(self.path.clone())
+    }
+
+    /// The same for a file that does not exist yet: only its folder's links are followed.
+    fn real_in_folder(&self) -> Option<PathBuf> {
+        let folder = fs::canonicalize(self.folder()).ok()?;
+        Some(folder.join(self.path.file_name()?))
     }
 
     /// The folder that it is in.

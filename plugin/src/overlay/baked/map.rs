@@ -29,15 +29,16 @@ pub(in crate::overlay) fn draw(overlays: &[Overlay], bake: &Bake, rasters: &mut 
 /// The places of the pixels of a row, whose latitude and longitudes are given as sine and cosine.
 fn places(bake: &Bake, (sin, cos): (f64, f64), meridians: &[(f64, f64)]) -> Vec<BasePlace> {
     let base = bake.mesh();
+    let mut places = Vec::with_capacity(meridians.len());
     // The sample nearest to a pixel is close to that of the pixel before.
     let mut hint = None;
-    let place = |&(sin_lon, cos_lon): &(f64, f64)| {
+    for &(sin_lon, cos_lon) in meridians {
         let p = DVec3::new(cos * cos_lon, cos * sin_lon, sin);
         let nearest = hint.map_or_else(|| base.nearest(p), |hint| base.nearest_from(p, hint));
         hint = Some(nearest);
-        BasePlace::new(bake, base.locate_from(p, nearest))
-    };
-    meridians.iter().map(place).collect()
+        places.push(BasePlace::new(bake, base.locate_from(p, nearest)));
+    }
+    places
 }
 
 /// Sine and cosine of the longitude of the centre of column `x`.

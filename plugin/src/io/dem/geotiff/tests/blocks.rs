@@ -246,22 +246,30 @@ fn internal_masks_make_voids() {
     }
 }
 
+/// The pixels of one block, row by row.
+fn pixels_of(
+    [x0, y0]: [usize; 2],
+    [across, down]: [usize; 2],
+    pixel: impl Fn(usize, usize) -> u8,
+) -> Vec<u8> {
+    let pixel = &pixel;
+    let rows = y0..y0 + down;
+    rows.flat_map(|y| (x0..x0 + across).map(move |x| pixel(x, y)))
+        .collect()
+}
+
 /// Blocks of 8 x 6 pixels, of so many columns and rows, and the tags that tell them.
 fn cut(
     block: [usize; 2],
     pixel: impl Fn(usize, usize) -> u8,
 ) -> (Vec<(u16, Values)>, Vec<Vec<u8>>) {
     let [across, down] = block;
-    let of = |x0: usize, y0: usize| {
-        let rows = y0..y0 + down;
-        let pixel = &pixel;
-        rows.flat_map(move |y| (x0..x0 + across).map(move |x| pixel(x, y)))
-            .collect()
-    };
     let starts = (0..6)
         .step_by(down)
-        .flat_map(|y| (0..8).step_by(across).map(move |x| (x, y)));
-    let blocks = starts.map(|(x, y)| of(x, y)).collect();
+        .flat_map(|y| (0..8).step_by(across).map(move |x| [x, y]));
+    let blocks = starts
+        .map(|start| pixels_of(start, block, &pixel))
+        .collect();
     let tags = fields([8, 6], 8, UNSIGNED, 1);
     let [columns, rows] = block.map(|side| short(side as u16));
     if across == 8 {
