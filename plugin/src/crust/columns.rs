@@ -1,13 +1,16 @@
 //! The columns of the crust (paper 000, Table 1), one entry per sample of the lattice.
 //!
-//! One table names each column once, with its type, limits and tag in save files. From it follow
-//! [`Crust`] (a vector per column), [`CrustRow`] (a value per column), [`CrustChunk`] (a slice per
-//! column, for parallel sweeps), comparison, copies and files. A new column is one entry.
+//! One table names each column once, with its type, default, limits and tag in save files. From it
+//! follow [`Crust`] (a vector per column), [`CrustRow`] (a value per column), [`CrustChunk`] (a
+//! slice per column, for parallel sweeps), comparison, copies and files. A new column is one entry:
+//! rows that do not name it have its default, and so have saves from before it, unless it is
+//! required.
 
 use super::kinds::{CrustKind, Orogeny};
 use super::value::{ColumnError, ColumnValue, decode_column, encode_column};
 use crate::ids::FrameId;
 use crate::parallel::CHUNK;
+use crate::params::TectonicParams;
 use bevy::prelude::*;
 use core::ops::Range;
 
@@ -26,10 +29,13 @@ pub struct ColumnInfo {
     pub max: f32,
     /// Bytes of a value.
     pub bytes: usize,
+    /// Whether a file must hold it. A column may be left out if its default claims nothing, as a
+    /// direction of zero does.
+    pub is_required: bool,
 }
 
 macro_rules! columns {
-    ($( $(#[doc = $doc:literal])+ $name:ident: $kind:ty = $label:literal, $tag:literal, $min:literal..$max:literal; )+) => {
+    ($( $(#[doc = $doc:literal])+ $name:ident: $kind:ty = $default:expr, $label:literal, $tag:literal, $min:literal..$max:literal, required: $required:literal; )+) => {
         /// The state of the crust: a column per quantity, an entry per sample,
         /// [`BYTES`](Self::BYTES) bytes a sample.
         ///
@@ -78,6 +84,7 @@ macro_rules! columns {
                     min: $min,
                     max: $max,
                     bytes: <$kind as ColumnValue>::BYTES,
+                    is_required: $required,
                 }, )+
             ];
 
@@ -136,11 +143,11 @@ macro_rules! columns {
             }
 
             /// The crust of `n` samples that columns of bytes hold, in the order of
-            /// [`COLUMNS`](Self::COLUMNS).
+            /// [`COLUMNS`](Self::COLUMNS). One that is left out has its default.
             ///
             /// # Errors
             /// [`ColumnError`] names the column and the sample.
-            pub fn decode_columns(columns: &[&[u8]], n: usize) -> Result<Self, ColumnError> {
+            pub fn decode_columns(columns: &[Option<&[u8]>], n: usize) -> Result<Self, ColumnError> {
                 if columns.len() != Self::COLUMNS.len() {
                     return Err(ColumnError::Count {
                         found: columns.len(),
@@ -149,11 +156,16 @@ macro_rules! columns {
                 }
                 let mut columns = columns.iter().zip(Self::COLUMNS);
                 $( let $name = match columns.next() {
-                    Some((bytes, info)) => decode_column(bytes, n, info.label, info.min..=info.max)?,
+                    Some((&bytes, info)) => decode_or_default(bytes, n, info, $default)?,
                     None => Vec::new(),
                 }; )+
                 Ok(Self { $( $name, )+ })
             }
+        }
+
+        impl CrustRow {
+            /// The default of every column.
+            const DEFAULT: Self = Self { $( $name: $default, )+ };
         }
 
         impl CrustChunk<'_> {
@@ -174,42 +186,54 @@ macro_rules! columns {
 
 columns! {
     /// The frame that carries the sample.
-    frame: FrameId = "frame", b"FRAM", 0.0..65_535.0;
+    frame: FrameId = 0, "frame", b"FRAM", 0.0..65_535.0, required: true;
     /// Type of the crust x_C.
-    kind: CrustKind = "crust type", b"KIND", 0.0..1.0;
+    kind: CrustKind = CrustKind::Oceanic, "crust type", b"KIND", 0.0..1.0, required: true;
     /// Thickness e in km.
-    thickness: f32 = "thickness", b"THIC", -1.0..1000.0;
+    thickness: f32 = 0.0, "thickness", b"THIC", -1.0..1000.0, required: true;
     /// Elevation z of the unbent crust above sea level in km; trenches are a derived offset.
-    elevation: f32 = "elevation", b"ELEV", -100.0..100.0;
+    elevation: f32 = 0.0, "elevation", b"ELEV", -100.0..100.0, required: true;
     /// Age a_o of oceanic crust since it left its ridge in My.
-    ocean_age: f32 = "ocean age", b"OAGE", 0.0..1e6;
+    ocean_age: f32 = 0.0, "ocean age", b"OAGE", 0.0..1e6, required: true;
     /// Unit vector r parallel to the ridge that made the crust; zero where unknown.
-    ridge: Vec3 = "ridge direction", b"RIDG", -1.001..1.001;
+    ridge: Vec3 = Vec3::ZERO, "ridge direction", b"RIDG", -1.001..1.001, required: false;
     /// Time a_c since the last folding in My.
-    orogeny_age: f32 = "orogeny age", b"FAGE", 0.0..1e6;
+    orogeny_age: f32 = 0.0, "orogeny age", b"FAGE", 0.0..1e6, required: true;
     /// Type o of the last folding.
-    orogeny: Orogeny = "orogeny", b"OROG", 0.0..2.0;
-    /// Fold direction f: a tangent vector, unit length once folded, zero before.
-    fold: Vec3 = "fold direction", b"FOLD", -1.001..1.001;
+    orogeny: Orogeny = Orogeny::None, "orogeny", b"OROG", 0.0..2.0, required: true;
+    /// Fold direction f: a tangent vector, unit length once folded, zero before or where unknown.
+    fold: Vec3 = Vec3::ZERO, "fold direction", b"FOLD", -1.001..1.001, required: false;
+}
+
+/// The column of `n` values that `bytes` hold, or its default if it may be left out.
+fn decode_or_default<T: ColumnValue>(
+    bytes: Option<&[u8]>,
+    n: usize,
+    info: &ColumnInfo,
+    default: T,
+) -> Result<Vec<T>, ColumnError> {
+    match bytes {
+        Some(bytes) => decode_column(bytes, n, info.label, info.min..=info.max),
+        None if info.is_required => Err(ColumnError::Missing(info.label)),
+        None => Ok(vec![default; n]),
+    }
+}
+
+impl CrustRow {
+    /// Abyssal ocean floor on frame 0, of age 0 and never folded.
+    pub fn ocean(params: &TectonicParams) -> Self {
+        Self {
+            thickness: params.ocean_thickness as f32,
+            elevation: params.abyss_elevation as f32,
+            ..Self::DEFAULT
+        }
+    }
 }
 
 impl Crust {
-    /// `n` samples of old abyssal ocean floor on frame 0.
-    pub fn ocean(n: usize, params: &crate::params::TectonicParams) -> Self {
-        Self::uniform(
-            n,
-            &CrustRow {
-                frame: 0,
-                kind: CrustKind::Oceanic,
-                thickness: params.ocean_thickness as f32,
-                elevation: params.abyss_elevation as f32,
-                ocean_age: 0.0,
-                ridge: Vec3::ZERO,
-                orogeny_age: 0.0,
-                orogeny: Orogeny::None,
-                fold: Vec3::ZERO,
-            },
-        )
+    /// `n` samples of [abyssal ocean floor](CrustRow::ocean).
+    pub fn ocean(n: usize, params: &TectonicParams) -> Self {
+        Self::uniform(n, &CrustRow::ocean(params))
     }
 
     /// Number of samples.
@@ -256,6 +280,11 @@ mod tests {
         crust
     }
 
+    /// Columns of bytes as a file with all of them has them.
+    fn all(columns: &[Vec<u8>]) -> Vec<Option<&[u8]>> {
+        columns.iter().map(|column| Some(&column[..])).collect()
+    }
+
     #[test]
     fn a_sample_has_as_many_bytes_as_its_values() {
         assert_eq!(Crust::BYTES, 2 + 1 + 4 + 4 + 4 + 12 + 4 + 1 + 12);
@@ -265,8 +294,7 @@ mod tests {
     fn columns_survive_files_and_copies() {
         let crust = varied(3000);
         let columns = crust.encode_columns();
-        let bytes: Vec<&[u8]> = columns.iter().map(Vec::as_slice).collect();
-        assert_eq!(Crust::decode_columns(&bytes, 3000).unwrap(), crust);
+        assert_eq!(Crust::decode_columns(&all(&columns), 3000).unwrap(), crust);
         let mut copy = Crust::default();
         copy.copy_from(&crust);
         assert!(copy.differences(&crust).is_empty());
@@ -301,8 +329,8 @@ mod tests {
     fn refused(k: usize, at: usize, with: &[u8]) -> String {
         let mut columns = varied(10).encode_columns();
         columns[k][at..at + with.len()].copy_from_slice(with);
-        let bytes: Vec<&[u8]> = columns.iter().map(Vec::as_slice).collect();
-        Crust::decode_columns(&bytes, 10).unwrap_err().to_string()
+        let refused = Crust::decode_columns(&all(&columns), 10);
+        refused.unwrap_err().to_string()
     }
 
     #[test]
@@ -313,11 +341,30 @@ mod tests {
         assert_eq!(refused(2, 8, &nan), "thickness of sample 2 is NaN");
         let long = 1.5_f32.to_le_bytes();
         assert_eq!(refused(8, 16, &long), "fold direction of sample 1 is 1.5");
-        let bytes: Vec<&[u8]> = columns.iter().map(Vec::as_slice).collect();
+        let bytes = all(&columns);
         assert_eq!(
             Crust::decode_columns(&bytes, 11).unwrap_err().to_string(),
             "the column of frame has the wrong length"
         );
         assert!(Crust::decode_columns(&bytes[1..], 10).is_err());
+    }
+
+    #[test]
+    fn columns_that_are_left_out_have_their_defaults_or_are_named() {
+        let crust = varied(10);
+        let columns = crust.encode_columns();
+        for (k, info) in Crust::COLUMNS.iter().enumerate() {
+            let mut bytes = all(&columns);
+            bytes[k] = None;
+            let read = Crust::decode_columns(&bytes, 10);
+            if info.is_required {
+                assert_eq!(read, Err(ColumnError::Missing(info.label)));
+                continue;
+            }
+            let read = read.unwrap();
+            assert_eq!(read.differences(&crust), [info.name]);
+            assert!(read.ridge == crust.ridge || read.ridge == [Vec3::ZERO; 10]);
+            assert!(read.fold == crust.fold || read.fold == [Vec3::ZERO; 10]);
+        }
     }
 }

@@ -103,6 +103,9 @@ pub enum ColumnError {
         /// Columns that the crust has.
         expected: usize,
     },
+    /// A column without which the crust cannot be is not there.
+    #[error("the column of {0} is missing")]
+    Missing(&'static str),
     /// The column has not one entry per sample.
     #[error("the column of {0} has the wrong length")]
     Length(&'static str),

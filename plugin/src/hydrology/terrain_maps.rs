@@ -7,7 +7,7 @@ use crate::crust::isostasy::Isostasy;
 use crate::crust::{CrustKind, CrustRow, Orogeny};
 use crate::math;
 use crate::params::TectonicParams;
-use bevy::math::{DVec3, Vec3};
+use bevy::math::DVec3;
 use bevy::prelude::{Component, ReflectComponent};
 use bevy::reflect::Reflect;
 
@@ -75,7 +75,6 @@ impl TerrainMaps {
         let is_oceanic = sample.oceanic > 0.5;
         let floating = Isostasy::new(params).thickness(sample.elevation);
         CrustRow {
-            frame: 0,
             kind: if is_oceanic {
                 CrustKind::Oceanic
             } else {
@@ -85,10 +84,9 @@ impl TerrainMaps {
             thickness: floating.max(params.ocean_thickness as f32),
             elevation: sample.elevation,
             ocean_age: if is_oceanic { sample.ocean_age } else { 0.0 },
-            ridge: Vec3::ZERO,
             orogeny_age: sample.age.min(OLDEST_MY),
             orogeny: self.orogeny(&sample),
-            fold: Vec3::ZERO,
+            ..CrustRow::ocean(params)
         }
     }
 

@@ -100,17 +100,16 @@ fn blend(crust: &Crust, at: &Location, frame: FrameId, kind: CrustKind) -> Optio
         }
     }
     Some(CrustRow {
-        frame,
-        kind,
         thickness: sums.mean(sums.thickness),
         elevation: sums.mean(sums.elevation),
         ocean_age: sums.mean(sums.ocean_age),
         ridge: sums.ridge.normalize_or_zero().as_vec3(),
         orogeny_age: sums.mean(sums.orogeny_age),
-        // Where no corner is of that kind the means are 0 / 0, and the whole row is dropped here.
-        orogeny: crust.orogeny[nearest?],
         // A mean, not a direction: the length says how strongly crust is folded.
         fold: (sums.fold / sums.weight).as_vec3(),
+        // What has no mean. Where no corner is of that kind the means are 0 / 0, and the whole row
+        // is dropped here.
+        ..crust.row(nearest?)
     })
 }
 

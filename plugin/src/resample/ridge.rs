@@ -14,12 +14,11 @@
 //! that rate; the parameter holds for [`REFERENCE_RATE`].
 
 use super::input::GapInput;
-use crate::crust::{CrustKind, CrustRow, Orogeny, Surface};
+use crate::crust::{CrustRow, Surface};
 use crate::math::exp2;
 use crate::params::TectonicParams;
 use crate::sphere::angle_of_chord;
 use bevy::math::DVec3;
-use bevy::prelude::*;
 
 /// Half-spreading rate in km/My at which `ridge_width` agrees with the default `subsidence_time`.
 pub const REFERENCE_RATE: f64 = 12.8;
@@ -76,14 +75,10 @@ pub(super) fn ridge_row(
     let (near, far) = (elevation(between.near), elevation(between.far));
     Some(CrustRow {
         frame: surface.crust.frame[between.near as usize],
-        kind: CrustKind::Oceanic,
-        thickness: input.planet.params.ocean_thickness as f32,
         elevation: floor.elevation(input.planet.params, near, far) as f32,
         ocean_age: floor.age(input.elapsed) as f32,
         ridge: across.cross(p).normalize_or(DVec3::ZERO).as_vec3(),
-        orogeny_age: 0.0,
-        orogeny: Orogeny::None,
-        fold: Vec3::ZERO,
+        ..CrustRow::ocean(input.planet.params)
     })
 }
 

@@ -16,7 +16,8 @@
 //!
 //! - Sections are known by their tags, a column of the crust has one each. A section that a program
 //!   does not know is passed over where its tag begins with a small letter (`note`), and refused by
-//!   name where it begins with a capital (`NOTE`): without it the planet would be another one.
+//!   name where it begins with a capital (`NOTE`): without it the planet would be another one. A
+//!   column that the file lacks has its default where that claims nothing, else the file is refused.
 //! - Parameters and switches of processes are known by their names. One that the file lacks has its
 //!   default, and must be within its limits like any other; one that the program does not know
 //!   refuses the file by name.

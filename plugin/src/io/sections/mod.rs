@@ -126,11 +126,16 @@ pub(super) fn decode(bytes: &[u8]) -> Result<PlanetState, SaveError> {
     })
 }
 
-/// The crust of so many samples, each column from the section of its tag.
+/// The crust of so many samples, each column from the section of its tag; those that a file may leave
+/// out have their defaults.
 fn read_columns(file: &FileSections, samples: u32) -> Result<Crust, SaveError> {
-    let columns: Result<Vec<&[u8]>, SaveError> = Crust::COLUMNS
-        .iter()
-        .map(|column| file.require(*column.tag))
-        .collect();
-    Ok(Crust::decode_columns(&columns?, samples as usize)?)
+    let mut columns = Vec::with_capacity(Crust::COLUMNS.len());
+    for column in Crust::COLUMNS {
+        // Here, so that the message names the section.
+        if column.is_required {
+            file.require(*column.tag)?;
+        }
+        columns.push(file.get(*column.tag));
+    }
+    Ok(Crust::decode_columns(&columns, samples as usize)?)
 }

@@ -18,7 +18,7 @@ use crate::plate::front::FrontField;
 use crate::plate::polarity::{FrontSegment, PolarityMemory};
 use crate::plate::{PlateId, PlateMotion, PlateStats};
 use crate::sphere::SphereMesh;
-use bevy::math::DVec3;
+use bevy::math::{DVec3, Vec3};
 use std::sync::Arc;
 
 /// A planet of 150 samples in which no part of the state is empty.
