@@ -1,4 +1,5 @@
-# Installs or names the programs that a fresh machine lacks. Sourced by demo/run and tests/run; all text goes to stderr.
+# Installs or names the programs that a fresh machine lacks. Sourced by demo/run and tests/run; all text goes
+# to stderr.
 # shellcheck shell=sh
 
 say() {

@@ -148,7 +148,7 @@ fn spread_anew(app: &App, planet: Entity, reach: f64) -> FrontField {
     };
     let contacts = Contacts(vec![overriding; samples.len()]);
     let mut anew = FrontField::new(mesh.len());
-    let done = anew.refresh(
+    let done = anew.follow(
         &FrontInput {
             mesh,
             frame: &get::<Crust>(app, planet).frame,

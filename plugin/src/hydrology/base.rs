@@ -61,7 +61,7 @@ impl BaseMesh {
         // Triangulation has one thread; meanwhile another makes what needs the points alone.
         let (mesh, noise) = rayon::join(
             || SphereMesh::from_points(points.clone()),
-            || relief_noise(seed, &points),
+            || between_samples(seed, &points),
         );
         let mesh = mesh?;
         let winds = Winds::new(&mesh);
@@ -75,7 +75,7 @@ impl BaseMesh {
 }
 
 /// Noise of the relief between samples at some directions.
-fn relief_noise(seed: u64, points: &[DVec3]) -> Vec<f32> {
+fn between_samples(seed: u64, points: &[DVec3]) -> Vec<f32> {
     let noise = Noise::new(seed, Purpose::BaseRelief, 0);
     parallel::map(points.len(), |i| {
         noise.fractal(points[i as usize], RELIEF_FREQUENCY, RELIEF_OCTAVES) as f32

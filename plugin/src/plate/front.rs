@@ -89,9 +89,9 @@ impl FrontField {
         });
     }
 
-    /// Updates the field to the samples of the rim that override now. Returns early, with false,
+    /// Brings the field up to the samples of the rim that override now. Returns early, with false,
     /// where `stop` says so; the next call of the same step goes on. True when it is done.
-    pub fn refresh(&mut self, input: &FrontInput, stop: impl Fn() -> bool) -> bool {
+    pub fn follow(&mut self, input: &FrontInput, stop: impl Fn() -> bool) -> bool {
         let mut pending = match self.pending.take() {
             Some(pending) => pending,
             None => self.begin(input),

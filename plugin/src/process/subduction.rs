@@ -65,7 +65,7 @@ pub fn subduction(
         contacts,
         reach: (view.params.uplift_end() / view.radius).min(FARTHEST_REACH),
     };
-    if !field.refresh(&front, || cursor.out_of_time()) {
+    if !field.follow(&front, || cursor.out_of_time()) {
         // Nothing is written yet: the next time slice begins with the same crust.
         cursor.hold();
         return;

@@ -286,7 +286,7 @@ fn heights_on(
 /// Level of the water at a direction in a leaf in m; the height of the ground where it is dry.
 fn water_m(leaf: &Leaf, water: Option<f64>, at: [i32; 3]) -> f32 {
     let ground = leaf.height_m(at) as f32;
-    // Water too shallow for 32 bits to tell is none.
+    // Where 32 bits cannot tell the water's level from the ground, it is dry.
     water.map_or(ground, |level| (level as f32).max(ground))
 }
 

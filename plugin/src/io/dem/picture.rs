@@ -48,7 +48,7 @@ impl Grey {
 /// first pixel of each row and the `value` of its greys, NaN for voids; rows come from the top.
 ///
 /// # Errors
-/// Those of `start`, and [`DemError::Invalid`] for what is no grey picture.
+/// Those of `start`, and [`DemError::Invalid`] if the source is not a grey picture.
 pub(in crate::io) fn fold_rows<R: BufRead + Seek, T, E: From<DemError>>(
     source: R,
     start: impl FnOnce([u32; 2]) -> Result<T, E>,

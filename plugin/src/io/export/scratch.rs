@@ -69,7 +69,7 @@ fn nameless_beside(path: &Path) -> io::Result<File> {
     tempfile::tempfile_in(folder_of(path)).or_else(|_| tempfile::tempfile())
 }
 
-/// A range that takes in a band; refuses heights that are none.
+/// A range, widened to the heights of a band; refuses infinite heights and NaN.
 fn range_with(range: [f32; 2], band: &[f32]) -> Result<[f32; 2], ExportError> {
     if !band.iter().all(|z| z.is_finite()) {
         return Err(cannot_encode(

@@ -72,7 +72,7 @@ fn a_changing_front_is_followed_as_if_it_were_found_anew() {
             contacts: &contacts,
             reach: REACH,
         };
-        assert!(field.refresh(&input, || false));
+        assert!(field.follow(&input, || false));
         let since = step.saturating_sub(u64::from(STEPS_ON_FRONT) - 1);
         let is_source = |&i: &u32| (since..=step).any(|step| overrides(&mesh, stream, i, step));
         let sources: Vec<u32> = rim.samples.iter().copied().filter(is_source).collect();
