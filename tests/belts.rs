@@ -3,7 +3,7 @@
 use bevy_pangaea::math::lat_lon;
 use bevy_pangaea::query::{AzimuthalEquidistant, Ground, MapSquare, PlanetGround};
 use bevy_pangaea::relief_stats::{
-    CLASSES, ReliefClass, ReliefStats, SiteInput, TILE_M, TILE_PIXELS, medians, sites,
+    ReliefClass, ReliefStats, SiteInput, TILE_M, TILE_PIXELS, medians, sites,
 };
 use pangaea_tests::grown::GrownPlanet;
 
@@ -34,7 +34,7 @@ fn middle(ground: &PlanetGround, (lat, lon): (f64, f64)) -> ReliefStats {
 fn a_grown_planet_has_the_relief_of_real_belts_and_plains() {
     let planet = GrownPlanet::new(1, 60_000, 125);
     let input = planet.site_input();
-    let wrong: Vec<String> = CLASSES
+    let wrong: Vec<String> = ReliefClass::ALL
         .into_iter()
         .flat_map(|class| wrong_figures(&planet.ground, &input, class))
         .collect();

@@ -18,7 +18,7 @@ use crate::source::load_planet;
 use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::io::{dem_files, raster_files};
 use bevy_pangaea::planet::{Lattice, Planet};
-use bevy_pangaea::relief_stats::{CLASSES, ReliefClass, SiteInput, class_relief, sites};
+use bevy_pangaea::relief_stats::{ReliefClass, SiteInput, class_relief, sites};
 use figures::{ReliefFigures, all_figures, compare};
 use table::tables;
 use tiles::tile_figures;
@@ -84,7 +84,7 @@ fn choose_sites(
         orogeny_age: &surface.crust.orogeny_age,
         seed: headless.get::<Planet>()?.seed,
     };
-    Ok(CLASSES
+    Ok(ReliefClass::ALL
         .into_iter()
         .map(|class| (class, sites(&input, class).into_iter().take(most).collect()))
         .collect())

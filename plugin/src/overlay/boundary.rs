@@ -2,37 +2,28 @@
 
 use super::OverlayInput;
 use super::palette::Rgba;
+use crate::named::named_enum;
 use crate::parallel;
-use bevy::prelude::*;
 
-/// The relative motion of plates where they meet.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Reflect)]
-#[repr(u8)]
-pub enum BoundaryKind {
-    /// No boundary.
-    #[default]
-    None = 0,
-    /// They approach.
-    Convergent = 1,
-    /// They part.
-    Divergent = 2,
-    /// They slide past each other, or rest.
-    Transform = 3,
+named_enum! {
+    /// The relative motion of plates where they meet.
+    #[derive(Default)]
+    pub enum BoundaryKind {
+        /// No boundary.
+        #[default]
+        None = "none",
+        /// They approach.
+        Convergent = "convergent",
+        /// They part.
+        Divergent = "divergent",
+        /// They slide past each other, or rest.
+        Transform = "transform",
+    }
 }
 
 impl BoundaryKind {
-    /// Kinds of boundaries, without [`BoundaryKind::None`].
-    pub const ALL: [Self; 3] = [Self::Convergent, Self::Divergent, Self::Transform];
-
-    /// Name for people.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Convergent => "convergent",
-            Self::Divergent => "divergent",
-            Self::Transform => "transform",
-        }
-    }
+    /// Kinds that are drawn: all but [`BoundaryKind::None`].
+    pub const DRAWN: [Self; 3] = [Self::Convergent, Self::Divergent, Self::Transform];
 
     /// Colour of lines of this kind; transparent for [`BoundaryKind::None`].
     pub fn color(self) -> Rgba {

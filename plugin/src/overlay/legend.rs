@@ -152,7 +152,8 @@ fn named(table: &ClassTable) -> impl Iterator<Item = (String, Rgba)> {
 /// Kinds of boundaries, and the two shades of one plate for all.
 fn plates() -> LegendEntries {
     // Plates are too many to list: one of them stands for all.
-    let kinds = BoundaryKind::ALL.map(|kind| (format!("{} boundary", kind.label()), kind.color()));
+    let kinds = BoundaryKind::DRAWN;
+    let kinds = kinds.map(|kind| (format!("{} boundary", kind.name()), kind.color()));
     let shades = [
         ("ocean floor of a plate", CrustKind::Oceanic),
         ("continent of the plate", CrustKind::Continental),

@@ -5,6 +5,7 @@
 //! °C, glaciers live where it is far below. Not modelled: seasons, soil, fire, people.
 
 use crate::climate::{LAPSE_RATE_K_PER_KM, mean_temperature};
+use crate::named::named_enum;
 use bevy::reflect::Reflect;
 
 /// Warmth and wetness of a place.
@@ -30,59 +31,29 @@ impl ClimateSample {
     }
 }
 
-/// Material of the ground.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Reflect)]
-#[repr(u8)]
-pub enum GroundSurface {
-    /// Bare rock: walls, and steep ground in deserts.
-    #[default]
-    Rock = 0,
-    /// Loose stones at their angle of rest, and gravel in fast rivers.
-    Scree,
-    /// Sand: beaches and deserts.
-    Sand,
-    /// Mud: marshes, and the beds of lakes and slow rivers.
-    Mud,
-    /// Grass, and other plants where trees do not grow.
-    Grass,
-    /// Forest.
-    Forest,
-    /// Snow that stays all year.
-    Snow,
-    /// Ice of glaciers.
-    Ice,
-    /// The ground of the sea.
-    SeaFloor,
-}
-
-impl GroundSurface {
-    /// All of them, in the order of their numbers.
-    pub const ALL: [Self; 9] = [
-        Self::Rock,
-        Self::Scree,
-        Self::Sand,
-        Self::Mud,
-        Self::Grass,
-        Self::Forest,
-        Self::Snow,
-        Self::Ice,
-        Self::SeaFloor,
-    ];
-
-    /// Its name in files: `rock`, `scree`, `sand`, `mud`, `grass`, `forest`, `snow`, `ice`,
-    /// `sea_floor`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rock => "rock",
-            Self::Scree => "scree",
-            Self::Sand => "sand",
-            Self::Mud => "mud",
-            Self::Grass => "grass",
-            Self::Forest => "forest",
-            Self::Snow => "snow",
-            Self::Ice => "ice",
-            Self::SeaFloor => "sea_floor",
-        }
+named_enum! {
+    /// Material of the ground.
+    #[derive(Default)]
+    pub enum GroundSurface {
+        /// Bare rock: walls, and steep ground in deserts.
+        #[default]
+        Rock = "rock",
+        /// Loose stones at their angle of rest, and gravel in fast rivers.
+        Scree = "scree",
+        /// Sand: beaches and deserts.
+        Sand = "sand",
+        /// Mud: marshes, and the beds of lakes and slow rivers.
+        Mud = "mud",
+        /// Grass, and other plants where trees do not grow.
+        Grass = "grass",
+        /// Forest.
+        Forest = "forest",
+        /// Snow that stays all year.
+        Snow = "snow",
+        /// Ice of glaciers.
+        Ice = "ice",
+        /// The ground of the sea.
+        SeaFloor = "sea_floor",
     }
 }
 

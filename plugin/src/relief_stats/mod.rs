@@ -55,8 +55,7 @@ pub use coherence::GradientCoherence;
 pub use geomorphon::{Geomorphon, GeomorphonShares};
 pub use pits::pits_percent;
 pub use sites::{
-    CLASSES, ReliefClass, SITES, SiteInput, TILE_M, TILE_PIXELS, class_relief, median_of, medians,
-    sites,
+    ReliefClass, SITES, SiteInput, TILE_M, TILE_PIXELS, class_relief, median_of, medians, sites,
 };
 pub use slope_area::slope_area_exponent;
 pub use tile::ReliefStats;

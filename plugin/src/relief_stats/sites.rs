@@ -7,10 +7,10 @@ use super::quantile::median;
 use super::tile::ReliefStats;
 use crate::crust::Orogeny;
 use crate::math;
+use crate::named::named_enum;
 use crate::query::{AzimuthalEquidistant, Ground, GroundError, MapSquare};
 use crate::random::{Purpose, Stream};
 use crate::sphere::SphereMesh;
-use bevy::reflect::Reflect;
 
 /// Sites drawn of each class.
 pub const SITES: usize = 20;
@@ -39,38 +39,21 @@ const FORGOTTEN_MY: f32 = 400.0;
 /// Highest elevation of plains in km.
 const PLAIN_KM: f32 = 0.5;
 
-/// The orogeny that built the relief of a place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Reflect)]
-pub enum ReliefClass {
-    /// Collision of continents less than 30 My ago, above 1 km.
-    YoungHimalayan,
-    /// Subduction below a continent less than 30 My ago, above 1 km.
-    YoungAndean,
-    /// Either of them more than 150 My ago, above 200 m.
-    OldBelts,
-    /// Neither of them within 400 My, below 500 m.
-    Plains,
+named_enum! {
+    /// The orogeny that built the relief of a place.
+    pub enum ReliefClass {
+        /// Collision of continents less than 30 My ago, above 1 km.
+        YoungHimalayan = "young_himalayan",
+        /// Subduction below a continent less than 30 My ago, above 1 km.
+        YoungAndean = "young_andean",
+        /// Either of them more than 150 My ago, above 200 m.
+        OldBelts = "old_belts",
+        /// Neither of them within 400 My, below 500 m.
+        Plains = "plains",
+    }
 }
 
-/// All classes, in the order of reports.
-pub const CLASSES: [ReliefClass; 4] = [
-    ReliefClass::YoungHimalayan,
-    ReliefClass::YoungAndean,
-    ReliefClass::OldBelts,
-    ReliefClass::Plains,
-];
-
 impl ReliefClass {
-    /// Its name in reports: `young_himalayan`, `young_andean`, `old_belts`, `plains`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::YoungHimalayan => "young_himalayan",
-            Self::YoungAndean => "young_andean",
-            Self::OldBelts => "old_belts",
-            Self::Plains => "plains",
-        }
-    }
-
     /// Whether crust of this elevation in km, orogeny, and age of the orogeny in My belongs to the
     /// class.
     pub fn holds(self, elevation: f32, orogeny: Orogeny, age: f32) -> bool {

@@ -54,7 +54,7 @@ impl BeltPlanet {
 #[test]
 fn sites_and_their_neighbours_belong_to_their_class() {
     let planet = BeltPlanet::new();
-    for class in CLASSES {
+    for class in ReliefClass::ALL {
         for site in sites(&planet.input(3), class) {
             let mut around = planet.mesh.ring(site).iter().chain([&site]);
             assert!(around.all(|&i| planet.holds(class, i)), "{class:?}");
@@ -65,7 +65,7 @@ fn sites_and_their_neighbours_belong_to_their_class() {
 #[test]
 fn sites_differ_and_hang_on_the_seed_alone() {
     let planet = BeltPlanet::new();
-    for class in CLASSES {
+    for class in ReliefClass::ALL {
         let drawn = sites(&planet.input(3), class);
         let mut unique = drawn.clone();
         unique.sort_unstable();
@@ -84,7 +84,11 @@ fn a_planet_of_sea_has_no_sites() {
         orogeny: &vec![Orogeny::None; planet.mesh.len()],
         ..planet.input(1)
     };
-    assert!(CLASSES.iter().all(|&class| sites(&sea, class).is_empty()));
+    assert!(
+        ReliefClass::ALL
+            .iter()
+            .all(|&class| sites(&sea, class).is_empty())
+    );
 }
 
 /// Ridges of 1000 m, 5 km apart, along the meridians.

@@ -60,8 +60,8 @@ fn entries(ui: &mut Ui, entries: &LegendEntries) {
 }
 
 fn boundaries(ui: &mut Ui) {
-    let kinds = BoundaryKind::ALL.iter();
-    chips(ui, kinds.map(|kind| (kind.label(), kind.color())));
+    let kinds = BoundaryKind::DRAWN.iter();
+    chips(ui, kinds.map(|kind| (kind.name(), kind.color())));
 }
 
 fn title(ui: &mut Ui, legend: &Legend) {

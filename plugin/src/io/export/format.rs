@@ -1,23 +1,24 @@
 //! The formats that heights are written in.
 
 use super::error::ExportError;
+use crate::named::named_enum;
 use crate::query::MapSquare;
-use bevy::prelude::*;
 use std::path::Path;
 
-/// The formats that heights are written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect)]
-pub enum ExportFormat {
-    /// GeoTIFF, `.tif`: f32 in m.
-    GeoTiff,
-    /// 16-bit grey PNG with a sidecar, `.png`.
-    Grey,
-    /// 16-bit greys without a header, little endian, with a sidecar: `.r16`, `.raw`.
-    Raw,
-    /// OpenEXR, `.exr`: f32 in m.
-    Exr,
-    /// Binary glTF, `.glb`: triangles in m.
-    Mesh,
+named_enum! {
+    /// The formats that heights are written in. Their names are extensions.
+    pub enum ExportFormat {
+        /// GeoTIFF, `.tif`: f32 in m.
+        GeoTiff = ".tif",
+        /// 16-bit grey PNG with a sidecar, `.png`.
+        Grey = ".png",
+        /// 16-bit greys without a header, little endian, with a sidecar: `.r16`, `.raw`.
+        Raw = ".r16",
+        /// OpenEXR, `.exr`: f32 in m.
+        Exr = ".exr",
+        /// Binary glTF, `.glb`: triangles in m.
+        Mesh = ".glb",
+    }
 }
 
 impl ExportFormat {
@@ -34,17 +35,6 @@ impl ExportFormat {
             Some("exr") => Ok(Self::Exr),
             Some("glb") => Ok(Self::Mesh),
             _ => Err(ExportError::Extension(path.to_path_buf())),
-        }
-    }
-
-    /// The extension.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::GeoTiff => ".tif",
-            Self::Grey => ".png",
-            Self::Raw => ".r16",
-            Self::Exr => ".exr",
-            Self::Mesh => ".glb",
         }
     }
 
