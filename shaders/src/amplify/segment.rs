@@ -12,13 +12,7 @@ use super::vertex::{FAR, RiverSegment, Vertex};
 impl RiverSegment {
     /// The segment between two vertices of a river that was born on level `birth`; `level` is that
     /// of its edge. `arriving` is the discharge at its lower end, where others may join it.
-    pub fn between(
-        scale: &PlanetScale,
-        birth: u8,
-        level: u32,
-        [up, down]: [&Vertex; 2],
-        arriving: u32,
-    ) -> Self {
+    pub fn between(birth: u8, level: u32, [up, down]: [&Vertex; 2], arriving: u32) -> Self {
         let joins = !runs_into([up, down], arriving);
         // At its lower end not the junction's flow: that holds the rivers that join there. At its
         // upper end that of all arms of a delta, though: they leave it as one.
@@ -37,9 +31,9 @@ impl RiverSegment {
             ]
             .map(|flow| flow as u16),
             winding: [up.winding, if joins { 0 } else { down.winding }],
-            reach: reach(scale, birth),
-            level: level as u16,
-            is_lake: u16::from(is_lake),
+            birth,
+            level: level as u8,
+            is_lake,
         }
     }
 
@@ -52,8 +46,8 @@ impl RiverSegment {
         level: u32,
         ends: [&Vertex; 2],
     ) -> Option<Self> {
-        let own = || Self::between(scale, edge.birth, level, ends, edge.arriving);
-        let coarser = Self::of_coarser_level(scale, edge, ends);
+        let own = || Self::between(edge.birth, level, ends, edge.arriving);
+        let coarser = Self::of_coarser_level(edge, ends);
         coarser.or_else(|| keeps_own(scale, rules, edge, level, ends).then(own))
     }
 
@@ -65,16 +59,23 @@ impl RiverSegment {
         level: u32,
         ends: [&Vertex; 2],
     ) -> bool {
-        Self::of_coarser_level(scale, edge, ends).is_some()
-            || keeps_own(scale, rules, edge, level, ends)
+        Self::of_coarser_level(edge, ends).is_some() || keeps_own(scale, rules, edge, level, ends)
     }
 
     /// The piece of a coarser level that an edge is a part of.
-    fn of_coarser_level(scale: &PlanetScale, edge: &Edge, ends: [&Vertex; 2]) -> Option<Self> {
-        let reach = reach(scale, edge.birth);
+    fn of_coarser_level(edge: &Edge, ends: [&Vertex; 2]) -> Option<Self> {
         // A tributary that joins the piece was born later.
-        let is_part = |end: &&&Vertex| end.keeps_course && end.river.reach == reach;
+        let is_part = |end: &&&Vertex| end.keeps_course && end.river.birth == edge.birth;
         ends.iter().find(is_part).map(|end| end.river)
+    }
+
+    /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so
+    /// that ground of coarser levels never lies in it; [`FAR`] for a river of the control mesh.
+    pub fn reach(&self, scale: &PlanetScale) -> i32 {
+        match self.birth {
+            0 => FAR,
+            level => scale.edge_grains(u32::from(level)) / 2,
+        }
     }
 
     /// Whether it is a single vertex of a river.
@@ -115,15 +116,6 @@ fn runs_on(ends: [&Vertex; 2]) -> bool {
     !is_lost(ends)
         && up.kind == VertexKind::River
         && matches!(down.kind, VertexKind::River | VertexKind::Sea)
-}
-
-/// Widest half-width of the valley of a river that was born on a level, grains.
-fn reach(scale: &PlanetScale, birth: u8) -> i32 {
-    if birth == 0 {
-        FAR
-    } else {
-        scale.edge_grains(u32::from(birth)) / 2
-    }
 }
 
 /// Whether a river goes on beyond the lower end of its piece: the sea and a larger river end it.

@@ -32,13 +32,12 @@ pub struct RiverSegment {
     pub waves: [u16; 2],
     /// Windings at the ends, as [`Vertex::winding`].
     pub winding: [i16; 2],
-    /// Widest half-width of its valley, grains: half the edge from which a tributary was born, so
-    /// that ground of coarser levels never lies in it; [`FAR`] for a river of the control mesh.
-    pub reach: i32,
+    /// Level on which its river was born, 0 for one of the control mesh.
+    pub birth: u8,
     /// Level of the edge it was.
-    pub level: u16,
-    /// 1 where it is a lake from end to end, which has shores but no bed; else 0.
-    pub is_lake: u16,
+    pub level: u8,
+    /// Whether it is a lake from end to end, which has shores but no bed.
+    pub is_lake: bool,
 }
 
 /// A valley's side at a place: its height, and how much of the ground that the graphs made is left.

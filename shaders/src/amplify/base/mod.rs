@@ -91,7 +91,7 @@ impl Base {
         let scale = PlanetScale::new(mesh);
         let network = BaseRivers::new(mesh, rivers);
         rivers::lay(&scale, &network, &mut vertices, &mut edges);
-        rivers::lay_at_vertices(&scale, &drains, &mut vertices);
+        rivers::lay_at_vertices(&drains, &mut vertices);
         rivers::lay_beside(&scale, &network, &mut vertices, &edges, &faces.faces);
         Self {
             scale,

@@ -191,14 +191,14 @@ impl Confluences {
 
 /// Lays what every vertex has of its own: gullies run down from those that drain by one of `drains`;
 /// wet ones lie on their river, a segment without length.
-pub(super) fn lay_at_vertices(scale: &PlanetScale, drains: &[u32], vertices: &mut [Vertex]) {
+pub(super) fn lay_at_vertices(drains: &[u32], vertices: &mut [Vertex]) {
     for (vertex, &drain) in vertices.iter_mut().zip(drains) {
         if drain != NONE {
             vertex.kind = VertexKind::Gully;
         }
         if vertex.is_wet() {
             let ends = [&*vertex; 2];
-            vertex.river = RiverSegment::between(scale, 0, 0, ends, vertex.discharge);
+            vertex.river = RiverSegment::between(0, 0, ends, vertex.discharge);
             vertex.river_distance = 0;
             vertex.river_along = 0;
         }
@@ -218,7 +218,7 @@ pub(super) fn lay_beside(
         let edge = &edges[river.edge as usize];
         let ends = gather(vertices, edge.vertices);
         // River vertices know their river; the far corners of its faces need a distance.
-        let segment = RiverSegment::between(scale, 0, 0, ends, edge.arriving);
+        let segment = RiverSegment::between(0, 0, ends, edge.arriving);
         // The floor of the sea carries the river's bed on.
         offer(scale, &mut vertices[river.ends[1]], segment);
         for &face in edge.faces.iter().filter(|&&f| f != NONE) {

@@ -64,7 +64,7 @@ fn distance(base: &Base, vertex: u32, i: u32, edge: &Edge) -> Option<i32> {
         return None;
     }
     let ends = gather(&base.vertices, edge.vertices);
-    let segment = RiverSegment::between(&base.scale, 0, 0, ends, edge.arriving);
+    let segment = RiverSegment::between(0, 0, ends, edge.arriving);
     let (_, off) = segment
         .curve()
         .nearest(base.vertices[vertex as usize].direction);

@@ -1,7 +1,7 @@
 //! The place of a new river vertex: on the curve between its ends, and, while edges are longer than
 //! a few bends of the river, moved aside from it, so that valleys wind at every scale.
 
-use super::place::{Placed, at_shares, middle, unless_flat, within_bounds};
+use super::place::{Shares, turned, unless_flat, within_bounds};
 use crate::amplify::arith::mul_q16;
 use crate::amplify::curve::Curve;
 use crate::amplify::fixed::{Q16, difference, q16, weigh};
@@ -21,16 +21,16 @@ pub(super) struct Course {
     pub(super) is_kept: bool,
 }
 
-/// Places the vertex that halves a river edge half-way along its course, within the same bounds as
-/// any other displaced vertex.
+/// Where the vertex that halves a river edge lies half-way along its course, within the same bounds as
+/// any other displaced vertex; `None` in the middle.
 pub(super) fn on_course(
     course: &Course,
     seed: u32,
     ends: [&Vertex; 2],
     opposite: [Option<&Vertex>; 2],
-) -> Placed {
+) -> Option<Shares> {
     let [Some(x), Some(y)] = opposite else {
-        return middle(seed, ends);
+        return None;
     };
     let [a, b] = ends;
     let [ab, ax, ay] = [b, x, y].map(|v| difference(v.direction, a.direction));
@@ -45,16 +45,18 @@ pub(super) fn on_course(
         mul_q16(centred_share(seed, 12), SWAY)
     };
     let aside = up.max(0) - down.max(0) + sway;
-    let (corner, stances) = if aside >= 0 {
-        (x, stances)
-    } else {
-        (y, [stances[1], stances[0]])
-    };
+    let is_second = aside < 0;
+    let stances = turned(stances, is_second);
     let weight = unless_flat(stances);
     // A sixth at most: the bounds allow no more.
     let wx = weigh(weight, aside.abs().min(Q16 / 6));
     let towards_b = weigh(weight, along) - weigh(stances[0].along << 4, wx);
-    at_shares(ends, corner, within_bounds(towards_b, wx, stances))
+    let [end, corner] = within_bounds(towards_b, wx, stances);
+    Some(Shares {
+        end,
+        corner,
+        is_second,
+    })
 }
 
 /// Where the middle of the course lies: share of the edge from its middle, and the vector across

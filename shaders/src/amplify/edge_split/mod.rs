@@ -22,7 +22,7 @@ use super::uniform::LevelUniform;
 use super::vertex::{CornerBeside, EdgeContext, FAR, RiverSegment, ValleySection, Vertex};
 use super::vertices::VertexView;
 use course::{Course, on_course};
-use place::{Placed, place};
+use place::{Placed, place, shares};
 
 /// Pass: the vertices that halve edges of a level, in the order of the list; `vertices` are those of
 /// coarser levels.
@@ -138,10 +138,11 @@ fn placed(
     ends: [&Vertex; 2],
     opposite: [Option<&Vertex>; 2],
 ) -> Placed {
-    match course {
+    let shares = match course {
         Some(course) => on_course(course, new.seed, ends, opposite),
-        None => place(rules, edge, level, new, ends, opposite),
-    }
+        None => shares(rules, edge, level, new, ends, opposite),
+    };
+    place(new.seed, shares, ends, opposite)
 }
 
 /// A vertex with the ground that the rules have decided for it.
@@ -204,7 +205,7 @@ fn course(
     if edge.kind != EdgeKind::River || !rules.landforms || !ends[0].is_wet() {
         return None;
     }
-    let river = RiverSegment::between(scale, edge.birth, level, ends, edge.arriving);
+    let river = RiverSegment::between(edge.birth, level, ends, edge.arriving);
     Some(Course {
         curve: river.curve(),
         is_kept: RiverSegment::is_kept(scale, rules, edge, level, ends),

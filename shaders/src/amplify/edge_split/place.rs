@@ -30,6 +30,18 @@ const FLATNESS: [i32; 2] = [Q12 / 6, Q12 / 2];
 /// moved towards Loop's place, from the second on all the way.
 const CENTRED: [i32; 2] = [Q12 / 6, Q12 / 3];
 
+/// Where a vertex lies on a face beside its edge: shares of two of the face's corners, Q16. That of
+/// the edge's first end is the rest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shares {
+    /// Of the edge's second end.
+    pub(super) end: i32,
+    /// Of the corner opposite to the edge.
+    pub(super) corner: i32,
+    /// Whether the face is the edge's second one.
+    pub(super) is_second: bool,
+}
+
 /// A place, and the height of the flat face there.
 pub(super) struct Placed {
     /// Unit direction times `ONE`.
@@ -40,34 +52,46 @@ pub(super) struct Placed {
     pub(super) swell: i32,
 }
 
-/// Places the vertex that halves an edge: at the middle, moved sideways within its safe zone, on
-/// the sphere.
-pub(super) fn place(
+/// Where the vertex that halves an edge lies, moved sideways within its safe zone; `None` in the
+/// middle.
+pub(super) fn shares(
     rules: &Rules,
     kind: EdgeKind,
     level: u32,
     new: &Vertex,
     ends: [&Vertex; 2],
     opposite: [Option<&Vertex>; 2],
-) -> Placed {
-    if level < STRAIGHT_LEVEL
-        && let [Some(x), Some(y)] = opposite
-    {
-        let shift = shift(rules, kind, ends.map(|v| v.kind), level, new);
-        // Towards the corner x, away from the corner y.
-        let corners = if shift.second { [y, x] } else { [x, y] };
-        // Rivers keep the course that their rule draws.
-        let is_centred = rules.landforms && kind != EdgeKind::River;
-        if shift.weight > 0 || is_centred {
-            return displaced(&shift, is_centred, ends, corners);
-        }
+) -> Option<Shares> {
+    let [Some(x), Some(y)] = opposite else {
+        return None;
+    };
+    if level >= STRAIGHT_LEVEL {
+        return None;
     }
-    middle(new.seed, ends)
+    let shift = shift(rules, kind, ends.map(|v| v.kind), level, new);
+    // Rivers keep the course that their rule draws.
+    let is_centred = rules.landforms && kind != EdgeKind::River;
+    let is_moved = shift.weight > 0 || is_centred;
+    is_moved.then(|| displaced(&shift, is_centred, ends, [x, y]))
+}
+
+/// Places the vertex that halves an edge: on a face beside it, or in its middle.
+pub(super) fn place(
+    seed: u32,
+    shares: Option<Shares>,
+    ends: [&Vertex; 2],
+    opposite: [Option<&Vertex>; 2],
+) -> Placed {
+    let on_face = shares.and_then(|shares| {
+        let corner = opposite[usize::from(shares.is_second)]?;
+        Some(at_shares(ends, corner, shares))
+    });
+    on_face.unwrap_or_else(|| middle(seed, ends))
 }
 
 /// The middle of an edge. Halves round to either side by the seed, so that no direction is
 /// favoured.
-pub(super) fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
+fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
     let ab = difference(b.direction, a.direction);
     let odd = (seed >> 7 & 1) as i32;
     let [s, t] = ocean::swells([a, b]);
@@ -80,29 +104,37 @@ pub(super) fn middle(seed: u32, [a, b]: [&Vertex; 2]) -> Placed {
     }
 }
 
-/// A place moved towards the first of the two corners opposite to the edge.
+/// A place moved sideways; `corners` are those opposite to the edge.
 fn displaced(
     shift: &Shift,
     is_centred: bool,
     [a, b]: [&Vertex; 2],
-    [x, y]: [&Vertex; 2],
-) -> Placed {
-    let [ab, ax, ay] = [b, x, y].map(|v| difference(v.direction, a.direction));
-    let stances = [ax, ay].map(|corner| Stance::of(ab, corner));
+    corners: [&Vertex; 2],
+) -> Shares {
+    let ab = difference(b.direction, a.direction);
+    let stances = corners.map(|v| Stance::of(ab, difference(v.direction, a.direction)));
+    // Towards the first of these, away from the second.
+    let stances = turned(stances, shift.second);
     let mut pull = drawn(shift, stances);
     if is_centred {
         pull = centred(pull, stances);
     }
-    let (x, stances) = if pull.is_turned {
-        (y, [stances[1], stances[0]])
-    } else {
-        (x, stances)
-    };
-    at_shares([a, b], x, weights(pull, stances))
+    let [end, corner] = weights(pull, turned(stances, pull.is_turned));
+    Shares {
+        end,
+        corner,
+        is_second: shift.second != pull.is_turned,
+    }
+}
+
+/// The stances of both corners, in the other order where they are turned.
+pub(super) fn turned([x, y]: [Stance; 2], is_turned: bool) -> [Stance; 2] {
+    if is_turned { [y, x] } else { [x, y] }
 }
 
 /// The place whose shares of the edge's end and of a corner are given.
-pub(super) fn at_shares([a, b]: [&Vertex; 2], x: &Vertex, [wb, wx]: [i32; 2]) -> Placed {
+fn at_shares([a, b]: [&Vertex; 2], x: &Vertex, shares: Shares) -> Placed {
+    let (wb, wx) = (shares.end, shares.corner);
     let [ab, ax] = [b, x].map(|v| difference(v.direction, a.direction));
     let on_face = |[a, b, x]: [i32; 3]| a + weigh(wb, b - a) + weigh(wx, x - a);
     Placed {

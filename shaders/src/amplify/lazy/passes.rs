@@ -250,7 +250,7 @@ impl<B: Deref<Target = Base>> LazyGround<B> {
         }
         let ends = edge.vertices.map(|v| self.vertex(v));
         let (scale, at) = (&self.base.scale, level as u32);
-        let own = || RiverSegment::between(scale, edge.birth, at, ends, edge.arriving);
+        let own = || RiverSegment::between(edge.birth, at, ends, edge.arriving);
         let kept = RiverSegment::kept(scale, &self.rules, &edge, at, ends);
         // No river runs above a spring.
         kept.or_else(|| (ends[0].is_wet() && !is_lost(ends)).then(own))

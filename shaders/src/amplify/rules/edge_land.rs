@@ -2,10 +2,9 @@
 //!
 //! All rules of a rise share these numbers.
 
-use super::FACE_LEVEL;
 use super::fold::RiseDraws;
 use super::landform::steepness;
-use super::preset::Rules;
+use super::preset::{FACE_LEVEL, Rules};
 use crate::amplify::arith::{mix, mul_q16, ordered};
 use crate::amplify::fixed::{metres, q16};
 use crate::amplify::vertex::EdgeContext;

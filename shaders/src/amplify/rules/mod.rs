@@ -12,6 +12,7 @@
 pub mod nodes;
 pub mod noise;
 pub mod preset;
+pub mod vertex_ground;
 
 pub mod ocean;
 
@@ -38,16 +39,9 @@ pub mod valley;
 
 use super::control::VertexKind;
 use super::vertex::EdgeContext;
-pub use preset::Rules;
-
-/// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
-/// its parents alone, but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
-pub const STRAIGHT_LEVEL: u32 = 11;
-
-/// First level, in our rules, at which a vertex lies on the face where it was moved to, not at its
-/// edge's height: edges of 800 m and less on an Earth-sized planet, the size of a hillside. An even
-/// slope stays even under sideways moves.
-const FACE_LEVEL: u32 = 6;
+use lake::{LakeEdge, Lifted};
+pub use preset::{Rules, STRAIGHT_LEVEL};
+pub use vertex_ground::VertexGround;
 
 /// Kind of an edge (the paper's edge types R and T; gullies have their own).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -62,37 +56,30 @@ pub enum EdgeKind {
     Gully = 2,
 }
 
-/// The ground that a rule gives to a new vertex.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct VertexGround {
-    /// Kind of the vertex.
-    pub kind: VertexKind,
-    /// Ground, grains.
-    pub height: i32,
-    /// River bed or lake floor, grains; equals `height` at dry vertices.
-    pub bed: i32,
-    /// Water surface, grains; equals `bed` at dry vertices.
-    pub water: i32,
-}
-
-impl VertexGround {
-    /// Dry ground of one kind.
-    #[inline]
-    pub const fn dry(kind: VertexKind, height: i32) -> Self {
-        Self {
-            kind,
-            height,
-            bed: height,
-            water: height,
+/// The ground of the vertex that halves an edge: picks the rule by the configuration (kind, edge,
+/// kind).
+pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
+    if !rules.landforms || context.new.lake == 0 {
+        return graph(rules, edge, context);
+    }
+    match LakeEdge::of(edge, context) {
+        LakeEdge::Floor => lake::of_kind(edge, lake::floor(rules, edge, context)),
+        LakeEdge::Inflow => lake::inflow(context),
+        LakeEdge::Shore => lake::of_kind(edge, lake::shore(rules, context)),
+        LakeEdge::Away => graph(rules, edge, context),
+        LakeEdge::Beside => {
+            let lifted = Lifted::of(context);
+            let ground = beside_lake(rules, edge, &lifted.context(context));
+            lake::beside(context, ground)
         }
     }
 }
 
-/// The ground of the vertex that halves an edge: picks the rule by the configuration (kind, edge,
-/// kind).
-pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
-    if rules.landforms && context.new.lake != 0 {
-        lake::halve(rules, edge, context)
+/// The same of an edge beside a lake, at whose level its ends stand.
+fn beside_lake(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
+    if context.a.kind == VertexKind::Lake || context.b.kind == VertexKind::Lake {
+        // Between two waters, or over a valley that lies lower than the lake.
+        lake::of_kind(edge, crest::between_rivers(rules, context))
     } else {
         graph(rules, edge, context)
     }

@@ -3,6 +3,15 @@
 use super::nodes::Form;
 use crate::amplify::fixed::{q16, tan_deg};
 
+/// First level whose edges stay straight and whose faces decide nothing: a vertex then follows from
+/// its parents alone, but for a river beside it. Its edges are 25 m long on an Earth-sized planet.
+pub const STRAIGHT_LEVEL: u32 = 11;
+
+/// First level, in our rules, at which a vertex lies on the face where it was moved to, not at its
+/// edge's height: edges of 800 m and less on an Earth-sized planet, the size of a hillside. An even
+/// slope stays even under sideways moves.
+pub(super) const FACE_LEVEL: u32 = 6;
+
 /// Constants of the subdivision rules. Shares and tangents are Q16, heights and lengths grains,
 /// levels are the paper's λ: 0 halves the control mesh's edges of about 52 km.
 ///

@@ -23,8 +23,8 @@
 
 use super::divide::{evenness, gain};
 use super::edge_land::{EdgeLand, is_small, least, lowest_cone};
-use super::preset::Rules;
-use super::{FACE_LEVEL, fine, gully, threshold};
+use super::preset::{FACE_LEVEL, Rules};
+use super::{fine, gully, threshold};
 use crate::amplify::arith::{mix, mul_q16, ordered};
 use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::{Q16, q16};

@@ -120,7 +120,8 @@ impl Search<'_> {
         // Quarters of FAR: distance, charge and penalty together stay in 32 bits.
         let distance = place.distance.min(FAR / 4);
         // Beyond its reach a tributary counts only where no other river is known.
-        let beyond = if distance > segment.reach { FAR / 4 } else { 0 };
+        let is_beyond = distance > segment.reach(self.scale);
+        let beyond = if is_beyond { FAR / 4 } else { 0 };
         let bank = self.cost_of_bank(segment, distance, place.reach.half_bed);
         let cost = bank + charge + beyond;
         if cost < self.found.cost {
@@ -157,8 +158,7 @@ impl Search<'_> {
         } else {
             None
         };
-        let point =
-            || RiverSegment::between(scale, edge.birth, level + 1, [new, new], new.discharge);
+        let point = || RiverSegment::between(edge.birth, level + 1, [new, new], new.discharge);
         // Between a larger river, into which its course has led, and their junction it has no other.
         let is_lost = is_river && is_lost(ends);
         if kept.is_some() || !is_lost {
@@ -188,7 +188,7 @@ impl Search<'_> {
                 match RiverSegment::kept(scale, self.rules, drain.edge, level, drain.ends) {
                     Some(kept) => [Some(kept), None],
                     None if is_lost(drain.ends) => [None; 2],
-                    None => segments_of(scale, level, drain),
+                    None => segments_of(level, drain),
                 };
             for segment in segments.iter().flatten() {
                 self.offer(segment, 0);
@@ -224,10 +224,9 @@ impl Search<'_> {
 
 /// The newest segments that are known of a river edge of a level, upstream first.
 #[inline]
-fn segments_of(scale: &PlanetScale, level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
+fn segments_of(level: u32, drain: &DrainBeside) -> [Option<RiverSegment>; 2] {
     let (edge, [up, down]) = (drain.edge, drain.ends);
-    let part =
-        |level, ends, arriving| RiverSegment::between(scale, edge.birth, level, ends, arriving);
+    let part = |level, ends, arriving| RiverSegment::between(edge.birth, level, ends, arriving);
     let lower = |level, up| Some(part(level, [up, down], edge.arriving));
     match drain.mid {
         // No river runs above a spring.

@@ -10,11 +10,11 @@ mod shore;
 
 use super::preset::Rules;
 use super::valley::Carved;
-use super::{EdgeKind, VertexGround, crest, graph};
+use super::{EdgeKind, VertexGround, crest};
 use crate::amplify::control::VertexKind;
 use crate::amplify::vertex::{EdgeContext, Vertex};
 pub use new::{chance, widened};
-use shore::{floor, shore};
+pub(super) use shore::{floor, shore};
 
 /// Print and release: the floor between two vertices of one lake, or a crest between two lakes.
 pub fn between(rules: &Rules, context: &EdgeContext) -> VertexGround {
@@ -25,32 +25,51 @@ pub fn between(rules: &Rules, context: &EdgeContext) -> VertexGround {
     under(a.bed + (b.bed - a.bed) / 2, a.water)
 }
 
-/// Ours: the vertex of an edge in or beside a lake.
-pub fn halve(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
-    let level = context.new.lake_level;
-    let is_lake = |v: &Vertex| v.kind == VertexKind::Lake && v.water == level;
-    let is_level = |v: &Vertex| v.is_wet() && v.water == level;
-    let (a, b) = (context.a, context.b);
-    if (is_lake(a) && is_level(b)) || (is_lake(b) && is_level(a)) {
-        return of_kind(edge, floor(rules, edge, context));
-    }
-    if edge == EdgeKind::River {
-        return if is_lake(b) && a.is_wet() {
-            inflow(context)
+/// How an edge in or beside a lake gets its vertex, in ours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum LakeEdge {
+    /// Under its water.
+    Floor,
+    /// Along a river that flows into it.
+    Inflow,
+    /// Between it and land that is not lower.
+    Shore,
+    /// As if there were no lake: along a river that goes on.
+    Away,
+    /// On the land beside it.
+    Beside,
+}
+
+impl LakeEdge {
+    /// That of an edge of a kind whose new vertex knows a lake.
+    pub(super) fn of(edge: EdgeKind, context: &EdgeContext) -> Self {
+        let level = context.new.lake_level;
+        let is_lake = |v: &Vertex| v.kind == VertexKind::Lake && v.water == level;
+        let is_level = |v: &Vertex| v.is_wet() && v.water == level;
+        let (a, b) = (context.a, context.b);
+        if (is_lake(a) && is_level(b)) || (is_lake(b) && is_level(a)) {
+            return Self::Floor;
+        }
+        if edge == EdgeKind::River {
+            return if is_lake(b) && a.is_wet() {
+                Self::Inflow
+            } else {
+                Self::Away
+            };
+        }
+        let land = if is_lake(a) { b } else { a };
+        let has_shore = is_lake(a) || is_lake(b);
+        if has_shore && !land.is_wet() && land.height >= level {
+            Self::Shore
         } else {
-            graph(rules, edge, context)
-        };
+            Self::Beside
+        }
     }
-    let (lake, land) = if is_lake(a) { (a, b) } else { (b, a) };
-    if is_lake(lake) && !land.is_wet() && land.height >= level {
-        return of_kind(edge, shore(rules, context, lake, land));
-    }
-    beside(rules, edge, context)
 }
 
 /// A river that flows into a lake: the lake reaches as far up its valley as the river's bed lies
 /// below it.
-fn inflow(context: &EdgeContext) -> VertexGround {
+pub(super) fn inflow(context: &EdgeContext) -> VertexGround {
     let (river, lake) = (context.a, context.b);
     let level = lake.water;
     let bed = river.bed + (lake.bed - river.bed) / 2;
@@ -66,17 +85,10 @@ fn inflow(context: &EdgeContext) -> VertexGround {
     }
 }
 
-/// Beside a lake: the ground is made as if its ends stood at the lake's level at least.
-fn beside(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
+/// The ground beside a lake: dry where `ground` that was made with its ends at the lake's level
+/// lies below it.
+pub(super) fn beside(context: &EdgeContext, ground: VertexGround) -> VertexGround {
     let level = context.new.lake_level;
-    let ground = lifted(context, level, |lifted| {
-        if lifted.a.kind == VertexKind::Lake || lifted.b.kind == VertexKind::Lake {
-            // Between two waters, or over a valley that lies lower than the lake.
-            of_kind(edge, crest::between_rivers(rules, lifted))
-        } else {
-            graph(rules, edge, lifted)
-        }
-    });
     let is_dry = !matches!(
         ground.kind,
         VertexKind::Sea | VertexKind::River | VertexKind::Lake
@@ -89,25 +101,49 @@ fn beside(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround 
     ground
 }
 
-/// Runs a rule on an edge whose ends stand at a level at least, or at their water.
-fn lifted<T>(context: &EdgeContext, level: i32, rule: impl FnOnce(&EdgeContext) -> T) -> T {
-    let [a, b] = [context.a, context.b].map(|end| match end.kind {
+/// The ends of an edge, and the height of its face, raised to the level of a lake.
+pub(super) struct Lifted {
+    a: Vertex,
+    b: Vertex,
+    face: i32,
+}
+
+impl Lifted {
+    /// Those of an edge, which then stand at the lake's level at least, or at their water.
+    pub(super) fn of(context: &EdgeContext) -> Self {
+        let level = context.new.lake_level;
+        let [a, b] = [context.a, context.b].map(|end| lifted(end, level));
+        Self {
+            face: context.face.max(a.height.min(b.height)),
+            a,
+            b,
+        }
+    }
+
+    /// The edge with these ends.
+    pub(super) fn context<'a>(&'a self, of: &EdgeContext<'a>) -> EdgeContext<'a> {
+        EdgeContext {
+            a: &self.a,
+            b: &self.b,
+            face: self.face,
+            ..*of
+        }
+    }
+}
+
+/// An end of an edge beside a lake of a level.
+fn lifted(end: &Vertex, level: i32) -> Vertex {
+    match end.kind {
         VertexKind::Sea | VertexKind::Coast => *end,
         _ => Vertex {
             height: end.height.max(level).max(end.water),
             ..*end
         },
-    });
-    rule(&EdgeContext {
-        a: &a,
-        b: &b,
-        face: context.face.max(a.height.min(b.height)),
-        ..*context
-    })
+    }
 }
 
 /// Dry ground on a gully's edge is a gully.
-fn of_kind(edge: EdgeKind, ground: VertexGround) -> VertexGround {
+pub(super) fn of_kind(edge: EdgeKind, ground: VertexGround) -> VertexGround {
     if edge == EdgeKind::Gully && ground.kind == VertexKind::Terrain {
         return VertexGround::dry(VertexKind::Gully, ground.height);
     }

@@ -5,14 +5,14 @@
 //! straight where it is steep, and less on fine levels, where waves smooth them. Floors shelve with
 //! the distance from the shore, and are deepest in the middle.
 
-use super::{lifted, under};
+use super::{Lifted, under};
 use crate::amplify::arith::{linear_step, mix, mul_q16, pow_1_5, ratio, sqrt_q16};
 use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::{Q16, metres, q16};
 use crate::amplify::rules::landform::uneven_steepness;
 use crate::amplify::rules::noise::{CornerCache, EDGE_BITS, gradient};
 use crate::amplify::rules::{EdgeKind, Rules, STRAIGHT_LEVEL, VertexGround, rise};
-use crate::amplify::vertex::{EdgeContext, Vertex};
+use crate::amplify::vertex::EdgeContext;
 
 /// Most relief of a shore, as a share of half the way from the floor up to the land.
 const SHORE_RELIEF: i32 = q16(0.95);
@@ -43,7 +43,11 @@ const STRETCH: i32 = q16(1.8);
 const SHORE_SEED: u32 = 0x1a4e_0000;
 
 /// Between two vertices of a lake: its floor, or an island where that is shallow.
-pub(super) fn floor(rules: &Rules, edge: EdgeKind, context: &EdgeContext) -> VertexGround {
+pub(in crate::amplify::rules) fn floor(
+    rules: &Rules,
+    edge: EdgeKind,
+    context: &EdgeContext,
+) -> VertexGround {
     let (a, b) = (context.a, context.b);
     let level = context.new.lake_level;
     let depth = level - (a.bed + (b.bed - a.bed) / 2);
@@ -71,13 +75,11 @@ fn deepening(rules: &Rules, context: &EdgeContext, depth: i32) -> i32 {
 
 /// Between a lake and land that is not lower: lake or land, as the height lies below the level or
 /// above.
-pub(super) fn shore(
-    rules: &Rules,
-    context: &EdgeContext,
-    lake: &Vertex,
-    land: &Vertex,
-) -> VertexGround {
+pub(in crate::amplify::rules) fn shore(rules: &Rules, context: &EdgeContext) -> VertexGround {
+    let (a, b) = (context.a, context.b);
     let level = context.new.lake_level;
+    let is_lake = a.kind == VertexKind::Lake && a.water == level;
+    let (lake, land) = if is_lake { (a, b) } else { (b, a) };
     let (depth, rise) = (level - lake.bed, land.height - level);
     let most = mul_q16(depth / 2 + rise / 2, SHORE_RELIEF);
     let kept = Q16 - hollow(rules, context, rise + depth);
@@ -143,7 +145,8 @@ fn onto_land(rules: &Rules, context: &EdgeContext, even: i32, rise: i32) -> i32 
         return even;
     }
     let level = context.new.lake_level;
-    let slope = lifted(context, level, |lifted| rise::hillslope(rules, lifted));
+    let lifted = Lifted::of(context);
+    let slope = rise::hillslope(rules, &lifted.context(context));
     let inland = ratio(2 * even, rise.max(1));
     mix(even, slope - level, inland)
 }

@@ -137,7 +137,7 @@ fn beside(cache: &mut CarveCache, scale: &PlanetScale, rules: &Rules, vertex: &V
             water: reach.water,
         };
     }
-    let valley = width(vertex, &reach, scale.edge_grains(0));
+    let valley = width(scale, vertex, &reach);
     let ground = dry_ground(cache, vertex, &reach, valley);
     if distance <= KNOWN_WATER * reach.half_bed {
         Carved {

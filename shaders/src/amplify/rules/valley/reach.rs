@@ -97,7 +97,7 @@ impl Reach {
         let t = saturate(along);
         let flow = flow(segment.flow, t);
         let strength = sqrt_q16(flow);
-        let half_bed = if segment.is_lake == 1 {
+        let half_bed = if segment.is_lake {
             0
         } else {
             half_bed(scale, rules, flow)

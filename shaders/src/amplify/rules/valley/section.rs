@@ -62,7 +62,7 @@ pub fn section(scale: &PlanetScale, rules: &Rules, vertex: &Vertex) -> ValleySec
     let reach = Reach::of(scale, rules, vertex);
     // The side begins where the bed ends.
     let across = (vertex.river_distance - reach.half_bed).max(0);
-    let width = width(vertex, &reach, scale.edge_grains(0));
+    let width = width(scale, vertex, &reach);
     if across >= width {
         return ValleySection::outside(vertex.height);
     }
@@ -90,10 +90,8 @@ const fn shape(rules: &Rules, vertex: &Vertex) -> ValleyShape {
 
 /// Half-width of a vertex's valley, grains. A tributary is known no farther than its reach: its
 /// valley ends before.
-pub(super) fn width(vertex: &Vertex, reach: &Reach, edge: i32) -> i32 {
+pub(super) fn width(scale: &PlanetScale, vertex: &Vertex, reach: &Reach) -> i32 {
+    let valley = reach.half_valley(scale.edge_grains(0));
     // An eighth short, so that the valley has ended where vertices no longer know the river.
-    reach
-        .half_valley(edge)
-        .min(vertex.river.reach / 8 * 7)
-        .max(1)
+    valley.min(vertex.river.reach(scale) / 8 * 7).max(1)
 }

@@ -6,7 +6,7 @@ use crate::amplify::fixed::{GRAINS, Q16, metres, q16};
 use crate::amplify::rules::Rules;
 use crate::amplify::scale::PlanetScale;
 use crate::amplify::synthetic::control_mesh;
-use crate::amplify::vertex::{FAR, RiverSegment, Vertex};
+use crate::amplify::vertex::{RiverSegment, Vertex};
 
 /// Level of the water of all rivers here, grains.
 const WATER: i32 = metres(105);
@@ -32,7 +32,6 @@ fn river(flow: i32) -> RiverSegment {
     RiverSegment {
         water: [WATER; 2],
         flow: [flow; 2],
-        reach: FAR,
         ..RiverSegment::default()
     }
 }
