@@ -1,8 +1,8 @@
 //! What is counted in a file.
 
+use super::Source;
 use super::names::is_doc_line;
 use super::tokens::Token;
-use super::{Source, workspace};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -27,7 +27,7 @@ pub fn doc_tests(source: &Source) -> usize {
         let name = line
             .strip_prefix("#[doc = include_str!(\"")?
             .strip_suffix("\")]")?;
-        fs::read_to_string(workspace().join(folder).join(name)).ok()
+        fs::read_to_string(source.root.join(folder).join(name)).ok()
     });
     rust_fences(&own.join("\n")) + included.map(|text| rust_fences(&text)).sum::<usize>()
 }

@@ -8,10 +8,8 @@ use super::habits::Habits;
 use super::imports::Modules;
 use super::names::{is_doc_line, riddles, types_named_twice};
 use super::tokens::{Token, tokens};
-use super::{Source, sources};
-
-/// A function of more tokens is too heavy, unless it is a table.
-pub const HEAVY_TOKENS: usize = 400;
+use super::{Source, sources_of};
+use std::path::Path;
 
 /// Names of the figures and their values, for some files.
 pub type Figures = Vec<(&'static str, String)>;
@@ -32,9 +30,9 @@ struct File {
 }
 
 impl Measured {
-    /// Reads the files in a folder of the workspace, the root of a crate.
-    pub fn read(folder: &str) -> Self {
-        let sources = sources(folder);
+    /// Reads the files in a folder of the workspace at `root`, where a crate has its own root.
+    pub fn read(root: &Path, folder: &str) -> Self {
+        let sources = sources_of(root, folder);
         let modules = Modules::new(folder, &sources);
         let files = sources.into_iter().map(File::new).collect();
         Self { files, modules }
@@ -87,14 +85,10 @@ fn weights(files: &[&File]) -> Figures {
     let tokens: Vec<usize> = all_functions(files)
         .map(|function| function.tokens)
         .collect();
-    let all_heavy: Vec<&Function> = all_functions(files)
-        .filter(|function| function.tokens > HEAVY_TOKENS)
-        .collect();
-    let tables = all_heavy
-        .iter()
-        .filter(|function| function.is_table)
-        .count();
-    let heavy = percent(all_heavy.len() - tables, tokens.len());
+    let tables = all_functions(files).filter(|function| function.is_heavy_table());
+    let tables = tables.count();
+    let heavy = all_functions(files).filter(|function| function.is_too_heavy());
+    let heavy = percent(heavy.count(), tokens.len());
     let count = files.iter().map(|file| file.tokens.len()).sum();
     let lines = files
         .iter()
@@ -147,7 +141,7 @@ fn habits(files: &[&File]) -> Figures {
     vec![
         (
             "named closures over 2 lines",
-            total(files, |file| file.habits.closures),
+            total(files, |file| file.habits.closures.len()),
         ),
         (
             "tuple let and assignments over 2",

@@ -5,6 +5,9 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, ImplItemFn, ItemFn, Signature, Stmt, TraitItemFn};
 
+/// A function of more tokens is too heavy, unless it is a table.
+const HEAVY_TOKENS: usize = 400;
+
 /// A function that has a body.
 #[derive(Clone, Debug)]
 pub struct Function {
@@ -18,6 +21,18 @@ pub struct Function {
     pub tokens: usize,
     /// Its body is one expression without a branch, a loop or a closure: rows of data.
     pub is_table: bool,
+}
+
+impl Function {
+    /// Whether it holds more than one can keep in mind.
+    pub fn is_too_heavy(&self) -> bool {
+        self.tokens > HEAVY_TOKENS && !self.is_table
+    }
+
+    /// Whether it is a table of as much.
+    pub fn is_heavy_table(&self) -> bool {
+        self.tokens > HEAVY_TOKENS && self.is_table
+    }
 }
 
 /// All functions of a file, also those inside of others.

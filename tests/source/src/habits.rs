@@ -12,8 +12,8 @@ const TUPLE_PARTS: usize = 2;
 /// How often a file does what we avoid.
 #[derive(Debug, Default)]
 pub struct Habits {
-    /// Named closures of more than two lines, which should be functions.
-    pub closures: usize,
+    /// Lines of named closures of more than two lines, which should be functions.
+    pub closures: Vec<usize>,
     /// Tuples of more than two values that are taken apart at once.
     pub tuples: usize,
     /// Lints that are switched off.
@@ -35,7 +35,9 @@ impl<'ast> Visit<'ast> for Habits {
             let (first, last) = (local.span().start().line, local.span().end().line);
             let is_named =
                 matches!(local.pat, Pat::Ident(_)) && matches!(*init.expr, Expr::Closure(_));
-            self.closures += usize::from(is_named && last - first + 1 > CLOSURE_LINES);
+            if is_named && last - first + 1 > CLOSURE_LINES {
+                self.closures.push(first);
+            }
             let is_tuple = matches!(local.pat, Pat::Tuple(_)) && is_large_tuple(&init.expr);
             self.tuples += usize::from(is_tuple);
         }
@@ -83,9 +85,7 @@ mod tests {
             )
             .unwrap(),
         );
-        assert_eq!(
-            (habits.closures, habits.tuples, habits.exceptions),
-            (1, 2, 1)
-        );
+        assert_eq!(habits.closures, [4]);
+        assert_eq!((habits.tuples, habits.exceptions), (2, 1));
     }
 }

@@ -143,6 +143,12 @@ impl Modules {
         })
     }
 
+    /// Modules that the root declares, in order.
+    pub fn top_modules(&self) -> &[String] {
+        let root = self.modules.get(&ModulePath::new());
+        root.map_or(&[], |root| root.children.as_slice())
+    }
+
     fn is_root(&self, module: &Module) -> bool {
         module_path(&self.root, &module.file).is_empty()
     }
@@ -354,6 +360,7 @@ mod tests {
             ("high.rs", "pub fn up() {} fn f() { crate::low::down() }"),
         ]);
         assert_eq!(arrows(&crate_.from_later(&[])), [("low.rs", "high.rs")]);
+        assert_eq!(crate_.top_modules(), ["low", "high"]);
     }
 
     #[test]

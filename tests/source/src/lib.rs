@@ -31,6 +31,8 @@ use syn::{Attribute, ImplItem, Item};
 
 /// A file of Rust.
 pub struct Source {
+    /// The root of its workspace.
+    pub root: PathBuf,
     /// Path from the root of the workspace, with `/` between folders.
     pub path: String,
     /// The text of the file.
@@ -57,6 +59,7 @@ impl Source {
         }
         keep_production(&mut production.items);
         Self {
+            root: workspace(),
             path: path.into(),
             text: text.into(),
             syntax,
@@ -70,29 +73,43 @@ impl Source {
     }
 }
 
-/// The root of the workspace.
+/// The root of this workspace.
 pub fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// All Rust files in a folder of the workspace and below, in order of their paths.
+/// All Rust files in a folder of this workspace and below, in order of their paths.
 pub fn sources(folder: &str) -> Vec<Source> {
-    files_below(folder)
+    sources_of(&workspace(), folder)
+}
+
+/// The same of the workspace at `root`.
+pub fn sources_of(root: &Path, folder: &str) -> Vec<Source> {
+    files_of(root, folder)
         .iter()
         .filter(|path| path.ends_with(".rs"))
         .map(|path| {
-            let text = fs::read_to_string(workspace().join(path)).expect("a file of UTF-8 text");
-            Source::new(path, &text)
+            let text = fs::read_to_string(root.join(path)).expect("a file of UTF-8 text");
+            let root = root.to_path_buf();
+            Source {
+                root,
+                ..Source::new(path, &text)
+            }
         })
         .collect()
 }
 
-/// Paths of all files in a folder of the workspace and below, in order.
+/// Paths of all files in a folder of this workspace and below, in order.
 pub fn files_below(folder: &str) -> Vec<String> {
+    files_of(&workspace(), folder)
+}
+
+/// The same of the workspace at `root`.
+fn files_of(root: &Path, folder: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut folders = vec![folder.to_string()];
     while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(workspace().join(&folder)).expect("a folder of the workspace") {
+        for entry in fs::read_dir(root.join(&folder)).expect("a folder of the workspace") {
             let entry = entry.expect("a readable folder");
             let path = format!("{folder}/{}", entry.file_name().to_string_lossy());
             if entry.path().is_dir() {

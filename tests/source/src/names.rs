@@ -1,9 +1,10 @@
 //! Names that are used twice, and documentation that begins like a riddle.
 
 use super::Source;
+use proc_macro2::{TokenStream, TokenTree};
 use std::collections::BTreeMap;
 use syn::visit::{self, Visit};
-use syn::{Ident, ItemEnum, ItemStruct, ItemTrait, ItemType, ItemUnion};
+use syn::{Ident, ItemEnum, ItemStruct, ItemTrait, ItemType, ItemUnion, Macro};
 
 /// Names of types that stand more than once outside tests, with the places of their definitions.
 pub fn types_named_twice<'a>(
@@ -22,12 +23,30 @@ pub fn types_named_twice<'a>(
     places
 }
 
-/// Names and lines of structs, enums, unions, traits and aliases.
+/// Names and lines of structs, enums, unions, traits and aliases, and of structs and enums that
+/// macros are given or make.
 struct Types(Vec<(String, usize)>);
 
 impl Types {
     fn add(&mut self, name: &Ident) {
         self.0.push((name.to_string(), name.span().start().line));
+    }
+
+    /// Names that stand behind `struct` or `enum`; `$name` is none.
+    fn add_tokens(&mut self, tokens: TokenStream) {
+        let mut is_announced = false;
+        for token in tokens {
+            match token {
+                TokenTree::Group(group) => self.add_tokens(group.stream()),
+                TokenTree::Ident(name) if is_announced => self.add(&name),
+                TokenTree::Ident(word) if word == "struct" || word == "enum" => {
+                    is_announced = true;
+                    continue;
+                }
+                _ => {}
+            }
+            is_announced = false;
+        }
     }
 }
 
@@ -50,6 +69,10 @@ impl<'ast> Visit<'ast> for Types {
     fn visit_item_trait(&mut self, item: &'ast ItemTrait) {
         self.add(&item.ident);
         visit::visit_item_trait(self, item);
+    }
+
+    fn visit_macro(&mut self, call: &'ast Macro) {
+        self.add_tokens(call.tokens.clone());
     }
 
     fn visit_item_type(&mut self, item: &'ast ItemType) {
@@ -89,6 +112,22 @@ mod tests {
         let twice = types_named_twice(&sources);
         assert_eq!(twice.len(), 1);
         assert_eq!(twice["Row"], ["a.rs:1", "b.rs:3"]);
+    }
+
+    #[test]
+    fn types_in_macros_count() {
+        let text = "named! { #[derive(Debug)] pub enum Kind { A = \"a\", } }
+                    macro_rules! rows { ($name:ident) => { struct Row; struct $name; } }
+                    fn f() { vec![0]; }
+                    pub struct Row;
+                    enum Kind {}";
+        let twice = types_named_twice(&[Source::new("a.rs", text)]);
+        let found: Vec<_> = twice
+            .iter()
+            .map(|(name, at)| (&name[..], at.join(" ")))
+            .collect();
+        let expected = [("Kind", "a.rs:1 a.rs:5"), ("Row", "a.rs:2 a.rs:4")];
+        assert_eq!(found, expected.map(|(name, at)| (name, at.to_string())));
     }
 
     #[test]
