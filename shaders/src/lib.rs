@@ -1,9 +1,8 @@
 //! The ground of a planet down to half a metre, in exact integers; and the WGSL of the globe.
 //!
 //! - [`amplify`] refines a control mesh of 52 km to ground of half a metre. It runs on the CPU, is
-//!   written pass by pass and in operations that WGSL's 32-bit integers have, so that compute
-//!   passes can have the same bits. Its arithmetic and the passes that know no rule of the ground
-//!   have twins in WGSL; nothing runs them but tests.
+//!   written pass by pass and in operations that WGSL's 32-bit integers have: every pass has a twin
+//!   in WGSL with the same bits.
 //! - [`wgsl`] puts compute shaders together of such twins.
 //! - [`globe`] holds the WGSL that draws a planet from orbit, as constants: ground and sea, air,
 //!   lines.

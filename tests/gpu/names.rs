@@ -7,7 +7,7 @@ use pangaea_tests::gpu::parsed;
 use syn::{ImplItem, Item, Type, Visibility};
 
 /// Public functions of modules with twins that no shader calls.
-const CPU_ONLY: [(&str, &str); 27] = [
+const CPU_ONLY: [(&str, &str); 33] = [
     ("amplify/fixed", "q16"),
     ("amplify/fixed", "tan_deg"),
     ("amplify/fixed", "metres"),
@@ -24,18 +24,27 @@ const CPU_ONLY: [(&str, &str); 27] = [
     // They pick the faces of the control mesh, which is whole on a GPU.
     ("amplify/sight", "sight_reach"),
     ("amplify/sight", "horizon"),
+    // They make vertices of level 0, and uniforms.
+    ("amplify/vertex", "vertex_from_control"),
+    ("amplify/rules/preset", "rules_words"),
+    ("amplify/rules/ocean/mod", "swell"),
+    ("amplify/rules/estuary", "mouth"),
+    ("amplify/rules/estuary", "upstream"),
+    // It answers for single directions.
+    ("amplify/rules/meander", "wander_at"),
     ("amplify/uniform", "level_words"),
     ("amplify/columns", "column_named"),
     ("amplify/columns", "pass_named"),
     // They make views, and look at single faces.
     ("amplify/mark", "view_camera"),
     ("amplify/mark", "view_distance"),
-    ("amplify/mark", "view_shown_level"),
     ("amplify/mark", "view_splits"),
-    // They wait for the rules.
-    ("amplify/face_split", "grow_halves"),
-    ("amplify/face_split", "half_kind"),
-    ("amplify/face_split", "arriving_at"),
+    // Their passes do the same of a whole list.
+    ("amplify/face_decide", "decide"),
+    ("amplify/vertex_resolve/mod", "settled_write"),
+    ("amplify/vertex_resolve/mod", "resolve"),
+    // They draw.
+    ("amplify/carve", "sheet"),
     ("amplify/emit", "refined_ground_triangles"),
     ("amplify/emit", "water"),
     ("amplify/emit", "is_resolved"),
@@ -89,11 +98,11 @@ fn every_public_function_has_its_twin() {
     }
 }
 
-/// Whether it has a function of a name, or of the name after that of the module.
+/// Whether it has a function of a name, or of the name after that of the module or of its folder.
 fn has_function(module: &WgslModule, name: &str) -> bool {
-    let (_, file) = module.path.rsplit_once('/').expect("a folder");
     let has = |name: &str| module.wgsl.contains(&format!("fn {name}("));
-    has(name) || has(&format!("{file}_{name}"))
+    let mut around = module.path.rsplit('/').take(2);
+    has(name) || around.any(|place| has(&format!("{place}_{name}")))
 }
 
 /// The public functions of a Rust module, by the names of their twins.

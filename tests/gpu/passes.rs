@@ -142,7 +142,7 @@ fn levels_of_any_size_are_counted_and_placed() {
                 first_triangle: 77,
                 ..LevelSizes::default()
             };
-            let mut marked = MarkedLevel::new(&sight, 5, sizes, &mut level);
+            let mut marked = MarkedLevel::new(&sight, Rules::default(), 5, sizes, &mut level);
             let [halved, decided] = marked.place(&mut |case: &PassCase| assert_pass(case));
             let [halved, decided] = [halved, decided].map(|list| list.len() as u32);
             match share {

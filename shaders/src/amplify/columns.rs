@@ -9,12 +9,13 @@
 //! of level 0 touches, and two that take turns, as a level is no longer needed once the next has
 //! grown and its leaves are triangles. Vertices and triangles are appended, level by level.
 
+use super::carve::Carved;
 use super::count::BLOCK;
 use super::ground::FINEST;
 use super::rows::level::GROUP;
 use super::rows::{
     BlockCounts, EdgeJoins, EdgeState, FaceCorners, FaceSides, LevelArgs, LevelSizes, Row,
-    RowLayout, VertexCore,
+    RowLayout, VertexCore, VertexCourse, VertexLand, VertexRiver,
 };
 
 /// Rows of [`LevelSizes`] and [`LevelArgs`]: one a level, and one for what the finest would make.
@@ -47,7 +48,7 @@ const fn column<R: Row>(name: &'static str, binding: u32) -> GpuColumn {
 }
 
 /// All columns. `finer_` names those of the next level.
-pub const COLUMNS: [GpuColumn; 16] = [
+pub const COLUMNS: [GpuColumn; 21] = [
     column::<VertexCore>("vertex_cores", 0),
     column::<EdgeJoins>("edge_joins", 1),
     column::<EdgeState>("edge_states", 2),
@@ -71,6 +72,13 @@ pub const COLUMNS: [GpuColumn; 16] = [
     column::<FaceCorners>("finer_face_corners", 14),
     // Corners of the leaves' triangles.
     column::<[u32; 3]>("triangles", 15),
+    column::<VertexCourse>("vertex_courses", 16),
+    column::<VertexLand>("vertex_lands", 17),
+    column::<VertexRiver>("vertex_rivers", 18),
+    // Final ground and water of vertices.
+    column::<Carved>("carved", 19),
+    // The same as a view shows them.
+    column::<Carved>("shown", 20),
 ];
 
 /// One compute pass over a level.
@@ -89,7 +97,7 @@ pub struct ComputePass {
 }
 
 /// The passes in the order in which a level runs them.
-pub const PASSES: [ComputePass; 10] = [
+pub const PASSES: [ComputePass; 16] = [
     ComputePass {
         entry: "mark_split",
         module: "amplify/mark",
@@ -138,6 +146,97 @@ pub const PASSES: [ComputePass; 10] = [
         group: BLOCK,
         reads: &["level_sizes", "face_sides", "block_counts"],
         writes: &["face_corners", "decided"],
+    },
+    ComputePass {
+        entry: "edge_split",
+        module: "amplify/edge_split/mod",
+        group: GROUP,
+        reads: &[
+            "level_sizes",
+            "edge_joins",
+            "edge_states",
+            "face_corners",
+            "halved",
+        ],
+        writes: &[
+            "vertex_cores",
+            "vertex_courses",
+            "vertex_lands",
+            "vertex_rivers",
+        ],
+    },
+    ComputePass {
+        entry: "face_decide",
+        module: "amplify/face_decide",
+        group: GROUP,
+        reads: &[
+            "level_sizes",
+            "vertex_cores",
+            "vertex_courses",
+            "edge_joins",
+            "edge_states",
+            "face_corners",
+            "decided",
+        ],
+        writes: &["face_sides"],
+    },
+    ComputePass {
+        entry: "vertex_resolve",
+        module: "amplify/vertex_resolve/mod",
+        group: GROUP,
+        reads: &[
+            "level_sizes",
+            "vertex_cores",
+            "vertex_courses",
+            "edge_joins",
+            "edge_states",
+            "face_sides",
+            "face_corners",
+            "halved",
+        ],
+        writes: &["vertex_rivers"],
+    },
+    ComputePass {
+        entry: "carve_all",
+        module: "amplify/carve",
+        group: GROUP,
+        reads: &[
+            "level_sizes",
+            "vertex_cores",
+            "vertex_courses",
+            "vertex_lands",
+            "vertex_rivers",
+        ],
+        writes: &["carved"],
+    },
+    ComputePass {
+        entry: "show_all",
+        module: "amplify/show",
+        group: GROUP,
+        reads: &[
+            "level_sizes",
+            "vertex_cores",
+            "vertex_courses",
+            "vertex_lands",
+            "vertex_rivers",
+            "carved",
+        ],
+        writes: &["shown"],
+    },
+    ComputePass {
+        entry: "grow_halves",
+        module: "amplify/face_split",
+        group: GROUP,
+        reads: &[
+            "level_sizes",
+            "vertex_cores",
+            "vertex_rivers",
+            "edge_joins",
+            "edge_states",
+            "face_corners",
+            "halved",
+        ],
+        writes: &["finer_edge_joins", "finer_edge_states"],
     },
     ComputePass {
         entry: "grow_inner",

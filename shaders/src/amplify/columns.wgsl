@@ -11,9 +11,15 @@
 @group(1) @binding(4) var<storage, read> face_corners: array<FaceCorners>;
 @group(1) @binding(5) var<storage, read> face_splits: array<u32>;
 @group(1) @binding(6) var<storage, read> block_counts: array<BlockCounts>;
+@group(1) @binding(7) var<storage, read> halved: array<u32>;
 @group(1) @binding(8) var<storage, read> decided: array<u32>;
 @group(1) @binding(9) var<uniform> level_sizes: array<LevelSizes, LEVELS>;
+@group(1) @binding(16) var<storage, read> vertex_courses: array<VertexCourse>;
+@group(1) @binding(17) var<storage, read> vertex_lands: array<VertexLand>;
+@group(1) @binding(18) var<storage, read> vertex_rivers: array<VertexRiver>;
+@group(1) @binding(19) var<storage, read> carved: array<Carved>;
 
+@group(1) @binding(32) var<storage, read_write> out_vertex_cores: array<VertexCore>;
 @group(1) @binding(34) var<storage, read_write> out_edge_states: array<EdgeState>;
 @group(1) @binding(35) var<storage, read_write> out_face_sides: array<FaceSides>;
 @group(1) @binding(36) var<storage, read_write> out_face_corners: array<FaceCorners>;
@@ -28,6 +34,11 @@
 @group(1) @binding(45) var<storage, read_write> out_finer_face_sides: array<FaceSides>;
 @group(1) @binding(46) var<storage, read_write> out_finer_face_corners: array<FaceCorners>;
 @group(1) @binding(47) var<storage, read_write> out_triangles: array<array<u32, 3>>;
+@group(1) @binding(48) var<storage, read_write> out_vertex_courses: array<VertexCourse>;
+@group(1) @binding(49) var<storage, read_write> out_vertex_lands: array<VertexLand>;
+@group(1) @binding(50) var<storage, read_write> out_vertex_rivers: array<VertexRiver>;
+@group(1) @binding(51) var<storage, read_write> out_carved: array<Carved>;
+@group(1) @binding(52) var<storage, read_write> out_shown: array<Carved>;
 
 // Sizes of the level that a pass runs over.
 fn level_size() -> LevelSizes {

@@ -45,3 +45,21 @@ fn split_beyond(edge: u32, face: u32) -> u32 {
     }
     return face_splits[other];
 }
+
+// Level that the view shows at a vertex, Q16: that of the leaves at its distance, evenly from one to
+// the next.
+fn view_shown_level(sight: Sight, vertex: Corner) -> i32 {
+    let finest = i32(sight.view.level) * Q16;
+    let distance = max(sight_distance(sight, array(vertex, vertex, vertex)), 1);
+    let sharpness = view_clamped_sharpness(sight.view);
+    // Half a level finer than the split: leaves of two levels meet there.
+    let farthest = mul_shift(sight.scale.edge, sharpness + sharpness / 2u, 8u);
+    if distance >= farthest {
+        return 0;
+    }
+    // Levels go by the logarithm of the distance, linear between powers of two.
+    let halvings = firstLeadingBit(u32(farthest / distance));
+    let nearest = farthest >> halvings;
+    let part = ratio(2 * (nearest - distance), nearest);
+    return min(i32(halvings) * Q16 + part, finest);
+}

@@ -97,8 +97,8 @@
 //! [`twins`] lists the modules that have a twin in WGSL beside them. Products of 64 bits are taken
 //! as such here, by [`fixed`] and [`arith`], and by halves there: the only functions that differ.
 //!
-//! Passes that know no rule of the ground have twins, too: [`columns::PASSES`]. Their buffers hold
-//! the columns in [`rows`] of words. On a GPU level 0 is whole, numbers of items are never read
+//! Every pass over a level has one: [`columns::PASSES`]. Their buffers hold the columns in [`rows`] of
+//! words. On a GPU level 0 is whole, numbers of items are never read
 //! back ([`scan`] writes the next level's), and a leaf's triangles are counted with what it makes.
 
 pub mod arith;

@@ -7,10 +7,17 @@
 //!
 //! Every name is global in WGSL; it may hide a built-in function, as `mix` and `length` do.
 
-use super::rows::{edge, face, level};
-use super::rules::noise;
+use super::edge_split::{course, place};
+use super::rows::{edge, face, level, vertex as vertex_rows};
+use super::rules::lake::{new, shore};
 use super::rules::ocean::phasor;
-use super::{arith, columns, curve, fixed, geometry, seed, sight, view};
+use super::rules::valley::{carve, place as river_place, plain, reach, section};
+use super::rules::{
+    coarse, coast, crest, divide, edge_land, estuary, fine, fold, gully, lake, landform, meander,
+    nodes, noise, ocean, preset, rise, river, shift, slope, terrain, threshold,
+};
+use super::vertex_resolve::river as nearest_river;
+use super::{arith, columns, curve, fixed, geometry, seed, sight, vertex, view};
 use crate::wgsl::WgslModule;
 
 /// A module beside which a twin stands: `twin!("path", module, [needs])`.
@@ -26,7 +33,7 @@ macro_rules! twin {
 }
 
 /// All modules, each after those that it needs.
-pub const MODULES: [WgslModule; 23] = [
+pub const MODULES: [WgslModule; 64] = [
     twin!("integer", String::new, []),
     twin!("fixed", fixed::shared_constants, ["integer"]),
     twin!("arith", arith::shared_constants, ["integer", "fixed"]),
@@ -58,8 +65,354 @@ pub const MODULES: [WgslModule; 23] = [
         phasor::shared_constants,
         ["integer", "fixed", "arith", "rules/noise"]
     ),
-    twin!("uniform", String::new, ["sight"]),
-    twin!("rows/vertex", String::new, []),
+    twin!("vertex", vertex::shared_constants, ["fixed", "arith"]),
+    twin!("rules/preset", preset::shared_constants, []),
+    twin!("rules/vertex_ground", String::new, []),
+    twin!("rules/nodes", nodes::shared_constants, ["fixed", "arith"]),
+    twin!(
+        "rules/landform",
+        landform::shared_constants,
+        ["fixed", "arith", "vertex", "rules/preset"]
+    ),
+    twin!(
+        "rules/fine",
+        fine::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/vertex_ground",
+            "rules/noise",
+            "rules/landform"
+        ]
+    ),
+    twin!(
+        "rules/gully",
+        gully::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/vertex_ground"
+        ]
+    ),
+    twin!(
+        "rules/ocean/mod",
+        ocean::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "seed",
+            "geometry",
+            "vertex",
+            "rules/noise",
+            "rules/ocean/phasor"
+        ]
+    ),
+    twin!(
+        "rules/fold",
+        fold::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/noise",
+            "rules/ocean/phasor",
+            "rules/ocean/mod"
+        ]
+    ),
+    twin!(
+        "rules/edge_land",
+        edge_land::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "rules/landform",
+            "rules/fold"
+        ]
+    ),
+    twin!(
+        "rules/divide",
+        divide::shared_constants,
+        ["fixed", "arith", "vertex", "rules/preset", "rules/fold"]
+    ),
+    twin!(
+        "rules/threshold",
+        threshold::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "rules/edge_land",
+            "rules/divide"
+        ]
+    ),
+    twin!(
+        "rules/rise",
+        rise::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "rules/fine",
+            "rules/gully",
+            "rules/edge_land",
+            "rules/divide",
+            "rules/threshold"
+        ]
+    ),
+    twin!(
+        "rules/crest",
+        crest::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/vertex_ground",
+            "rules/nodes",
+            "rules/fine",
+            "rules/rise"
+        ]
+    ),
+    twin!(
+        "rules/slope",
+        slope::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/vertex_ground",
+            "rules/nodes",
+            "rules/fine",
+            "rules/rise"
+        ]
+    ),
+    twin!(
+        "rules/terrain",
+        terrain::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "integer",
+            "seed",
+            "rules/vertex_ground",
+            "rules/nodes",
+            "rules/landform",
+            "rules/rise"
+        ]
+    ),
+    twin!(
+        "rules/coast",
+        coast::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/vertex_ground",
+            "rules/noise"
+        ]
+    ),
+    twin!(
+        "rules/river",
+        river::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/vertex_ground"
+        ]
+    ),
+    twin!(
+        "rules/shift",
+        shift::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/landform",
+            "rules/river"
+        ]
+    ),
+    twin!(
+        "rules/estuary",
+        estuary::shared_constants,
+        ["fixed", "arith"]
+    ),
+    twin!(
+        "rules/meander",
+        meander::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "seed",
+            "geometry",
+            "vertex",
+            "rules/estuary"
+        ]
+    ),
+    twin!(
+        "rules/valley/reach",
+        reach::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "scale",
+            "rules/estuary"
+        ]
+    ),
+    twin!(
+        "segment",
+        String::new,
+        [
+            "fixed",
+            "arith",
+            "curve",
+            "scale",
+            "vertex",
+            "rules/preset",
+            "rules/valley/reach"
+        ]
+    ),
+    twin!(
+        "rules/valley/place",
+        river_place::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "geometry",
+            "curve",
+            "scale",
+            "vertex",
+            "rules/preset",
+            "rules/meander",
+            "rules/valley/reach",
+            "segment"
+        ]
+    ),
+    twin!(
+        "rules/valley/section",
+        section::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "integer",
+            "scale",
+            "rules/valley/reach",
+            "segment"
+        ]
+    ),
+    twin!(
+        "rules/valley/plain",
+        plain::shared_constants,
+        ["fixed", "arith", "rules/noise", "rules/valley/reach"]
+    ),
+    twin!(
+        "rules/valley/carve",
+        carve::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "scale",
+            "rules/ocean/mod",
+            "rules/valley/reach",
+            "rules/valley/section",
+            "rules/valley/plain"
+        ]
+    ),
+    twin!(
+        "rules/lake/mod",
+        lake::shared_constants,
+        [
+            "vertex",
+            "rules/preset",
+            "rules/vertex_ground",
+            "rules/crest",
+            "rules/valley/carve"
+        ]
+    ),
+    twin!(
+        "rules/lake/new",
+        new::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "seed",
+            "rules/vertex_ground",
+            "rules/landform",
+            "rules/lake/mod"
+        ]
+    ),
+    twin!(
+        "rules/lake/shore",
+        shore::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "vertex",
+            "rules/preset",
+            "rules/vertex_ground",
+            "rules/noise",
+            "rules/landform",
+            "rules/rise",
+            "rules/lake/mod"
+        ]
+    ),
+    twin!(
+        "rules/coarse",
+        coarse::shared_constants,
+        ["fixed", "arith", "vertex", "rules/preset", "rules/landform"]
+    ),
+    twin!(
+        "rules/mod",
+        String::new,
+        [
+            "vertex",
+            "rules/preset",
+            "rules/vertex_ground",
+            "rules/fine",
+            "rules/gully",
+            "rules/crest",
+            "rules/slope",
+            "rules/terrain",
+            "rules/coast",
+            "rules/river",
+            "rules/lake/mod",
+            "rules/lake/new",
+            "rules/lake/shore"
+        ]
+    ),
+    twin!("uniform", String::new, ["sight", "rules/preset"]),
+    twin!("rows/vertex", vertex_rows::shared_constants, ["vertex"]),
     twin!("rows/edge", edge::shared_constants, []),
     twin!("rows/face", face::shared_constants, ["rows/edge"]),
     twin!("rows/level", level::shared_constants, []),
@@ -67,6 +420,7 @@ pub const MODULES: [WgslModule; 23] = [
         "columns",
         columns::shared_constants,
         [
+            "rules/valley/carve",
             "uniform",
             "rows/vertex",
             "rows/edge",
@@ -77,7 +431,15 @@ pub const MODULES: [WgslModule; 23] = [
     twin!(
         "mark",
         String::new,
-        ["sight", "rows/edge", "rows/face", "columns"]
+        [
+            "fixed",
+            "arith",
+            "view",
+            "sight",
+            "rows/edge",
+            "rows/face",
+            "columns"
+        ]
     ),
     twin!(
         "count",
@@ -91,16 +453,145 @@ pub const MODULES: [WgslModule; 23] = [
         ["rows/edge", "rows/face", "columns", "count"]
     ),
     twin!(
+        "face_decide",
+        String::new,
+        [
+            "fixed",
+            "arith",
+            "seed",
+            "geometry",
+            "vertex",
+            "rules/preset",
+            "rules/gully",
+            "rules/valley/reach",
+            "rows/vertex",
+            "rows/edge",
+            "rows/face",
+            "columns"
+        ]
+    ),
+    twin!(
+        "edge_split/place",
+        place::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "geometry",
+            "vertex",
+            "rules/preset",
+            "rules/shift",
+            "rules/ocean/mod"
+        ]
+    ),
+    twin!(
+        "edge_split/course",
+        course::shared_constants,
+        [
+            "fixed",
+            "arith",
+            "seed",
+            "geometry",
+            "curve",
+            "vertex",
+            "edge_split/place"
+        ]
+    ),
+    twin!(
+        "edge_split/lakes",
+        String::new,
+        ["seed", "vertex", "rules/preset"]
+    ),
+    twin!(
+        "edge_split/mod",
+        String::new,
+        [
+            "integer",
+            "fixed",
+            "arith",
+            "seed",
+            "geometry",
+            "curve",
+            "scale",
+            "vertex",
+            "segment",
+            "rules/meander",
+            "rules/gully",
+            "rules/ocean/mod",
+            "rules/fold",
+            "rules/mod",
+            "rows/vertex",
+            "rows/edge",
+            "rows/face",
+            "columns",
+            "face_decide",
+            "edge_split/place",
+            "edge_split/course",
+            "edge_split/lakes"
+        ]
+    ),
+    twin!(
+        "vertex_resolve/river",
+        nearest_river::shared_constants,
+        [
+            "vertex",
+            "scale",
+            "segment",
+            "rules/preset",
+            "rules/valley/reach",
+            "rules/valley/place",
+            "rules/valley/section"
+        ]
+    ),
+    twin!(
+        "vertex_resolve/mod",
+        String::new,
+        [
+            "vertex",
+            "segment",
+            "rows/vertex",
+            "rows/edge",
+            "rows/face",
+            "columns",
+            "vertex_resolve/river"
+        ]
+    ),
+    twin!(
         "face_split",
         String::new,
         [
             "integer",
             "fixed",
             "seed",
+            "vertex",
+            "rules/gully",
             "rows/vertex",
             "rows/edge",
             "rows/face",
             "columns"
+        ]
+    ),
+    twin!(
+        "carve",
+        String::new,
+        [
+            "vertex",
+            "rules/lake/mod",
+            "rules/valley/carve",
+            "rows/vertex",
+            "columns"
+        ]
+    ),
+    twin!(
+        "show",
+        String::new,
+        [
+            "scale",
+            "vertex",
+            "rules/valley/carve",
+            "rules/coarse",
+            "rows/vertex",
+            "columns",
+            "mark"
         ]
     ),
     twin!(

@@ -15,11 +15,12 @@ pub struct LevelUniform<'a> {
     pub level: u32,
 }
 
-/// The uniform of a level's passes on a GPU: the view, in which the planet's constants are, and the
-/// level. The rules are not in it yet: no pass that has a twin in WGSL reads them.
-pub fn level_words(sight: &Sight, level: u32) -> [u32; 32] {
-    let mut words = [0; 32];
+/// The uniform of a level's passes on a GPU: the view, in which the planet's constants are, the rules,
+/// and the level.
+pub fn level_words(sight: &Sight, level: u32, rules: &Rules) -> [u32; 52] {
+    let mut words = [0; 52];
     words[..28].copy_from_slice(&sight.words());
-    words[28] = level;
+    words[28..48].copy_from_slice(&rules.words());
+    words[48] = level;
     words
 }

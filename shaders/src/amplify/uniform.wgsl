@@ -3,6 +3,8 @@
 struct LevelUniform {
     // The view, and in it the planet's constants.
     sight: Sight,
+    // The rules.
+    rules: Rules,
     // The level that is split.
     level: u32,
 }

@@ -7,10 +7,24 @@
 use super::arith::isqrt;
 use super::control::{ControlVertex, VertexKind};
 use super::fixed::{Q16, metres};
+use super::rules::EdgeKind;
 use super::seed::pcg;
 
 /// A distance that means "nowhere near", grains.
 pub const FAR: i32 = metres(2_000_000);
+
+crate::wgsl::shared!(
+    FAR,
+    TERRAIN = VertexKind::Terrain as u32,
+    SEA = VertexKind::Sea as u32,
+    COAST = VertexKind::Coast as u32,
+    RIVER = VertexKind::River as u32,
+    LAKE = VertexKind::Lake as u32,
+    GULLY = VertexKind::Gully as u32,
+    TERRAIN_EDGE = EdgeKind::Terrain as u32,
+    RIVER_EDGE = EdgeKind::River as u32,
+    GULLY_EDGE = EdgeKind::Gully as u32,
+);
 
 /// A piece of river. Vertices around it carry it by value, so that their distance to it is a true
 /// one.

@@ -65,7 +65,7 @@ impl Chain {
     fn assert(&mut self, gpu: &Gpu, last: &PassCase) {
         self.give_args(last.level as usize);
         let buffers = self.buffers(gpu);
-        let uniform = level_words(last.sight, last.level);
+        let uniform = level_words(last.sight, last.level, &last.rules);
         let uniform = gpu.upload(&uniform, BufferUsages::UNIFORM);
         let bound = self.passes.iter().map(|pass| {
             let pipeline = pipeline(gpu, pass);

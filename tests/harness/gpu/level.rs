@@ -12,6 +12,7 @@ use pangaea_shaders::amplify::columns::LEVELS;
 use pangaea_shaders::amplify::count::{BLOCK, count_edges, count_faces};
 use pangaea_shaders::amplify::mark::mark_halo;
 use pangaea_shaders::amplify::rows::{EdgeState, LevelArgs, LevelSizes, words};
+use pangaea_shaders::amplify::rules::Rules;
 use pangaea_shaders::amplify::sight::Sight;
 use pangaea_shaders::amplify::topology::{Level, SplitMark};
 
@@ -19,6 +20,8 @@ use pangaea_shaders::amplify::topology::{Level, SplitMark};
 pub struct MarkedLevel<'a> {
     /// The view.
     pub sight: &'a Sight,
+    /// The rules.
+    pub rules: Rules,
     /// Its number.
     pub index: u32,
     /// Its sizes, as the level before wrote them.
@@ -33,12 +36,14 @@ impl<'a> MarkedLevel<'a> {
     /// A level of some sizes, of which nothing is known.
     pub const fn new(
         sight: &'a Sight,
+        rules: Rules,
         index: u32,
         sizes: LevelSizes,
         level: &'a mut Level,
     ) -> Self {
         Self {
             sight,
+            rules,
             index,
             sizes,
             level,
@@ -57,6 +62,7 @@ impl<'a> MarkedLevel<'a> {
         PassCase {
             entry,
             sight: self.sight,
+            rules: self.rules,
             level: self.index,
             sizes: self.sizes,
             groups: groups[0],

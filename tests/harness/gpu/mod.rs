@@ -10,6 +10,7 @@ mod layout;
 mod level;
 mod made;
 mod pass;
+mod ruled;
 mod run;
 mod words;
 

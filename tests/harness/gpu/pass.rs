@@ -8,6 +8,7 @@ use pangaea_shaders::amplify::columns::{
     ComputePass, GpuColumn, LEVELS, WRITTEN, column_named, pass_named,
 };
 use pangaea_shaders::amplify::rows::{LevelSizes, words};
+use pangaea_shaders::amplify::rules::Rules;
 use pangaea_shaders::amplify::sight::Sight;
 use pangaea_shaders::amplify::twins::MODULES;
 use pangaea_shaders::amplify::uniform::level_words;
@@ -31,6 +32,8 @@ pub struct PassCase<'a> {
     pub entry: &'static str,
     /// The view.
     pub sight: &'a Sight,
+    /// The rules.
+    pub rules: Rules,
     /// The level.
     pub level: u32,
     /// Sizes of the level, with all that is known of it when the pass runs.
@@ -171,7 +174,7 @@ struct Bound {
 
 impl Bound {
     fn new(gpu: &Gpu, pass: &ComputePass, case: &PassCase) -> Self {
-        let uniform = level_words(case.sight, case.level);
+        let uniform = level_words(case.sight, case.level, &case.rules);
         let read = |name: &&'static str| {
             let buffer = if *name == SIZES {
                 gpu.upload(&words(all_sizes(case)), BufferUsages::UNIFORM)

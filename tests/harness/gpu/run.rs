@@ -3,19 +3,17 @@
 use super::columns::{edge_states, face_corners, face_sides, face_splits, stale};
 use super::level::MarkedLevel;
 use super::pass::{PassCase, assert_pass};
+use super::ruled::{VertexWords, make_vertices};
 use pangaea_shaders::amplify::base::Base;
-use pangaea_shaders::amplify::edge_split::edge_split;
 use pangaea_shaders::amplify::emit::emit_leaves;
-use pangaea_shaders::amplify::face_decide::face_decide;
 use pangaea_shaders::amplify::face_split::{grow_faces, grow_halves, grow_inner};
 use pangaea_shaders::amplify::ground::{Caps, refine};
 use pangaea_shaders::amplify::mark::{View, mark_split};
-use pangaea_shaders::amplify::rows::{LevelSizes, VertexCore, words};
+use pangaea_shaders::amplify::rows::{LevelSizes, words};
 use pangaea_shaders::amplify::rules::{EdgeKind, Rules};
 use pangaea_shaders::amplify::sight::Sight;
 use pangaea_shaders::amplify::topology::{Edge, Face, Items, Level, LevelMesh, NONE};
 use pangaea_shaders::amplify::uniform::LevelUniform;
-use pangaea_shaders::amplify::vertex_resolve::vertex_resolve;
 use pangaea_shaders::amplify::vertices::Vertices;
 use std::sync::Arc;
 
@@ -23,8 +21,11 @@ use std::sync::Arc;
 struct Run<'a> {
     base: &'a Base,
     rules: &'a Rules,
+    view: &'a View,
     sight: Sight,
     vertices: Vertices,
+    /// Their rows.
+    rows: VertexWords,
     /// Triangles of coarser levels.
     triangles: usize,
 }
@@ -51,10 +52,13 @@ pub fn each_pass(
     let mut run = Run {
         base,
         rules,
+        view,
         sight: Sight::new(&base.scale, view),
         vertices: Vertices::new(base.vertices.clone()),
+        rows: VertexWords::default(),
         triangles: 0,
     };
+    run.rows.add(&*base.vertices);
     // As a GPU runs: level 0 is whole.
     let mut next = Some(Level::new(base.level.clone(), Items::all(&base.level)));
     let mut levels = 0;
@@ -88,7 +92,7 @@ impl Run<'_> {
         check: &mut impl FnMut(&PassCase),
     ) -> Option<Level> {
         let before = words(face_corners(&level));
-        let cores = self.cores();
+        let cores = self.rows.cores.clone();
         let items = level.items.faces.clone();
         let view = self.vertices.view();
         mark_split(
@@ -107,7 +111,7 @@ impl Run<'_> {
             ..LevelSizes::default()
         };
         let sight = self.sight;
-        let mut marked = MarkedLevel::new(&sight, index, sizes, &mut level);
+        let mut marked = MarkedLevel::new(&sight, *self.rules, index, sizes, &mut level);
         check(&marked.case(
             "mark_split",
             marked.args().faces,
@@ -122,10 +126,6 @@ impl Run<'_> {
         self.emitted_and_grown(&mut marked, lists, check)
     }
 
-    fn cores(&self) -> Vec<u32> {
-        words(self.vertices.iter().map(VertexCore::from))
-    }
-
     /// The triangles of a level's leaves, and the next level.
     fn emitted_and_grown(
         &mut self,
@@ -138,14 +138,15 @@ impl Run<'_> {
             rules: self.rules,
             level: marked.index,
         };
-        let level = &mut *marked.level;
-        let (coarser, new) = self.vertices.append(halved.len());
-        edge_split(uniform, &level.mesh, coarser, &halved, new);
-        let Level {
-            mesh, edges, faces, ..
-        } = level;
-        face_decide(uniform, mesh, edges, self.vertices.view(), &decided, faces);
-        vertex_resolve(uniform, marked.level, &halved, &mut self.vertices);
+        make_vertices(
+            uniform,
+            self.view,
+            marked,
+            [&halved, &decided],
+            &mut self.vertices,
+            &mut self.rows,
+            check,
+        );
         self.emit(marked, check);
         if marked.sizes.made.children == 0 {
             return None;
@@ -174,7 +175,7 @@ impl Run<'_> {
             "emit_leaves",
             marked.args().face_blocks,
             [
-                ("vertex_cores", self.cores()),
+                ("vertex_cores", self.rows.cores.clone()),
                 ("edge_states", words(edge_states(level))),
                 ("face_sides", words(face_sides(level))),
                 ("face_corners", words(face_corners(level))),
@@ -199,8 +200,13 @@ impl Run<'_> {
         let level = &*marked.level;
         let view = self.vertices.view();
         grow_inner(uniform, level, view, decided, made.halves, &mut edges);
-        check(&marked.inner(self.cores(), decided, &edges[made.halves as usize..]));
+        check(&marked.inner(
+            self.rows.cores.clone(),
+            decided,
+            &edges[made.halves as usize..],
+        ));
         grow_halves(uniform, level, view, halved, &mut edges);
+        check(&marked.halves(&self.rows, halved, &edges[..made.halves as usize]));
         let mut faces = vec![Face::default(); made.children as usize];
         grow_faces(level, decided, made.halves, &mut faces);
         check(&marked.children(decided, &faces));

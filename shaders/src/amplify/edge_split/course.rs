@@ -13,6 +13,8 @@ use crate::amplify::vertex::Vertex;
 /// the triangle there.
 const SWAY: i32 = q16(0.3);
 
+crate::wgsl::shared!(SWAY,);
+
 /// The course of a river along an edge.
 pub(super) struct Course {
     /// The axis of its valley.

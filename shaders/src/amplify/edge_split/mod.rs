@@ -4,9 +4,9 @@
 //! vertex's kind may still change to a gully ([`vertex_resolve`](super::vertex_resolve)), and its
 //! distances are estimates until then.
 
-mod course;
+pub(in crate::amplify) mod course;
 mod lakes;
-mod place;
+pub(in crate::amplify) mod place;
 
 use super::arith::ratio;
 use super::control::VertexKind;

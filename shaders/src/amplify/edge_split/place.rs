@@ -30,6 +30,8 @@ const FLATNESS: [i32; 2] = [Q12 / 6, Q12 / 2];
 /// moved towards Loop's place, from the second on all the way.
 const CENTRED: [i32; 2] = [Q12 / 6, Q12 / 3];
 
+crate::wgsl::shared!(MOST_FAR_CORNER, MOST_END_LOSS, FLATNESS, CENTRED,);
+
 /// Where a vertex lies on a face beside its edge: shares of two of the face's corners, Q16. That of
 /// the edge's first end is the rest.
 #[derive(Clone, Copy, Debug)]

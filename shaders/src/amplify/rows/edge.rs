@@ -51,10 +51,8 @@ crate::wgsl::shared!(
     LEAF = SplitMark::Leaf as u32,
     HALO = SplitMark::Halo as u32,
     SPLIT = SplitMark::Split as u32,
-    TERRAIN_EDGE = EdgeKind::Terrain as u32,
-    RIVER_EDGE = EdgeKind::River as u32,
-    GULLY_EDGE = EdgeKind::Gully as u32,
     EDGE_BIRTH = BIRTH,
+    EDGE_DESCENT = DESCENT,
     EDGE_MARK = MARK,
 );
 

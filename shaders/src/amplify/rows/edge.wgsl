@@ -38,3 +38,17 @@ fn edge_marks_with(marks: u32, mark: u32) -> u32 {
 fn new_edge_state(kind: u32, birth: u32, arriving: u32) -> EdgeState {
     return EdgeState(NONE, NONE, arriving, kind | (birth << EDGE_BIRTH));
 }
+
+fn edge_state_kind(edge: EdgeState) -> u32 {
+    return edge.marks & 255u;
+}
+
+// Level on which its river was born.
+fn edge_state_birth(edge: EdgeState) -> u32 {
+    return (edge.marks >> EDGE_BIRTH) & 255u;
+}
+
+// Whether dry land drains along it without a gully.
+fn edge_state_is_descent(edge: EdgeState) -> bool {
+    return ((edge.marks >> EDGE_DESCENT) & 1u) != 0u;
+}

@@ -29,3 +29,11 @@ fn face_triangles(marks: u32) -> u32 {
 fn face_inner(marks: u32, corner: u32) -> u32 {
     return (marks >> (FACE_INNER + 8u * corner)) & 255u;
 }
+
+// The corner of a face that is no end of one of its edges.
+fn corner_off(corners: vec3<u32>, ends: vec2<u32>) -> u32 {
+    if all(vec2(corners.x) != ends) {
+        return corners.x;
+    }
+    return select(corners.z, corners.y, all(vec2(corners.y) != ends));
+}

@@ -14,10 +14,14 @@
 //! | [`FaceSides`] | 16 | the level above; `marks` by `mark_halo` and `face_decide` |
 //! | [`FaceCorners`] | 16 | the level above; `child` by `place_faces` |
 //! | [`VertexCore`] | 32 | `edge_split` |
+//! | [`VertexCourse`] | 16 | `edge_split` |
+//! | [`VertexLand`] | 40 | `edge_split` |
+//! | [`VertexRiver`] | 80 | `edge_split`, `vertex_resolve` |
+//! | [`Carved`](super::carve::Carved) | 8 | `carve_all` |
 //! | [`BlockCounts`], [`LevelSizes`], [`LevelArgs`] | 32, 32, 64 | the counts, `scan` |
 //!
-//! A binding of 128 MiB holds 8 million edges or faces of a level, and 4 million vertices. A vertex
-//! has 172 bytes in all; the rest of it, which no pass of the topology reads, has no rows yet.
+//! A binding of 128 MiB holds 8 million edges or faces of a level, and 1.6 million vertices, of 176
+//! bytes each in all: a vertex carries its river by value.
 
 pub mod edge;
 pub mod face;
@@ -27,7 +31,7 @@ pub mod vertex;
 pub use edge::{EdgeJoins, EdgeState};
 pub use face::{FaceCorners, FaceSides};
 pub use level::{BlockCounts, LevelArgs, LevelSizes};
-pub use vertex::VertexCore;
+pub use vertex::{VertexCore, VertexCourse, VertexLand, VertexRiver};
 
 /// Where the members of a row lie, as its twin in WGSL has them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -66,6 +66,15 @@ const WORN_GAIN: i32 = q16(0.1);
 /// Most rise within half an edge, grains: products of it fit 32 bits on any planet.
 const MOST_RISE: i32 = metres(400_000);
 
+crate::wgsl::shared!(
+    RESOLVED_LEVEL,
+    SHOWN_OPEN_GROUND = OPEN_GROUND,
+    SHOWN_GULLY = GULLY,
+    SHOWN_RIVER = RIVER,
+    WORN_GAIN,
+    MOST_RISE,
+);
+
 /// How far a level shows a vertex above its own `ground`, grains. `level` is in Q16: between two
 /// levels it changes evenly. `edge` is the mean edge of level 0, grains.
 ///

@@ -59,6 +59,21 @@ const FLOOR_SPREAD: i32 = q16(0.5);
 /// The sea floor sways by this share of the edge's length from one side to the other.
 const FLOOR_SWAY: i32 = q16(0.008);
 
+crate::wgsl::shared!(
+    ROCKY,
+    ROCKY_MOVE,
+    YOUNG_LOSS,
+    PLAIN_MOVE,
+    LEAST_MOVE,
+    SHORE_REACH = REACH,
+    LEAST_SIDE,
+    EVEN,
+    SHORE_SEED,
+    SPREAD_LOSS,
+    FLOOR_SPREAD,
+    FLOOR_SWAY,
+);
+
 /// Whether an edge has an end in the sea or at the shore.
 pub fn is_shore(a: VertexKind, b: VertexKind) -> bool {
     [a, b]

@@ -17,6 +17,8 @@ const LEAST_OVER_GULLIES: i32 = metres(25);
 /// How much of a crest's height its draw may take (release).
 const DRAWN_SHARE: i32 = q16(0.95);
 
+crate::wgsl::shared!(LEAST_OVER_RIVERS, LEAST_OVER_GULLIES, DRAWN_SHARE,);
+
 /// The crest between two rivers: above both.
 pub fn between_rivers(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let draw = share(context.new.seed, 0);

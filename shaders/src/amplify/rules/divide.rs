@@ -35,6 +35,40 @@ const RESERVE: i32 = 12;
 /// That share: a quarter.
 const MOST_RESERVE: i32 = 4;
 
+/// Least and greatest part of the room that a crest takes, by level; the last holds for all that
+/// follow.
+const PART_OF_ROOM: [[i32; 2]; 4] = [
+    [q16(0.15), q16(0.5)],
+    [q16(0.3), q16(0.65)],
+    [q16(0.4), q16(0.75)],
+    [q16(0.4), q16(0.8)],
+];
+
+/// How much of a bulge a level keeps; the last holds for all that follow.
+const KEPT_BULGE: [i32; 9] = [
+    q16(1.37329),
+    q16(1.37329),
+    q16(2.0),
+    q16(2.0),
+    q16(1.0),
+    q16(0.7),
+    q16(0.5),
+    q16(0.4),
+    q16(0.3),
+];
+
+crate::wgsl::shared!(
+    DRAWN_BULGE,
+    WORN_LOSS,
+    FIRST_WORN_LEVEL,
+    FIRST_CREST_LEVEL,
+    CREST_TOLERANCE,
+    RESERVE,
+    MOST_RESERVE,
+    PART_OF_ROOM,
+    KEPT_BULGE,
+);
+
 /// How level the ends of an edge are, Q16: 1 where they are, 0 where one stands a whole `slope`
 /// above the other, and 0 where ground beside the edge stands half a slope above it.
 pub(super) fn evenness(context: &EdgeContext, slope: i32) -> i32 {
@@ -83,29 +117,14 @@ pub(super) fn room(context: &EdgeContext, steep: i32) -> i32 {
 /// edges are longer than the spacing of valleys: where a coarse vertex stood near C already, the
 /// land around it would fill up to a table under C, and no crest could stand out.
 pub(super) fn part(level: u32, chi: i32) -> i32 {
-    /// By level; the last holds for all that follow.
-    const LEAST_AND_GREATEST: [[i32; 2]; 4] = [
-        [q16(0.15), q16(0.5)],
-        [q16(0.3), q16(0.65)],
-        [q16(0.4), q16(0.75)],
-        [q16(0.4), q16(0.8)],
-    ];
-    let [least, greatest] = LEAST_AND_GREATEST[level.min(3) as usize];
+    let [least, greatest] = PART_OF_ROOM[level.min(3) as usize];
     mix(least, greatest, chi)
 }
 
 /// Bulges fade below the spacing of valleys, some kilometres: hillslopes are cut by shallow gullies
 /// only, and by fewer where the land is worn. Q16.
-const fn fading(level: u32, worn: i32) -> i32 {
-    let kept = match level {
-        0..=1 => q16(1.37329),
-        2..=3 => q16(2.0),
-        4 => q16(1.0),
-        5 => q16(0.7),
-        6 => q16(0.5),
-        7 => q16(0.4),
-        _ => q16(0.3),
-    };
+fn fading(level: u32, worn: i32) -> i32 {
+    let kept = KEPT_BULGE[level.min(8) as usize];
     if level < FIRST_WORN_LEVEL {
         kept
     } else {

@@ -16,6 +16,8 @@ const LEAST_RISE: i32 = q16(0.15259);
 /// eleven times as high before it is bounded by the room under the crust.
 const MOST_SLOPE: i32 = metres(150_000);
 
+crate::wgsl::shared!(EDGE_LEAST_RISE = LEAST_RISE, MOST_SLOPE,);
+
 /// The land at the middle of an edge, as all rules of its rise see it.
 pub(super) struct EdgeLand {
     /// Tangent of its slopes, Q16.

@@ -25,6 +25,11 @@ const OCTAVE_LENGTH: i32 = q16(0.25);
 /// How much more of it a river of flow φ = 1 has, grains: ten of its widths.
 const GREAT_OCTAVE: i32 = metres(21_470);
 
+/// How much of an octave's widening goes evenly with its part.
+const WIDENING: i32 = q16(0.65617);
+
+crate::wgsl::shared!(OCTAVE, WIDENING,);
+
 /// Tide of a mouth before a shelf that falls so much, Q16.
 pub fn mouth(fall: i32) -> i32 {
     let steep = linear_step(SHELF_FALL[0], SHELF_FALL[1], fall);
@@ -50,7 +55,7 @@ pub fn upstream(tide: i32, way: i32, flow: i32, edge: i32) -> i32 {
 pub fn widened(width: i32, tide: i32) -> i32 {
     // 2^f of a fraction f, within 0.3 %: 1 + 0.65617 f + 0.34383 f², exact at both ends.
     let f = (tide % OCTAVE) * (Q16 / OCTAVE);
-    let part = Q16 + mul_q16(f, q16(0.65617)) + mul_q16(square(f), Q16 - q16(0.65617));
+    let part = Q16 + mul_q16(f, WIDENING) + mul_q16(square(f), Q16 - WIDENING);
     mul_q16(width, part) << (tide / OCTAVE)
 }
 

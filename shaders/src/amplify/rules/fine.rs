@@ -22,6 +22,8 @@ const FACE_SPREAD: i32 = q16(0.09155);
 /// Seed of the roughness noise; each level adds its number.
 const ROUGHNESS_SEED: u32 = 0x0f1e_0000;
 
+crate::wgsl::shared!(NARROWING, MOST_DRAWN_UP, FACE_SPREAD, ROUGHNESS_SEED,);
+
 /// The ground in the middle of a fine edge.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
     VertexGround::dry(VertexKind::Terrain, height(rules, context))

@@ -47,6 +47,9 @@ const FOLDS: StripeNoise = StripeNoise {
 /// One beyond the last level that folds shape: its edges are shorter than a sixth of a fold.
 const FOLD_LEVELS: u32 = 5;
 
+/// Levels on which the level that summits reach sinks.
+const SUNKEN_LEVELS: usize = 2;
+
 /// How much great ranges and folds count on a level; the last holds for all that follow.
 const WEIGHTS: [[i32; 2]; 3] = [[q16(1.2), 0], [q16(1.0), q16(0.9)], [q16(0.6), q16(1.4)]];
 
@@ -78,13 +81,33 @@ const CREST: i32 = q16(0.9);
 /// How far the level that summits reach sinks from a range's crest to the trough beside it, as a
 /// share of the relief; by level. Level 0 has great ranges, level 1 folds: each has edges of half a
 /// wave of its own.
-const SUNKEN: [i32; 2] = [q16(0.12), q16(0.05)];
+const SUNKEN: [i32; SUNKEN_LEVELS] = [q16(0.12), q16(0.05)];
 
 /// How far a crest leans to its front at most.
 const VERGENCE: i32 = q16(0.6);
 
 /// Slope of the crust across folds at which they lean as far as they may: 10 m per km.
 const FRONTAL_SLOPE: i32 = q16(0.01);
+
+crate::wgsl::shared!(
+    RANGES,
+    FOLDS,
+    FOLD_LEVELS,
+    FOLD_WEIGHTS = WEIGHTS,
+    PRESENCE,
+    CULMINATION_CELL,
+    CULMINATION_SEED,
+    CULMINATION,
+    DEPRESSED,
+    LEFT_BY_AGE = WORN,
+    BELT_HILLS = HILLS,
+    FOLDED_BULGE,
+    CREST,
+    SUNKEN,
+    SUNKEN_LEVELS = SUNKEN_LEVELS as u32,
+    VERGENCE,
+    FRONTAL_SLOPE,
+);
 
 /// The level that summits reach at the vertex that halves an edge, grains: on the crest of a range
 /// the mean of its ends', in the basin beside it little above their ground.

@@ -61,6 +61,24 @@ const VALLEY_RISE: [i32; COARSE_LEVELS] = [q16(0.04), q16(0.055), q16(0.08), q16
 /// Coarsest levels over which gullies become less hollow.
 const HOLLOW_LEVELS: u32 = 9;
 
+crate::wgsl::shared!(
+    GULLY_LEAST_RISE = LEAST_RISE,
+    DRAWN_RISE,
+    HOLLOW_RISE,
+    HOLLOW_LOSS,
+    RISE_FROM_RIVER,
+    MOST_RISE_FROM_RIVER,
+    LEAST_RISE_FROM_RIVER,
+    OUR_LEAST_RISE_FROM_RIVER,
+    GREAT_RIVER_REFUSAL,
+    GREAT_FLOW,
+    LEAST_HILLSLOPE,
+    COARSE_LEVELS = COARSE_LEVELS as u32,
+    DRAINED_SHARE,
+    VALLEY_RISE,
+    HOLLOW_LEVELS,
+);
+
 /// The vertex that halves a gully edge: 0.4..0.5 of the way up, in ours less at the coarse levels,
 /// so that the profile is hollow.
 pub fn along(rules: &Rules, context: &EdgeContext) -> VertexGround {

@@ -24,6 +24,8 @@ const HALF_RELIEF_CRUST: i32 = metres(1_000);
 /// soil is uneven too.
 const SOIL_SLOPE: i32 = q16(0.02);
 
+crate::wgsl::shared!(DRY_WETNESS, AGE_OF_DRYNESS, HALF_RELIEF_CRUST, SOIL_SLOPE,);
+
 /// Character of the land at a vertex; shares and tangents in Q16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Landform {

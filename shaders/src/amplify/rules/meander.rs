@@ -81,6 +81,24 @@ const STEPS: u32 = 3;
 /// π in Q16.
 const PI: i32 = q16(core::f64::consts::PI);
 
+crate::wgsl::shared!(
+    HALF_WAVE,
+    FALL,
+    LEAST_WINDING,
+    SWING,
+    LEAN,
+    UNEVEN,
+    UNEVEN_WAVES,
+    MOST_SWING,
+    MOST_WAVES,
+    LONGEST_AXIS,
+    FAR_AWAY,
+    BELT,
+    TRIES,
+    WANDER_STEPS = STEPS,
+    PI,
+);
+
 /// How much a river with a fall (Q16) winds at a vertex of a seed, as [`Vertex::winding`]: 0..1 in
 /// Q15, negative where it crosses to the right.
 ///

@@ -97,6 +97,14 @@ const HOLLOWS: i32 = q16(0.3);
 /// How far a full plateau holds the ground at its base level (paper 002 Appendix A).
 const PLATEAU_HOLD: i32 = q16(0.88);
 
+crate::wgsl::shared!(
+    FORM_PAPER = Form::Paper as u32,
+    TERRACE_STEP,
+    HILL_LIMIT,
+    HOLLOWS,
+    PLATEAU_HOLD,
+);
+
 /// Offset of hills: min(800 m, (1 - ξ²)/2 · ε)·B, ε the edge's length, or with χ < ½ a third
 /// (printed) or 0.3 (released) of it downwards.
 #[inline]

@@ -29,6 +29,7 @@ crate::wgsl::shared!(
     AXIS_FACTOR,
     ORIGIN_FACTOR,
     OCTAVE_STEP,
+    EDGE_BITS,
 );
 
 /// One step of the generator.

@@ -12,6 +12,8 @@ pub const STRAIGHT_LEVEL: u32 = 11;
 /// slope stays even under sideways moves.
 pub(super) const FACE_LEVEL: u32 = 6;
 
+crate::wgsl::shared!(STRAIGHT_LEVEL, FACE_LEVEL,);
+
 /// Constants of the subdivision rules. Shares and tangents are Q16, heights and lengths grains,
 /// levels are the paper's λ: 0 halves the control mesh's edges of about 52 km.
 ///
@@ -126,4 +128,30 @@ impl Rules {
         archetypes: false,
         ..Self::PAPER
     };
+
+    /// Its words in a uniform: those of its fields, in their order.
+    pub fn words(&self) -> [u32; 20] {
+        [
+            self.form as u32,
+            self.landforms.into(),
+            self.crest_rise as u32,
+            self.steep_collision as u32,
+            self.steep_subduction as u32,
+            self.steep_old as u32,
+            self.hollow_levels[0],
+            self.hollow_levels[1],
+            self.hollow_fall as u32,
+            self.fine_level,
+            self.tributary_levels[0],
+            self.tributary_levels[1],
+            self.extension_levels,
+            self.gully_levels,
+            self.gully_branching as u32,
+            self.lake_levels,
+            self.lake_chance as u32,
+            self.spring_slope as u32,
+            self.channel_width as u32,
+            self.archetypes.into(),
+        ]
+    }
 }

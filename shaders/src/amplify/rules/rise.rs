@@ -36,6 +36,11 @@ const DIVIDE_BULGE: i32 = q16(1.37329);
 /// Bulge of hillsides between a drain and the land above it.
 const SLOPE_BULGE: i32 = q16(0.1831);
 
+/// Least share of the rise that the middle of a hillside takes, by level; the last holds for all that
+/// follow. On the coarsest levels little, so that valleys are wide; then nearly half: between
+/// gullies, which are hollow, spurs stand out.
+const SPUR: [i32; 3] = [q16(0.1831), q16(0.206), q16(0.42)];
+
 /// How much farther up than the hollow's share the draw may put the middle of a hillside.
 const DRAWN_HILLSIDE: i32 = q16(0.21362);
 
@@ -58,6 +63,19 @@ const HILLSIDE_ROUGHNESS: i32 = q16(1.4);
 
 /// One beyond the last level whose ground goes on across its edges without a crease.
 const BENT_LEVELS: u32 = 4;
+
+crate::wgsl::shared!(
+    DIVIDE_BULGE,
+    SLOPE_BULGE,
+    SPUR,
+    DRAWN_HILLSIDE,
+    STEEPEST,
+    LAST_CREST_LEVEL,
+    LEAST_STEP,
+    HOLLOW_FOOT,
+    HILLSIDE_ROUGHNESS,
+    BENT_LEVELS,
+);
 
 /// Height of the middle of an edge between two drains or on open ground.
 pub fn divide(rules: &Rules, context: &EdgeContext) -> i32 {
@@ -141,7 +159,8 @@ fn hillside(rules: &Rules, context: &EdgeContext, xi: i32) -> i32 {
         return context.face - foot(context) + rough;
     }
     let (low, high) = ordered(context.a.height, context.b.height);
-    mix(low, high, spur(context.level) + mul_q16(xi, DRAWN_HILLSIDE))
+    let spur = SPUR[context.level.min(2) as usize];
+    mix(low, high, spur + mul_q16(xi, DRAWN_HILLSIDE))
 }
 
 /// How far a hillside is hollow over the gully at its foot, grains.
@@ -152,16 +171,6 @@ const fn foot(context: &EdgeContext) -> i32 {
         rise.abs() / HOLLOW_FOOT
     } else {
         0
-    }
-}
-
-/// Least share of the rise that the middle of a hillside takes, Q16. On the coarsest levels little,
-/// so that valleys are wide; then nearly half: between gullies, which are hollow, spurs stand out.
-const fn spur(level: u32) -> i32 {
-    match level {
-        0 => q16(0.1831),
-        1 => q16(0.206),
-        _ => q16(0.42),
     }
 }
 

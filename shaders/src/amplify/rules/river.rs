@@ -23,6 +23,15 @@ const DRAWN_SPRING: i32 = q16(0.2);
 /// Most depth of water at a spring of ours, grains; the release's springs have none.
 const SPRING_DEPTH: i32 = GRAINS / 4;
 
+crate::wgsl::shared!(
+    SPRING_REACH,
+    MOST_SPRING_RISE,
+    LEAST_SPRING,
+    DRAWN_SPRING,
+    SPRING_DEPTH,
+    NO_MOUTH = 2_u32,
+);
+
 /// The vertex that halves a river edge: a bed between those of its ends, or the spring of a
 /// tributary.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {

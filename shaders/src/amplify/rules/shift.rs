@@ -11,15 +11,14 @@ use crate::amplify::control::VertexKind;
 use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::Vertex;
-use core::ops::Range;
 
 /// Least share of the edge, and of the way to the barycentre, that a vertex moves to; the greatest
 /// is twice as much (paper 002 §5.2).
 pub(in crate::amplify) const LEAST: i32 = q16(0.33);
 
-/// Levels on which vertices of ours move less: what stretches their triangles stretches all that are
+/// Levels on which vertices of ours move less, first and one beyond the last: what stretches their triangles stretches all that are
 /// made within them.
-const CALM_LEVELS: Range<u32> = 0..3;
+const CALM_LEVELS: [u32; 2] = [0, 3];
 
 /// Share of the displacement that is left on those levels.
 const CALM: i32 = q16(0.7019);
@@ -54,6 +53,22 @@ const RELEASED_GROUND_WEIGHT: [i32; 2] = [q16(0.5), q16(0.45)];
 /// Least share of the way up from its mouth at which a spring of print and release lies, and how
 /// much the draw adds to it (release).
 const SPRING_PLACE: [i32; 2] = [q16(0.6), q16(0.2)];
+
+crate::wgsl::shared!(
+    LEAST_SHIFT = LEAST,
+    CALM_LEVELS,
+    CALM,
+    GULLY_WEIGHT,
+    LAST_STRAIGHT_RIVER,
+    STRAIGHTENING_LEVELS,
+    LAKE_WEIGHT,
+    COAST_WEIGHT,
+    COAST_LEVELS,
+    GROUND_LEVELS,
+    GROUND_WEIGHT,
+    RELEASED_GROUND_WEIGHT,
+    SPRING_PLACE,
+);
 
 /// A sideways displacement; shares in Q16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,7 +123,8 @@ fn spring(seed: u32, mouth: usize) -> Shift {
 
 /// Share of the displacement that a level keeps, Q16.
 fn calm(rules: &Rules, level: u32) -> i32 {
-    if rules.landforms && CALM_LEVELS.contains(&level) {
+    let [first, end] = CALM_LEVELS;
+    if rules.landforms && (first..end).contains(&level) {
         CALM
     } else {
         Q16

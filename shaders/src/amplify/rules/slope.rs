@@ -35,6 +35,16 @@ const LEAST_ROOM_OVER_LAND: i32 = metres(10);
 /// (release).
 const GULLY_SHARE: [i32; 2] = [q16(0.4), q16(0.4)];
 
+crate::wgsl::shared!(
+    RISE_FROM_DRAIN,
+    LEAST_ROOM_OVER_DRAIN,
+    LOW_LAND_SHARE,
+    RIVER_SHARE,
+    AIM_OVER_LAND,
+    LEAST_ROOM_OVER_LAND,
+    GULLY_SHARE,
+);
+
 /// The slope beside a river.
 pub fn from_river(rules: &Rules, context: &EdgeContext) -> VertexGround {
     let ends = context.wet_end_first();

@@ -65,6 +65,25 @@ const OUR_DRIEST_HILLS: i32 = q16(0.9);
 /// Distance from a river at which hills are full, grains (release).
 const HILLS_AWAY: i32 = metres(25_000);
 
+crate::wgsl::shared!(
+    FULL_CRUST,
+    LEAST_HILL_SLOPE,
+    OUR_HILL_LIMIT,
+    LOWEST_TERRACE,
+    DESERT_TERRACES,
+    OLD_TERRACES,
+    POLAR_TERRACES,
+    TERRACE_ONSET,
+    OUR_TERRACE_ONSET,
+    RAGGED_HEIGHTS,
+    PEAK_BASE,
+    PEAK_RISE,
+    LEAST_HILLY,
+    DRIEST_HILLS,
+    OUR_DRIEST_HILLS,
+    HILLS_AWAY,
+);
+
 /// The ground in the middle of a (t, T, t) edge.
 pub fn halve(rules: &Rules, context: &EdgeContext) -> VertexGround {
     VertexGround::dry(VertexKind::Terrain, height(rules, context))

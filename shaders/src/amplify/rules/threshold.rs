@@ -29,6 +29,8 @@ const STEEPNESS: [i32; 2] = [q16(0.5), q16(0.4)];
 /// Part of a fold's bulge by which slopes on anticlines are steeper, and in synclines gentler.
 const FOLDED: i32 = 2;
 
+crate::wgsl::shared!(THRESHOLD_LEVELS = LEVELS, STEEPNESS, FOLDED,);
+
 /// Whether the ground of a level rises so.
 pub(super) const fn holds(level: u32) -> bool {
     LEVELS[0] <= level && level < LEVELS[1]

@@ -5,7 +5,7 @@
 //! vertex. A river outranks a gully, a gully outranks ground, whatever the order in which the faces
 //! asked.
 
-mod river;
+pub(in crate::amplify) mod river;
 
 use super::control::VertexKind;
 use super::rules::{EdgeKind, Rules};

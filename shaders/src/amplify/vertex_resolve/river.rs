@@ -18,6 +18,8 @@ const NEAR_BANK: i32 = 4;
 /// Half-widths of a river up to which its bends reach.
 const BENDS: i32 = 10;
 
+crate::wgsl::shared!(NEAR_BANK, BENDS,);
+
 /// Nearest segment found so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NearestRiver {

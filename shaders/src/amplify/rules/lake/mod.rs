@@ -5,8 +5,8 @@
 //! lake never lies below it: where the land does, the ground is made as if its ends stood at the
 //! lake's level, a sill as wide as the edge. So every lake has one level, and no walls.
 
-mod new;
-mod shore;
+pub(in crate::amplify) mod new;
+pub(in crate::amplify) mod shore;
 
 use super::preset::Rules;
 use super::valley::Carved;
@@ -15,6 +15,14 @@ use crate::amplify::control::VertexKind;
 use crate::amplify::vertex::{EdgeContext, Vertex};
 pub use new::{chance, widened};
 pub(super) use shore::{floor, shore};
+
+crate::wgsl::shared!(
+    LAKE_FLOOR = LakeEdge::Floor as u32,
+    LAKE_INFLOW = LakeEdge::Inflow as u32,
+    LAKE_SHORE = LakeEdge::Shore as u32,
+    LAKE_AWAY = LakeEdge::Away as u32,
+    LAKE_BESIDE = LakeEdge::Beside as u32,
+);
 
 /// Print and release: the floor between two vertices of one lake, or a crest between two lakes.
 pub fn between(rules: &Rules, context: &EdgeContext) -> VertexGround {

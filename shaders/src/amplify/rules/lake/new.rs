@@ -38,6 +38,18 @@ const DEPTH_OF_EDGE: i32 = q16(0.04);
 /// fifth of the way out at least. Where land is steeper a lake would be as thin as a needle.
 const LAND_OVER_DEPTH: i32 = 4;
 
+crate::wgsl::shared!(
+    LEAST_BED,
+    FIRST_LAKE_LEVEL = FIRST_LEVEL,
+    HIGH_BEDS,
+    HIGH_CRUST,
+    DRY_LOSS,
+    LEAST_DEPTH,
+    DRAWN_DEPTH,
+    DEPTH_OF_EDGE,
+    LAND_OVER_DEPTH,
+);
+
 /// Chance that the edge from a river vertex to the land above becomes a lake, Q16: in high wet
 /// land, or high in the mountains, on the coarse levels only.
 pub fn chance(rules: &Rules, level: u32, river: &Vertex, crust: i32, wetness: u16) -> i32 {

@@ -42,6 +42,18 @@ const STRETCH: i32 = q16(1.8);
 /// Seed of the noise; each level adds its number.
 const SHORE_SEED: u32 = 0x1a4e_0000;
 
+crate::wgsl::shared!(
+    SHORE_RELIEF,
+    FLOOR_RELIEF,
+    DEEPENING,
+    DEEPEST,
+    HOLLOW,
+    ROUGHNESS,
+    LAKE_CALM_LEVELS = CALM_LEVELS,
+    STRETCH,
+    LAKE_SHORE_SEED = SHORE_SEED,
+);
+
 /// Between two vertices of a lake: its floor, or an island where that is shallow.
 pub(in crate::amplify::rules) fn floor(
     rules: &Rules,

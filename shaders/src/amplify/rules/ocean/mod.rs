@@ -17,6 +17,7 @@ use crate::amplify::arith::{length, mul_q16, ratio, saturate, smoothstep, square
 use crate::amplify::fixed::{ONE, Q16, metres, million_years, q16};
 use crate::amplify::seed::share;
 use crate::amplify::vertex::Vertex;
+use crate::wgsl::WgslValue;
 use phasor::{PacketCache, StripeNoise};
 
 /// Mean edge of a control mesh whose planet carries the full relief, grains.
@@ -34,6 +35,7 @@ const FINE: Roughness = Roughness {
     height: metres(120),
     cell: 21,
     gain: q16(0.48),
+    octaves: 5,
     seed: 0x0cea_0001,
 };
 
@@ -42,6 +44,7 @@ const COARSE: Roughness = Roughness {
     height: metres(260),
     cell: 25,
     gain: q16(0.55),
+    octaves: 4,
     seed: 0x0cea_0002,
 };
 
@@ -88,7 +91,25 @@ struct Roughness {
     cell: u32,
     /// Amplitude of an octave, as a share of the one before; Q16.
     gain: i32,
+    octaves: usize,
     seed: u32,
+}
+
+impl WgslValue for Roughness {
+    fn type_name() -> String {
+        "Roughness".into()
+    }
+
+    fn expression(&self) -> String {
+        let Self {
+            height,
+            cell,
+            gain,
+            octaves,
+            seed,
+        } = self;
+        format!("Roughness({height}, {cell}u, {gain}, {octaves}u, {seed}u)")
+    }
 }
 
 impl Roughness {
@@ -105,14 +126,31 @@ const SWELL_LEVEL: u8 = 8;
 /// level it is [`FINE`]'s gain of that. Its mean square is that of the octave of its level.
 const GRIT: i32 = 1_517;
 
+crate::wgsl::shared!(
+    FULL_RELIEF_EDGE,
+    FULL_RELIEF_DEPTH,
+    HALF_AGE,
+    FINE,
+    COARSE,
+    FAULTS,
+    HILLS,
+    FAULT_DEPTH,
+    FAULT_PRESENCE,
+    AGREEMENT,
+    HILL_HEIGHT,
+    UNBURIED,
+    SWELL_LEVEL = u32::from(SWELL_LEVEL),
+    GRIT,
+);
+
 /// Noise drawn for the last vertex: vertices of a patch share most of it. It saves work and changes
 /// no result.
 #[derive(Clone, Debug, Default)]
 pub struct OceanCache {
     /// One per octave: waves of 6.5 km to 400 m.
-    fine: [CornerCache; 5],
+    fine: [CornerCache; FINE.octaves],
     /// One per octave: waves of 104 to 13 km.
-    coarse: [CornerCache; 4],
+    coarse: [CornerCache; COARSE.octaves],
     faults: PacketCache,
     hills: PacketCache,
 }
@@ -132,7 +170,7 @@ pub fn relief(cache: &mut OceanCache, vertex: &Vertex, edge: i32) -> i32 {
 }
 
 /// Relief of the sea floor at a vertex, grains, as on an Earth-sized planet and far from shores.
-fn swell(cache: &mut OceanCache, vertex: &Vertex) -> i32 {
+pub fn swell(cache: &mut OceanCache, vertex: &Vertex) -> i32 {
     if vertex.level == 0 {
         drawn(cache, vertex)
     } else {

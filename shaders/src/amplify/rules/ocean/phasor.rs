@@ -10,6 +10,7 @@
 use crate::amplify::arith::{cos_turn, isqrt, mul_q16, ratio, signed_ratio};
 use crate::amplify::fixed::{Q16, q16};
 use crate::amplify::rules::noise::cell_hash;
+use crate::wgsl::WgslValue;
 
 /// Weight of all packets from which on a point counts as covered by them: three quarters of the
 /// mean, 0.46 of a packet at its middle. Where all are far the nearest alone would decide, and its
@@ -33,6 +34,22 @@ pub struct StripeNoise {
     pub spread: i32,
     /// Where the random numbers begin.
     pub seed: u32,
+}
+
+impl WgslValue for StripeNoise {
+    fn type_name() -> String {
+        "StripeNoise".into()
+    }
+
+    fn expression(&self) -> String {
+        let Self {
+            cell,
+            waves,
+            spread,
+            seed,
+        } = self;
+        format!("StripeNoise({cell}u, {waves}, {spread}, {seed}u)")
+    }
 }
 
 /// Phase and presence of the stripes at a point.

@@ -30,8 +30,18 @@ const PLAIN_WIDTH: i32 = 10;
 /// From there on land may lie lower, by 1 in 40 of the distance.
 const LOW_LAND_SLOPE: i32 = 40;
 
+crate::wgsl::shared!(
+    NO_WATER,
+    KNOWN_WATER,
+    ROUND_EDGE,
+    EDGE_GROWTH,
+    PLAIN_WIDTH,
+    LOW_LAND_SLOPE,
+);
+
 /// Ground and water after carving.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 pub struct Carved {
     /// Ground, grains.
     pub ground: i32,

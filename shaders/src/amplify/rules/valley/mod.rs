@@ -7,14 +7,14 @@
 //!
 //! The water keeps its level under its banks ([`Carved`]): where it ends follows from the ground.
 
-mod reach;
+pub(in crate::amplify) mod reach;
 
-mod place;
+pub(in crate::amplify) mod place;
 
-mod plain;
-mod section;
+pub(in crate::amplify) mod plain;
+pub(in crate::amplify) mod section;
 
-mod carve;
+pub(in crate::amplify) mod carve;
 
 pub use carve::{CarveCache, Carved, NO_WATER, carve};
 pub use place::{RiverPlace, wander};

@@ -18,6 +18,8 @@ use crate::amplify::vertex::RiverSegment;
 /// beyond its lower end it stops, and the next piece goes on.
 const BEYOND_END: [i32; 2] = [q16(0.6), q16(1.9)];
 
+crate::wgsl::shared!(BEYOND_END,);
+
 /// The place of a river that is nearest to a direction.
 #[derive(Clone, Copy, Debug)]
 pub struct RiverPlace {

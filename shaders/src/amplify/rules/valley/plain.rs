@@ -23,7 +23,7 @@ const MOST_RELIEF: i32 = q16(0.8);
 const HIGHEST_RELIEF: i32 = metres(3) / 2;
 
 /// Distance from a bank at which the relief is full, grains, and in half-widths of the bed.
-const FULL_RELIEF: (i32, i32) = (metres(20), 1);
+const FULL_RELIEF: [i32; 2] = [metres(20), 1];
 
 /// Binary logarithm of the longest wave in direction units: 410 m on Earth.
 const LONGEST_WAVE: u32 = 17;
@@ -31,11 +31,25 @@ const LONGEST_WAVE: u32 = 17;
 /// Amplitude of an octave, as a share of the one before.
 const GAIN: i32 = q16(0.55);
 
+const OCTAVES: usize = 7;
+
 const SEED: u32 = 0x0f10_0d01;
+
+crate::wgsl::shared!(
+    BANK_WIDTH,
+    LEVEE_LENGTH,
+    MOST_RELIEF,
+    HIGHEST_RELIEF,
+    FULL_RELIEF,
+    LONGEST_WAVE,
+    PLAIN_GAIN = GAIN,
+    PLAIN_OCTAVES = OCTAVES as u32,
+    PLAIN_SEED = SEED,
+);
 
 /// Noise drawn for the last vertex, one per octave: waves of 410 to 6 m. It saves work and changes
 /// no result.
-pub(super) type PlainCache = [CornerCache; 7];
+pub(super) type PlainCache = [CornerCache; OCTAVES];
 
 /// Ground outside the bed of a river as its floods leave it, grains: at the water's level at the
 /// bed's rim, above it everywhere else.
@@ -68,7 +82,7 @@ fn relief(
     over_water: i32,
     beyond_bank: i32,
 ) -> i32 {
-    let far = FULL_RELIEF.0 + FULL_RELIEF.1 * reach.half_bed;
+    let far = FULL_RELIEF[0] + FULL_RELIEF[1] * reach.half_bed;
     let most = mul_q16(over_water, MOST_RELIEF).min(HIGHEST_RELIEF);
     let height = mul_q16(most, smooth(ratio(beyond_bank, far)));
     if height == 0 {

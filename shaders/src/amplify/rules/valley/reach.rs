@@ -44,6 +44,19 @@ const APEX: i32 = 4;
 /// First level whose rivers keep their course whatever their width: brooks of a metre.
 const LAST_COURSE_LEVEL: u32 = 10;
 
+crate::wgsl::shared!(
+    HALF_ROOT,
+    EARTH_RADIUS_M,
+    LEAST_HALF_BED,
+    WIDTH_OVER_DEPTH,
+    HALF_VALLEY,
+    BANK,
+    HIGHEST_BANK,
+    PIECE_WIDTHS,
+    APEX,
+    LAST_COURSE_LEVEL,
+);
+
 /// Half-width of the bed of a river of a flow φ (Q16), grains.
 fn half_bed(scale: &PlanetScale, rules: &Rules, flow: i32) -> i32 {
     let on_earth = mul_q16(mul_q16(rules.channel_width, HALF_ROOT), flow);

@@ -34,6 +34,14 @@ const LOWER_RISER: [i32; 2] = [q16(0.05), q16(0.35)];
 /// The same of a terraced side's upper riser.
 const UPPER_RISER: [i32; 2] = [q16(0.55), q16(0.95)];
 
+crate::wgsl::shared!(
+    SIDE_SLOPE,
+    OWN_HEIGHT,
+    FLOOR_RISER,
+    LOWER_RISER,
+    UPPER_RISER,
+);
+
 /// The four archetypes of a valley's side, height over distance, both 0..1 in Q16; monotone, 0 at 0
 /// and 1 at 1.
 pub const fn archetype(shape: ValleyShape, x: i32) -> i32 {
