@@ -144,8 +144,13 @@
 //!   reach the living planet as commands, anything else grows it anew.
 //! - [`io`] has saves, scenarios, maps and figures; [`overlay`] has 21 quantities as colours with
 //!   their legends.
-//! - All components, settings and events that hold plain values are reflected and registered, for
-//!   editors, scenes, `bsn!` and scripts. A scene holds a planet's recipe; a save file holds its state.
+//! - Components, settings and events of plain values are reflected and registered, for editors and
+//!   scripts. Not so [`Rules`](query::Rules), which stand in `pangaea_shaders`, a crate without
+//!   dependencies; what shares a mesh or a surface; some caches; [`CommandRejected`] and
+//!   [`PlanetFailed`], which carry an error.
+//! - A scene holds a planet's recipe or its preset, a save file its state: a [`PlanetRecipe`] is a
+//!   planet as soon as it is inserted, by its reflection, as scene files do, or by its template, as
+//!   `bsn!` does.
 //!
 //! # Features
 //!
@@ -211,8 +216,12 @@
 
 pub mod math;
 
+#[doc(hidden)]
 pub mod parallel;
 
+mod background;
+
+#[doc(hidden)]
 pub mod room;
 
 mod named;

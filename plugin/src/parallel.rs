@@ -4,9 +4,7 @@
 //! order: the bits of a sum do not depend on how many threads took part.
 
 use core::ops::Range;
-use rayon::ThreadPool;
 use rayon::prelude::*;
-use std::sync::OnceLock;
 
 /// Samples per chunk: large enough to hide the cost of handing it out, small enough that two
 /// threads stay busy at 60,000 samples.
@@ -47,24 +45,4 @@ pub fn sum(n: usize, value: impl Fn(usize) -> f64 + Sync + Send) -> f64 {
     map_chunks(n, |range| range.map(&value).sum::<f64>())
         .into_iter()
         .sum()
-}
-
-/// Runs work that no frame waits for, and waits for it: its parallel loops have threads of their
-/// own, so that they never hold those that a step of the simulation waits for.
-pub(crate) fn in_background<T: Send>(work: impl FnOnce() -> T + Send) -> T {
-    static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
-    match POOL.get_or_init(background_pool) {
-        Some(pool) => pool.install(work),
-        None => work(),
-    }
-}
-
-/// Half of the machine's threads.
-fn background_pool() -> Option<ThreadPool> {
-    let cores = std::thread::available_parallelism().map_or(1, core::num::NonZero::get);
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(cores.div_ceil(2))
-        .thread_name(|k| format!("background {k}"))
-        .build()
-        .ok()
 }

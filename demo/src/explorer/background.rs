@@ -1,9 +1,9 @@
 //! Long work of the explorer: growing, loading and saving planets.
 //!
 //! Each piece of work has a thread of its own, and [`Background::take`] asks every frame whether it
-//! is done. It must not run on Bevy's task pools: on two cores the pool for computations has one
-//! thread, on which the renderer waits for its pipelines, and a planet growing in front of them
-//! would stop the window.
+//! is done. As the plugin's, it does not run on Bevy's task pools: on two cores the pool for
+//! computations has one thread, on which the renderer makes its pipelines, and they would wait for
+//! a planet that grows in front of them.
 
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};

@@ -11,6 +11,7 @@ use bevy_pangaea::plate::plate_table;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::schedule::StageTimings;
 use bevy_pangaea::sphere::SphereMesh;
+use bevy_pangaea::view::PlanetQuery;
 
 /// The plates of the planet on show, in order of their numbers.
 #[derive(Resource, Clone, Debug, Default)]
@@ -76,11 +77,10 @@ pub struct PlanetReader<'w, 's> {
         'w,
         's,
         (
-            &'static Planet,
-            &'static Lattice,
+            PlanetQuery,
             &'static PlanetSurface,
-            (&'static GeologicClock, &'static ClockControls),
-            &'static TectonicParams,
+            &'static GeologicClock,
+            &'static ClockControls,
             &'static StageTimings,
             Option<&'static PlanetBake>,
         ),
@@ -91,19 +91,18 @@ impl PlanetReader<'_, '_> {
     /// The planet on show, `None` before the first one is there.
     pub fn view(&self) -> Option<ShownView<'_>> {
         let entity = self.shown.0?;
-        let (planet, lattice, surface, (clock, controls), params, timings, bake) =
-            self.planets.get(entity).ok()?;
+        let (planet, surface, clock, controls, timings, bake) = self.planets.get(entity).ok()?;
         if surface.is_empty() {
             return None;
         }
         Some(ShownView {
             entity,
-            planet,
-            mesh: &lattice.0,
+            planet: planet.planet,
+            mesh: planet.lattice,
             surface,
             clock,
             controls,
-            params,
+            params: planet.params,
             timings,
             plates: &self.plates.0,
             bake: bake.map(|bake| &*bake.0),

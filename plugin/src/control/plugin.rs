@@ -9,15 +9,17 @@
 
 use super::bake::{Bake, BakeError, BakeFrame, BakeSource};
 use super::settings::BakeSettings;
+use crate::background::{BackgroundJob, BackgroundPool};
 use crate::climate::ClimateMaps;
 use crate::crust::{PlanetSurface, Surface};
 use crate::hydrology::TerrainMaps;
 use crate::planet::{Lattice, Planet};
 use crate::sphere::SphereMesh;
+use crate::view::{PlanetQuery, PlanetQueryItem};
 use bevy::ecs::query::QueryData;
 use bevy::prelude::*;
 use core::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::Arc;
 
 /// Follows planets with bakes; see the module.
 pub struct BakePlugin;
@@ -124,6 +126,7 @@ fn reusable(
 
 /// A bake is finished; the planet's [`PlanetBake`] is new.
 #[derive(EntityEvent, Clone, Debug, Reflect)]
+#[reflect(Event)]
 pub struct BakeFinished {
     /// The planet.
     #[event_target]
@@ -141,8 +144,7 @@ pub struct BakeFinished {
 struct BakeJob {
     /// Jobs are collected in the order in which they began.
     serial: u64,
-    /// Where the pool leaves the outcome.
-    slot: Arc<Mutex<Option<BakeOutcome>>>,
+    work: BackgroundJob<BakeOutcome>,
 }
 
 /// A finished job.
@@ -160,25 +162,13 @@ struct Baked {
     wish: BakeWish,
 }
 
-/// The pool of all bakes: two threads, or the half of a large machine's.
-fn pool() -> Option<&'static rayon::ThreadPool> {
-    static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
-    POOL.get_or_init(|| {
-        let cores = std::thread::available_parallelism().map_or(1, core::num::NonZero::get);
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(cores.min(2).max(cores / 2))
-            .thread_name(|k| format!("bake {k}"))
-            .build()
-            .ok()
-    })
-    .as_ref()
-}
+/// Two threads, or the half of a large machine's.
+static POOL: BackgroundPool = BackgroundPool::new("bake", |cores| cores.min(2).max(cores / 2));
 
 /// A planet as bakes read it.
 #[derive(QueryData)]
 struct BakeQuery {
-    planet: &'static Planet,
-    lattice: &'static Lattice,
+    planet: PlanetQuery,
     surface: &'static PlanetSurface,
     settings: &'static BakeSettings,
     maps: &'static ClimateMaps,
@@ -208,28 +198,26 @@ impl BakeQueryItem<'_, '_> {
             .filter(|baked| baked.wish.asks_for_the_same(&self.wish()))
     }
 
-    /// Starts a job on a pool. It takes copies along: the planet may change or go meanwhile.
-    fn spawn_job(&self, pool: &rayon::ThreadPool) -> BakeJob {
+    /// Starts a job. It takes copies along: the planet may change or go meanwhile.
+    fn start_job(&self) -> BakeJob {
         static SERIAL: AtomicU64 = AtomicU64::new(0);
         // Most bakes share the base mesh and its winds with the last one.
-        let frame = reusable(self.last, self.planet, self.lattice, self.settings);
-        let planet = *self.planet;
-        let lattice = self.lattice.0.clone();
+        let PlanetQueryItem {
+            planet, lattice, ..
+        } = self.planet;
+        let frame = reusable(self.last, planet, lattice, self.settings);
+        let (planet, lattice) = (*planet, lattice.0.clone());
         let surface = self.surface.0.clone();
         let wish = self.wish();
-        let slot = Arc::new(Mutex::new(None));
-        let result = slot.clone();
-        pool.spawn(move || {
+        let work = POOL.start(move || {
             let began = std::time::Instant::now();
             let bake = bake(frame, &planet, &lattice, &surface, &wish);
             let milliseconds = began.elapsed().as_secs_f64() * 1e3;
-            if let Ok(mut slot) = result.lock() {
-                *slot = Some(BakeOutcome { bake, milliseconds });
-            }
+            BakeOutcome { bake, milliseconds }
         });
         BakeJob {
             serial: SERIAL.fetch_add(1, Ordering::Relaxed),
-            slot,
+            work,
         }
     }
 }
@@ -252,9 +240,9 @@ fn start(mut commands: Commands, planets: Query<(Entity, BakeQuery), Without<Bak
             }
             continue;
         }
-        let Some(pool) = pool() else { return };
-        let job = planet.spawn_job(pool);
-        commands.entity(entity).insert((job, attempt));
+        commands
+            .entity(entity)
+            .insert((planet.start_job(), attempt));
     }
 }
 
@@ -263,8 +251,7 @@ fn collect(mut commands: Commands, jobs: Query<(Entity, &BakeJob)>) {
     let mut jobs: Vec<_> = jobs.iter().collect();
     jobs.sort_by_key(|(_, job)| job.serial);
     for (planet, job) in jobs {
-        // A job that just writes its outcome is asked again in the next frame.
-        let Some(outcome) = job.slot.try_lock().ok().and_then(|mut slot| slot.take()) else {
+        let Some(outcome) = job.work.take() else {
             continue;
         };
         commands.entity(planet).remove::<BakeJob>();

@@ -17,9 +17,9 @@
 //!
 //! # A new planet
 //!
-//! It is built on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), its parallel parts
-//! by half of the machine's threads; the frame in which it is put onto its entity only moves
-//! columns there and spawns plates and terranes. [`PlanetState::spawn`] waits for all of it.
+//! It is built by threads of its own, half as many as the machine has; the frame in which it is put
+//! onto its entity only moves columns there and spawns plates and terranes.
+//! [`PlanetState::spawn`] waits for all of it.
 //!
 //! # The ground
 //!

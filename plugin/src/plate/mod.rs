@@ -14,6 +14,7 @@ pub mod boundary;
 
 pub mod polarity;
 
+#[doc(hidden)]
 pub mod overlap;
 
 pub mod contact;
@@ -24,8 +25,9 @@ pub mod terrane;
 
 pub(crate) mod stats;
 
-pub mod table;
+mod table;
 
+#[doc(hidden)]
 pub mod census;
 
 pub mod caches;
@@ -34,6 +36,8 @@ pub use crate::ids::PlateId;
 pub use continents::{initial_crust, smallest_continent_km, smallest_land};
 pub use initial::initial_plates;
 pub use motion::PlateMotion;
+#[cfg(feature = "render")]
+pub(crate) use table::PlateQuery;
 pub use table::{PlateAccess, PlateRow, PlateTable, plate_table};
 pub use terrane::{Terrane, TerraneOf, Terranes};
 

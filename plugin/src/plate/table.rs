@@ -2,6 +2,7 @@
 
 use super::{Plate, PlateId, PlateMotion, PlateStats, Plates};
 use crate::schedule::CurrentPlanet;
+use bevy::ecs::query::QueryData;
 use bevy::ecs::system::SystemParam;
 use bevy::math::DVec3;
 use bevy::prelude::*;
@@ -55,22 +56,35 @@ impl PlateTable {
     }
 }
 
+/// A plate's row as a query.
+#[derive(QueryData)]
+pub(crate) struct PlateQuery {
+    entity: Entity,
+    id: &'static PlateId,
+    motion: &'static PlateMotion,
+    stats: &'static PlateStats,
+    plate: &'static Plate,
+}
+
+impl PlateQueryItem<'_, '_> {
+    /// The same as plain values.
+    pub(crate) fn row(&self) -> PlateRow {
+        PlateRow {
+            id: *self.id,
+            entity: self.entity,
+            motion: *self.motion,
+            stats: *self.stats,
+            born: self.plate.born,
+        }
+    }
+}
+
 /// The plates of the current planet as a table.
 #[derive(SystemParam)]
 pub struct PlateAccess<'w, 's> {
     current: Res<'w, CurrentPlanet>,
     planets: Query<'w, 's, &'static Plates>,
-    plates: Query<
-        'w,
-        's,
-        (
-            Entity,
-            &'static PlateId,
-            &'static PlateMotion,
-            &'static PlateStats,
-            &'static Plate,
-        ),
-    >,
+    plates: Query<'w, 's, PlateQuery>,
 }
 
 impl PlateAccess<'_, '_> {
@@ -84,16 +98,8 @@ impl PlateAccess<'_, '_> {
         let Ok(plates) = self.planets.get(self.current.0) else {
             return PlateTable::default();
         };
-        PlateTable::new(plates.iter().filter_map(|entity| {
-            let (entity, id, motion, stats, plate) = self.plates.get(entity).ok()?;
-            Some(PlateRow {
-                id: *id,
-                entity,
-                motion: *motion,
-                stats: *stats,
-                born: plate.born,
-            })
-        }))
+        let rows = self.plates.iter_many(plates.iter());
+        PlateTable::new(rows.map(|plate| plate.row()))
     }
 }
 
@@ -102,13 +108,9 @@ pub fn plate_table(world: &World, planet: Entity) -> PlateTable {
     let Some(plates) = world.get::<Plates>(planet) else {
         return PlateTable::default();
     };
-    PlateTable::new(plates.iter().filter_map(|entity| {
-        Some(PlateRow {
-            entity,
-            id: *world.get(entity)?,
-            motion: *world.get(entity)?,
-            stats: *world.get(entity)?,
-            born: world.get::<Plate>(entity)?.born,
-        })
-    }))
+    let plates = plates
+        .iter()
+        .filter_map(|plate| world.get_entity(plate).ok());
+    let rows = plates.filter_map(|plate| plate.get_components::<PlateQuery>().ok());
+    PlateTable::new(rows.map(|plate| plate.row()))
 }

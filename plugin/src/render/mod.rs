@@ -26,9 +26,9 @@
 //! - The planet's entity may be moved, turned and scaled evenly like any other; one unit is one
 //!   planet radius.
 //! - The planet's axis (+z) is Bevy's +y: [`to_bevy`] and [`from_bevy`] convert.
-//! - Builds run on [`AsyncComputeTaskPool`](bevy::tasks::AsyncComputeTaskPool), one at a time per
-//!   planet; a build that is out of date when it is ready is shown and the next one begun. The main
-//!   thread only hands over the surface and takes finished buffers.
+//! - Builds run on a thread of their own, one at a time per planet; a build that is out of date when
+//!   it is ready is shown and the next one begun. The main thread only hands over the surface and
+//!   takes finished buffers.
 //! - The globe hides the lattice: relief is drawn a little smoothed, coasts ragged below the
 //!   spacing of samples. Numbers are never read from the globe; ask
 //!   [`Surface`](crate::crust::Surface).

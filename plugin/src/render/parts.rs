@@ -6,8 +6,8 @@ use super::material::GlobeUniforms;
 use super::mesh::{GlobePatch, air_shell};
 use super::picking::GlobePicker;
 use super::task::GlobeTask;
-use crate::planet::{Lattice, Planet};
 use crate::resample::SurfaceProjection;
+use crate::view::PlanetQuery;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::visibility::NoFrustumCulling;
 use bevy::light::{NotShadowCaster, NotShadowReceiver};
@@ -96,8 +96,7 @@ pub(super) fn spawn_parts(
     mut commands: Commands,
     mut globes: Query<(
         Entity,
-        &Planet,
-        &Lattice,
+        PlanetQuery,
         &Globe,
         &mut GlobeTask,
         Option<&GlobeParts>,
@@ -105,7 +104,7 @@ pub(super) fn spawn_parts(
     shell: Res<AirShell>,
     mut assets: GlobeAssets,
 ) {
-    for (entity, planet, lattice, globe, mut task, old) in &mut globes {
+    for (entity, planet, globe, mut task, old) in &mut globes {
         let Some(built) = &mut task.built else {
             continue;
         };
@@ -120,7 +119,7 @@ pub(super) fn spawn_parts(
         let usages = RenderAssetUsages::RENDER_WORLD;
         let samples = ShaderBuffer::with_size(built.samples.len(), usages);
         let samples = assets.buffers.add(samples);
-        let uniforms = GlobeUniforms::new(globe, planet.radius, lattice.spacing());
+        let uniforms = GlobeUniforms::new(globe, planet.planet.radius, planet.lattice.spacing());
         let materials = GlobeMaterials::new(uniforms, &samples, &mut assets);
         let meshes = &mut assets.meshes;
         let patches = spawn_patches(&mut commands, entity, patches, &materials, meshes);

@@ -4,11 +4,10 @@ use super::events::{PlanetFailed, PlanetReady};
 use super::prepare::PreparedPlanet;
 use super::state::PlanetState;
 use crate::authoring::Inbox;
+use crate::background::{BackgroundJob, BackgroundPool};
 use crate::climate::ClimateMaps;
-use crate::parallel;
 use crate::planet::{PlanetError, PlanetRecipe};
 use bevy::prelude::*;
-use bevy::tasks::{AsyncComputeTaskPool, Task, TaskPool, futures::check_ready};
 
 impl PlanetState {
     /// Puts the planet into a world. Returns its entity.
@@ -36,8 +35,8 @@ impl PlanetState {
 /// Builds a planet on every entity that gets a [`PlanetRecipe`]. Where there are [`ClimateMaps`] on
 /// it already, they are those of the planet.
 ///
-/// The planet is built on [`AsyncComputeTaskPool`], by threads of its own for the parallel parts,
-/// and put onto its entity in [`PreUpdate`], in the frame in which it is found ready.
+/// The planet is built by threads that no frame waits for, half as many as the machine has, and put
+/// onto its entity in [`PreUpdate`], in the frame in which it is found ready.
 pub struct SpawnPlugin;
 
 impl Plugin for SpawnPlugin {
@@ -48,14 +47,12 @@ impl Plugin for SpawnPlugin {
 
 /// A planet that is being built. Removing it, or its entity, cancels the work.
 #[derive(Component)]
-pub struct PlanetTask(Task<Result<PreparedPlanet, PlanetError>>);
+pub struct PlanetTask(BackgroundJob<Result<PreparedPlanet, PlanetError>>);
 
 impl PlanetTask {
     fn start(recipe: PlanetRecipe) -> Self {
-        let pool = AsyncComputeTaskPool::get_or_init(TaskPool::new);
-        Self(pool.spawn(async move {
-            parallel::in_background(|| PlanetState::new(&recipe).map(PlanetState::prepare))
-        }))
+        static POOL: BackgroundPool = BackgroundPool::new("planet", |cores| cores.div_ceil(2));
+        Self(POOL.start(move || PlanetState::new(&recipe).map(PlanetState::prepare)))
     }
 }
 
@@ -75,7 +72,7 @@ fn start(event: On<Insert, PlanetRecipe>, recipes: Query<&PlanetRecipe>, mut com
 }
 
 /// Puts planets that are built onto their entities.
-fn finish(world: &mut World, tasks: &mut QueryState<(Entity, &mut PlanetTask)>) {
+fn finish(world: &mut World, tasks: &mut QueryState<(Entity, &PlanetTask)>) {
     // One after the other: whoever hears that a planet is there may start to build others.
     while let Some((planet, built)) = next_built(world, tasks) {
         world.entity_mut(planet).remove::<PlanetTask>();
@@ -96,12 +93,12 @@ fn finish(world: &mut World, tasks: &mut QueryState<(Entity, &mut PlanetTask)>) 
 }
 
 fn next_built(
-    world: &mut World,
-    tasks: &mut QueryState<(Entity, &mut PlanetTask)>,
+    world: &World,
+    tasks: &mut QueryState<(Entity, &PlanetTask)>,
 ) -> Option<(Entity, Result<PreparedPlanet, PlanetError>)> {
     tasks
-        .iter_mut(world)
-        .find_map(|(planet, mut task)| Some((planet, check_ready(&mut task.0)?)))
+        .iter(world)
+        .find_map(|(planet, task)| Some((planet, task.0.take()?)))
 }
 
 fn enter(world: &mut World, planet: Entity, prepared: PreparedPlanet) {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::PangaeaPlugins;
-use crate::planet::{ClockControls, PlanetRecipe};
+use crate::planet::{ClockControls, Planet, PlanetRecipe};
 use crate::render::GlobePlugin;
 use crate::render::material::{AirMaterial, GroundMaterial, LineMaterial};
 use crate::spawn::PlanetState;
