@@ -25,6 +25,7 @@ pub mod contact;
 
 pub mod drift;
 
+#[doc(hidden)]
 pub mod uplift;
 
 pub mod subduction;
@@ -35,10 +36,13 @@ pub mod collision;
 
 pub mod rifting;
 
+#[doc(hidden)]
 pub mod ocean_floor;
 
+#[doc(hidden)]
 pub mod erosion;
 
+#[doc(hidden)]
 pub mod relief_noise;
 
 pub mod surface_processes;

@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `project` | finds the crust that covers every sample, by `blend` |
-//! | [`gap`], [`ridge`] | fills samples that nothing covers; new ocean floor between parting plates |
+//! | `gap`, [`ridge`] | fills samples that nothing covers; new ocean floor between parting plates |
 //! | `conservation` | brings continents to the area and volume that the ledger expects |
 //! | `exclaves` | gives small pieces of plates to the plate around them |
 //! | `trench` | bends crust that goes under |
@@ -21,7 +21,7 @@ mod project;
 
 pub mod ridge;
 
-pub mod gap;
+mod gap;
 
 mod conservation;
 
