@@ -2,14 +2,18 @@
 
 use crate::PangaeaPlugins;
 use bevy::prelude::*;
-use bevy::reflect::TypeRegistry;
+use bevy::reflect::{TypeData, TypeRegistry};
 
-/// Components, resources and settings, by the path of their types within the crate.
+/// Components and resources, by the path of their types within the crate.
 const COMPONENTS: &[&str] = &[
     "authoring::inbox::Inbox",
     "authoring::scenario::Recording",
     "authoring::scenario::Scenario",
     "climate::fields::ClimateMaps",
+    "control::plugin::PlanetBake",
+    "control::settings::BakeSettings",
+    "crust::columns::Crust",
+    "crust::frame::Frames",
     "crust::ledger::Ledger",
     "hydrology::terrain_maps::TerrainMaps",
     "ids::PlateId",
@@ -24,15 +28,27 @@ const COMPONENTS: &[&str] = &[
     "plate::PlateOf",
     "plate::PlateStats",
     "plate::Plates",
+    "plate::boundary::Rim",
+    "plate::census::TerraneCensus",
+    "plate::contact::Contacts",
     "plate::motion::PlateMotion",
+    "plate::polarity::PolarityMemory",
     "plate::terrane::Terrane",
+    "plate::terrane::TerraneOf",
+    "plate::terrane::Terranes",
+    "resample::stage::SurfaceProjection",
     "schedule::cursor::StepCursor",
     "schedule::runner::TimeDebt",
+    "schedule::stage::CurrentPlanet",
     "schedule::timings::StageTimings",
 ];
 
+/// Those that only globes have.
+const OF_GLOBES: &[&str] = &["render::globe::Globe", "render::globe::GlobeDrawn"];
+
 const EVENTS: &[&str] = &[
     "authoring::events::CommandApplied",
+    "control::plugin::BakeFinished",
     "events::CrustResampled",
     "events::PlateConsumed",
     "events::PlateRifted",
@@ -41,23 +57,31 @@ const EVENTS: &[&str] = &[
     "spawn::events::PlanetReady",
 ];
 
+/// Values that a user sets: editors make them, files hold them.
 const SETTINGS: &[&str] = &[
+    "climate::fields::ClimateMaps",
+    "control::settings::BakeSettings",
     "params::TectonicParams",
     "params::switches::ProcessSwitches",
     "planet::clock::ClockControls",
     "planet::recipe::PlanetRecipe",
 ];
 
-/// The types without that data, or without a registration.
-fn without<D: bevy::reflect::TypeData>(registry: &TypeRegistry, paths: &[&str]) -> Vec<String> {
+/// Types of the crate that have that data, in the order of their paths, those of tests aside.
+fn with<D: TypeData>(registry: &TypeRegistry) -> Vec<&str> {
+    let all = registry.iter_with_data::<D>();
+    let paths = all.map(|(registration, _)| registration.type_info().type_path());
+    let ours = paths.filter_map(|path| path.strip_prefix("bevy_pangaea::"));
+    let mut paths: Vec<&str> = ours.filter(|path| !path.contains("tests::")).collect();
+    paths.sort_unstable();
     paths
-        .iter()
-        .map(|path| format!("bevy_pangaea::{path}"))
-        .filter(|path| {
-            let registration = registry.get_with_type_path(path);
-            registration.is_none_or(|registration| registration.data::<D>().is_none())
-        })
-        .collect()
+}
+
+/// The types without that data, or without a registration.
+fn without<D: TypeData>(registry: &TypeRegistry, paths: &[&'static str]) -> Vec<&'static str> {
+    let found = with::<D>(registry);
+    let missing = paths.iter().filter(|path| !found.contains(path));
+    missing.copied().collect()
 }
 
 #[test]
@@ -65,9 +89,14 @@ fn components_events_and_settings_are_registered() {
     let mut app = App::new();
     app.add_plugins(PangaeaPlugins);
     let registry = app.world().resource::<AppTypeRegistry>().read();
-    let none: [String; 0] = [];
-    assert_eq!(without::<ReflectComponent>(&registry, COMPONENTS), none);
-    assert_eq!(without::<ReflectEvent>(&registry, EVENTS), none);
+    let mut components = COMPONENTS.to_vec();
+    if cfg!(feature = "render") {
+        components.extend(OF_GLOBES);
+        components.sort_unstable();
+    }
+    assert_eq!(with::<ReflectComponent>(&registry), components);
+    assert_eq!(with::<ReflectEvent>(&registry), EVENTS);
+    let none: [&str; 0] = [];
     assert_eq!(without::<ReflectDefault>(&registry, SETTINGS), none);
     assert_eq!(without::<ReflectSerialize>(&registry, SETTINGS), none);
     assert_eq!(without::<ReflectDeserialize>(&registry, SETTINGS), none);

@@ -7,7 +7,7 @@ use bevy::math::{DQuat, DVec3};
 use bevy::prelude::*;
 
 /// A rigid rotation shared by a set of samples and owned by a plate.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Reflect)]
 pub struct Frame {
     /// The plate that carries the frame.
     pub plate: PlateId,
@@ -62,7 +62,8 @@ impl Frame {
 /// assert!(state.plates.iter().any(|plate| plate.0 == state.frames.plate(frame)));
 /// # Ok::<(), PlanetError>(())
 /// ```
-#[derive(Component, Clone, Debug, Default, PartialEq, Deref, DerefMut)]
+#[derive(Component, Clone, Debug, Default, PartialEq, Deref, DerefMut, Reflect)]
+#[reflect(Component, Default)]
 pub struct Frames(pub Vec<Frame>);
 
 impl Frames {
