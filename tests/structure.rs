@@ -1,6 +1,8 @@
 //! The structure of the code: imports go one way, a word has one meaning, documents are true.
 
 use pangaea_source::documents::{Named, relative_links};
+use pangaea_source::functions::functions;
+use pangaea_source::habits::Habits;
 use pangaea_source::imports::{Import, Modules};
 use pangaea_source::names::{riddles, types_named_twice};
 use pangaea_source::{Source, files_below, sources, workspace};
@@ -78,6 +80,36 @@ fn no_type_is_named_twice() {
     assert!(twice.is_empty(), "types of one name:{}", list(places));
 }
 
+/// Named closures of more than two lines, as `path:line`.
+fn long_closures(source: &Source) -> Vec<String> {
+    let lines = Habits::of(&source.syntax).closures.into_iter();
+    lines
+        .map(|line| format!("{}:{line}", source.path))
+        .collect()
+}
+
+#[test]
+fn closures_with_names_are_short() {
+    let found: Vec<String> = everything().iter().flat_map(long_closures).collect();
+    assert!(found.is_empty(), "should be functions:{}", list(found));
+}
+
+/// Functions that are too heavy, as `path:line: name`.
+fn heavy_functions(source: &Source) -> Vec<String> {
+    let mut heavy = functions(&source.syntax);
+    heavy.retain(|function| function.is_too_heavy());
+    let places = heavy.iter();
+    places
+        .map(|function| format!("{}:{}: {}", source.path, function.line, function.name))
+        .collect()
+}
+
+#[test]
+fn no_function_is_too_heavy() {
+    let found: Vec<String> = everything().iter().flat_map(heavy_functions).collect();
+    assert!(found.is_empty(), "over 400 tokens:{}", list(found));
+}
+
 #[test]
 fn documentation_states_instead_of_asking() {
     let found: Vec<String> = everything().iter().flat_map(riddles).collect();
@@ -124,6 +156,37 @@ fn needs_a_place(path: &str) -> bool {
     const ROOTS: [&str; 3] = ["/mod.rs", "/lib.rs", "/main.rs"];
     let is_code = path.ends_with(".rs") && !path.ends_with("tests.rs");
     is_code && !path.contains("/tests/") && ROOTS.iter().all(|root| !path.ends_with(root))
+}
+
+/// The top modules of the plugin in the order of the map's rows.
+fn mapped_modules() -> Vec<String> {
+    let map = text("ARCHITECTURE.md");
+    let (_, part) = map.split_once("\n### plugin/src\n").expect("the map");
+    let rows = part.lines().skip_while(|line| !line.starts_with("|---"));
+    let rows = rows.skip(1).take_while(|line| line.starts_with('|'));
+    let cells = rows.filter_map(|row| row.split('|').nth(1));
+    let names = cells.flat_map(|cell| cell.split('`').skip(1).step_by(2).collect::<Vec<_>>());
+    // A name without a folder goes on in that of the name before.
+    let mut folder = "";
+    let mut modules = Vec::new();
+    for name in names {
+        let is_top = workspace().join("plugin/src").join(name).exists();
+        if is_top {
+            folder = name.split('/').next().unwrap_or(name);
+        }
+        modules.push(folder.trim_end_matches(".rs").to_string());
+    }
+    modules.dedup();
+    modules
+}
+
+#[test]
+fn the_map_of_the_code_has_the_order_of_the_root() {
+    let code = modules("plugin/src");
+    let mut declared = code.top_modules().to_vec();
+    // Names of other modules, in the root itself.
+    declared.retain(|module| module != "prelude");
+    assert_eq!(mapped_modules(), declared);
 }
 
 #[test]
