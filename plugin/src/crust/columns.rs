@@ -147,7 +147,10 @@ macro_rules! columns {
             ///
             /// # Errors
             /// [`ColumnError`] names the column and the sample.
-            pub fn decode_columns(columns: &[Option<&[u8]>], n: usize) -> Result<Self, ColumnError> {
+            pub fn decode_columns(
+                columns: &[Option<&[u8]>],
+                n: usize,
+            ) -> Result<Self, ColumnError> {
                 if columns.len() != Self::COLUMNS.len() {
                     return Err(ColumnError::Count {
                         found: columns.len(),
