@@ -4,15 +4,20 @@
 //!   written pass by pass and in operations that WGSL's 32-bit integers have: every pass has a twin
 //!   in WGSL with the same bits.
 //! - [`wgsl`] puts compute shaders together of such twins.
+//! - `gpu` (feature `gpu`) runs them: a view's ground, from the control mesh to the last triangle,
+//!   without reading anything back.
 //! - [`globe`] holds the WGSL that draws a planet from orbit, as constants: ground and sea, air,
 //!   lines.
 //!
-//! The crate has no dependencies and knows no renderer. Compute shaders are plain WGSL; a shader that
+//! Without features the crate has no dependencies; it knows no engine. Compute shaders are plain WGSL; a shader that
 //! draws is written in the dialect of Bevy (`naga_oil`: `#import`, `#ifdef`, `#{NAME}`).
 
 pub mod wgsl;
 
 pub mod amplify;
+
+#[cfg(feature = "gpu")]
+pub mod gpu;
 
 pub mod globe;
 

@@ -55,7 +55,7 @@ fn wanted(pass: &ComputePass) -> Vec<FoundBinding> {
         place: [0, 0],
         name: "level_uniform".into(),
         is_written: None,
-        stride: 208,
+        stride: 224,
     };
     let reads = pass.reads.iter().map(|name| {
         let column = column(name);

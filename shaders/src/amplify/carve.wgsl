@@ -11,7 +11,18 @@ fn carve_all(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= level_size().made.mids {
         return;
     }
-    let at = level_size().first_vertex + id.x;
+    carve_at(level_size().first_vertex + id.x);
+}
+
+// Pass: the vertices of the control mesh.
+@compute @workgroup_size(GROUP)
+fn carve_base(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x < level_size().first_vertex {
+        carve_at(id.x);
+    }
+}
+
+fn carve_at(at: u32) {
     let vertex = vertex_of_rows(
         vertex_cores[at],
         vertex_courses[at],

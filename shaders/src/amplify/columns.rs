@@ -97,7 +97,37 @@ pub struct ComputePass {
 }
 
 /// The passes in the order in which a level runs them.
-pub const PASSES: [ComputePass; 16] = [
+pub const PASSES: [ComputePass; 18] = [
+    // Once a control mesh.
+    ComputePass {
+        entry: "carve_base",
+        module: "amplify/carve",
+        group: GROUP,
+        reads: &[
+            "level_sizes",
+            "vertex_cores",
+            "vertex_courses",
+            "vertex_lands",
+            "vertex_rivers",
+        ],
+        writes: &["carved"],
+    },
+    // Once a run.
+    ComputePass {
+        entry: "show_base",
+        module: "amplify/show",
+        group: GROUP,
+        reads: &[
+            "level_sizes",
+            "vertex_cores",
+            "vertex_courses",
+            "vertex_lands",
+            "vertex_rivers",
+            "carved",
+        ],
+        writes: &["shown"],
+    },
+    // Once a level.
     ComputePass {
         entry: "mark_split",
         module: "amplify/mark",

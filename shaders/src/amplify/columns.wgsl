@@ -14,10 +14,12 @@
 @group(1) @binding(7) var<storage, read> halved: array<u32>;
 @group(1) @binding(8) var<storage, read> decided: array<u32>;
 @group(1) @binding(9) var<uniform> level_sizes: array<LevelSizes, LEVELS>;
+@group(1) @binding(15) var<storage, read> triangles: array<array<u32, 3>>;
 @group(1) @binding(16) var<storage, read> vertex_courses: array<VertexCourse>;
 @group(1) @binding(17) var<storage, read> vertex_lands: array<VertexLand>;
 @group(1) @binding(18) var<storage, read> vertex_rivers: array<VertexRiver>;
 @group(1) @binding(19) var<storage, read> carved: array<Carved>;
+@group(1) @binding(20) var<storage, read> shown: array<Carved>;
 
 @group(1) @binding(32) var<storage, read_write> out_vertex_cores: array<VertexCore>;
 @group(1) @binding(34) var<storage, read_write> out_edge_states: array<EdgeState>;
@@ -43,6 +45,11 @@
 // Sizes of the level that a pass runs over.
 fn level_size() -> LevelSizes {
     return level_sizes[level_uniform.level];
+}
+
+// Whether no face of the level is split, whatever its marks ask for: the buffers hold no more.
+fn level_is_whole() -> bool {
+    return level_size().made.children == 0u;
 }
 
 // The first block of faces, which follow on those of edges.

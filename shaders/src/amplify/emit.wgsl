@@ -14,6 +14,14 @@ fn emit_leaves(
     if face < level_size().faces {
         made = face_triangles(face_sides[face].marks);
     }
+    if level_is_whole() {
+        if face < level_size().faces {
+            let corners = face_corners[face].vertices;
+            let place = level_size().first_triangle + face;
+            out_triangles[place] = array(corners.x, corners.y, corners.z);
+        }
+        made = 0u;
+    }
     let sums = summed(item, vec4(made, 0u, 0u, 0u));
     let before = block_counts[first_face_block() + block.x].triangles;
     if made > 0u {

@@ -8,7 +8,11 @@ fn place_edges(
     @builtin(local_invocation_index) item: u32,
 ) {
     let edge = block.x * BLOCK + item;
-    let exists = edge < level_size().edges;
+    let exists = edge < level_size().edges && !level_is_whole();
+    if edge < level_size().edges && level_is_whole() {
+        out_edge_states[edge].mid = NONE;
+        out_edge_states[edge].child = NONE;
+    }
     var mark = LEAF;
     if exists {
         mark = edge_state_mark(out_edge_states[edge]);
@@ -32,7 +36,10 @@ fn place_faces(
     @builtin(local_invocation_index) item: u32,
 ) {
     let face = block.x * BLOCK + item;
-    let exists = face < level_size().faces;
+    let exists = face < level_size().faces && !level_is_whole();
+    if face < level_size().faces && level_is_whole() {
+        out_face_corners[face].child = NONE;
+    }
     var mark = LEAF;
     if exists {
         mark = face_mark(face_sides[face].marks);

@@ -4,7 +4,7 @@
 //! run over it: nothing is read back.
 
 use super::count::{BLOCK, LevelCounts};
-use super::rows::level::{GROUP, LevelArgs, LevelSizes};
+use super::rows::level::{GROUP, LevelArgs, LevelCaps, LevelSizes};
 
 /// Replaces the counts of every block by those of all blocks before it; returns the sum of all.
 pub fn scan(blocks: &mut [LevelCounts]) -> LevelCounts {
@@ -18,6 +18,18 @@ pub fn scan(blocks: &mut [LevelCounts]) -> LevelCounts {
 }
 
 impl LevelSizes {
+    /// Whether buffers hold what a level makes, and its leaves, which become so many triangles. Of
+    /// what it makes all could be leaves. A level that makes more is not split: all its faces are
+    /// leaves.
+    pub const fn fits(&self, triangles: u32, caps: &LevelCaps) -> bool {
+        let made = self.made;
+        let all_triangles = self.first_triangle + triangles + made.children;
+        self.first_vertex + made.mids <= caps.vertices
+            && made.edges() <= caps.edges
+            && made.children <= caps.faces
+            && all_triangles <= caps.triangles
+    }
+
     /// Sizes of the level after one that becomes so many triangles.
     pub const fn next(&self, triangles: u32) -> Self {
         Self {

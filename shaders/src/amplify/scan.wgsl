@@ -22,7 +22,13 @@ fn scan(@builtin(local_invocation_index) item: u32) {
     write_run(start, end, made_sums.before, triangle_sums.before.x);
     if item == 0u {
         sizes.made = counts_of(made_sums.all);
-        let next = level_sizes_next(sizes, triangle_sums.all.x);
+        var triangles_of_level = triangle_sums.all.x;
+        if !level_sizes_fits(sizes, triangles_of_level, level_uniform.caps) {
+            // All faces of the level are leaves.
+            sizes.made = LevelCounts();
+            triangles_of_level = sizes.faces;
+        }
+        let next = level_sizes_next(sizes, triangles_of_level);
         out_level_sizes[level] = sizes;
         out_level_sizes[level + 1u] = next;
         // Those of the next level's own items are written again when it is counted.
@@ -41,6 +47,16 @@ fn write_run(start: u32, end: u32, made_before: vec4<u32>, triangles_before: u32
         made += vector_of(counts.made);
         triangles += counts.triangles;
     }
+}
+
+// Whether the buffers hold what a level makes, and its leaves. Of what it makes all could be leaves.
+fn level_sizes_fits(sizes: LevelSizes, triangles: u32, caps: LevelCaps) -> bool {
+    let made = sizes.made;
+    let all_triangles = sizes.first_triangle + triangles + made.children;
+    return sizes.first_vertex + made.mids <= caps.vertices
+        && level_counts_edges(made) <= caps.edges
+        && made.children <= caps.faces
+        && all_triangles <= caps.triangles;
 }
 
 // Sizes of the level after one that becomes so many triangles.

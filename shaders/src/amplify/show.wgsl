@@ -13,7 +13,18 @@ fn show_all(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= level_size().made.mids {
         return;
     }
-    let at = level_size().first_vertex + id.x;
+    show_at(level_size().first_vertex + id.x);
+}
+
+// Pass: what it shows of the vertices of the control mesh.
+@compute @workgroup_size(GROUP)
+fn show_base(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x < level_size().first_vertex {
+        show_at(id.x);
+    }
+}
+
+fn show_at(at: u32) {
     let core = vertex_cores[at];
     let vertex = vertex_of_rows(core, vertex_courses[at], vertex_lands[at], vertex_rivers[at]);
     let sight = level_uniform.sight;

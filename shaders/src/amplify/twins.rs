@@ -411,11 +411,15 @@ pub const MODULES: [WgslModule; 64] = [
             "rules/lake/shore"
         ]
     ),
-    twin!("uniform", String::new, ["sight", "rules/preset"]),
     twin!("rows/vertex", vertex_rows::shared_constants, ["vertex"]),
     twin!("rows/edge", edge::shared_constants, []),
     twin!("rows/face", face::shared_constants, ["rows/edge"]),
     twin!("rows/level", level::shared_constants, []),
+    twin!(
+        "uniform",
+        String::new,
+        ["sight", "rules/preset", "rows/level"]
+    ),
     twin!(
         "columns",
         columns::shared_constants,

@@ -5,6 +5,8 @@ struct LevelUniform {
     sight: Sight,
     // The rules.
     rules: Rules,
+    // Most vertices, edges and faces of a level, and triangles that the buffers hold.
+    caps: LevelCaps,
     // The level that is split.
     level: u32,
 }

@@ -7,7 +7,7 @@ use bevy::render::render_resource::{BindGroup, Buffer, BufferUsages, ComputePass
 use pangaea_shaders::amplify::base::Base;
 use pangaea_shaders::amplify::columns::{ComputePass, WRITTEN, column_named, pass_named};
 use pangaea_shaders::amplify::mark::View;
-use pangaea_shaders::amplify::rows::{LevelArgs, LevelSizes, Row, words};
+use pangaea_shaders::amplify::rows::{LevelArgs, LevelCaps, LevelSizes, Row, words};
 use pangaea_shaders::amplify::rules::Rules;
 use pangaea_shaders::amplify::uniform::level_words;
 use std::collections::BTreeMap;
@@ -65,7 +65,7 @@ impl Chain {
     fn assert(&mut self, gpu: &Gpu, last: &PassCase) {
         self.give_args(last.level as usize);
         let buffers = self.buffers(gpu);
-        let uniform = level_words(last.sight, last.level, &last.rules);
+        let uniform = level_words(last.sight, last.level, &last.rules, &LevelCaps::default());
         let uniform = gpu.upload(&uniform, BufferUsages::UNIFORM);
         let bound = self.passes.iter().map(|pass| {
             let pipeline = pipeline(gpu, pass);

@@ -7,7 +7,7 @@ use bevy::render::render_resource::{Buffer, BufferUsages, ComputePipeline};
 use pangaea_shaders::amplify::columns::{
     ComputePass, GpuColumn, LEVELS, WRITTEN, column_named, pass_named,
 };
-use pangaea_shaders::amplify::rows::{LevelSizes, words};
+use pangaea_shaders::amplify::rows::{LevelCaps, LevelSizes, words};
 use pangaea_shaders::amplify::rules::Rules;
 use pangaea_shaders::amplify::sight::Sight;
 use pangaea_shaders::amplify::twins::MODULES;
@@ -174,7 +174,7 @@ struct Bound {
 
 impl Bound {
     fn new(gpu: &Gpu, pass: &ComputePass, case: &PassCase) -> Self {
-        let uniform = level_words(case.sight, case.level, &case.rules);
+        let uniform = level_words(case.sight, case.level, &case.rules, &LevelCaps::default());
         let read = |name: &&'static str| {
             let buffer = if *name == SIZES {
                 gpu.upload(&words(all_sizes(case)), BufferUsages::UNIFORM)

@@ -61,6 +61,39 @@ row!(LevelSizes {
     made,
 });
 
+/// What the buffers of a run hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub struct LevelCaps {
+    /// Vertices of all levels, those of the control mesh among them.
+    pub vertices: u32,
+    /// Edges of a level.
+    pub edges: u32,
+    /// Faces of a level.
+    pub faces: u32,
+    /// Triangles of all leaves.
+    pub triangles: u32,
+}
+
+row!(LevelCaps {
+    vertices,
+    edges,
+    faces,
+    triangles,
+});
+
+impl Default for LevelCaps {
+    /// No caps.
+    fn default() -> Self {
+        Self {
+            vertices: u32::MAX,
+            edges: u32::MAX,
+            faces: u32::MAX,
+            triangles: u32::MAX,
+        }
+    }
+}
+
 /// Groups that the passes of a level run with: arguments of indirect dispatches.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]

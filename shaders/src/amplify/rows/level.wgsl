@@ -32,6 +32,18 @@ struct LevelSizes {
     made: LevelCounts,
 }
 
+// What the buffers of a run hold.
+struct LevelCaps {
+    // Vertices of all levels.
+    vertices: u32,
+    // Edges of a level.
+    edges: u32,
+    // Faces of a level.
+    faces: u32,
+    // Triangles of all leaves.
+    triangles: u32,
+}
+
 // Groups that the passes of a level run with: arguments of indirect dispatches.
 struct LevelArgs {
     // Over its faces, in groups.

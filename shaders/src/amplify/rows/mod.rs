@@ -30,7 +30,7 @@ pub mod vertex;
 
 pub use edge::{EdgeJoins, EdgeState};
 pub use face::{FaceCorners, FaceSides};
-pub use level::{BlockCounts, LevelArgs, LevelSizes};
+pub use level::{BlockCounts, LevelArgs, LevelCaps, LevelSizes};
 pub use vertex::{VertexCore, VertexCourse, VertexLand, VertexRiver};
 
 /// Where the members of a row lie, as its twin in WGSL has them.
