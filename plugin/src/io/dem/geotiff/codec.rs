@@ -90,6 +90,11 @@ impl Codec {
         })
     }
 
+    /// Do blocks hold samples as they are?
+    pub(super) fn is_plain(self) -> bool {
+        self.compression == Compression::None
+    }
+
     /// The rows of a block of that many bytes, compressed as they come.
     pub(super) fn rows<'a>(
         self,

@@ -9,10 +9,6 @@ use crate::io::dem::error::DemError;
 use core::ops::Range;
 use std::io::{Read, Seek};
 
-/// No compression gives more pixels for a byte: an RLE block of Zstandard has 128 KiB in four. Nor
-/// do blocks that are left out, whose offset and length take eight bytes, up to 512 x 512 pixels.
-const MAX_PIXELS_PER_BYTE: u64 = 32_768;
-
 /// The layout of an image.
 pub(super) struct Layout {
     /// Columns and rows of the image.
@@ -25,6 +21,8 @@ pub(super) struct Layout {
     pub(super) is_planar: bool,
     pub(super) sample_type: SampleType,
     pub(super) codec: Codec,
+    /// The tag of the lengths of blocks.
+    pub(super) counts: Tag,
     /// Offset and length of every block; length 0 for one that is left out.
     blocks: Vec<(u64, u64)>,
 }
@@ -65,10 +63,6 @@ impl Layout {
         directory: &Directory,
     ) -> Result<Self, DemError> {
         let size = size(file, directory)?;
-        let [width, height] = size.map(u64::from);
-        if width * height > file.length.saturating_mul(MAX_PIXELS_PER_BYTE) {
-            return Err(refused(tag::IMAGE_LENGTH));
-        }
         let fill_order = file.number_or(directory, tag::FILL_ORDER, 1)?;
         if fill_order != 1 {
             return Err(unsupported(tag::FILL_ORDER, fill_order));
@@ -86,6 +80,10 @@ impl Layout {
             is_planar: planar == 2,
             sample_type,
             codec: Codec::read(file, directory, sample_type)?,
+            counts: match directory.has(tag::TILE_OFFSETS) {
+                true => tag::TILE_BYTE_COUNTS,
+                false => tag::STRIP_BYTE_COUNTS,
+            },
             blocks: Vec::new(),
         };
         layout.blocks = layout.find_blocks(file, directory)?;
@@ -98,23 +96,35 @@ impl Layout {
         file: &TiffFile<R>,
         directory: &Directory,
     ) -> Result<Vec<(u64, u64)>, DemError> {
-        let (where_, lengths) = if directory.has(tag::TILE_OFFSETS) {
-            (tag::TILE_OFFSETS, tag::TILE_BYTE_COUNTS)
-        } else {
-            (tag::STRIP_OFFSETS, tag::STRIP_BYTE_COUNTS)
+        let where_ = match directory.has(tag::TILE_OFFSETS) {
+            true => tag::TILE_OFFSETS,
+            false => tag::STRIP_OFFSETS,
         };
         let [across, down] = self.blocks_a_side().map(u64::from);
         let planes = if self.is_planar { self.samples } else { 1 };
         let wanted = across.saturating_mul(down).saturating_mul(planes as u64);
         let offsets = file.numbers(directory, where_)?;
-        let counts = file.numbers(directory, lengths)?;
+        let counts = file.numbers(directory, self.counts)?;
         if (offsets.len() as u64) < wanted {
             return Err(refused(where_));
         }
-        if (counts.len() as u64) < wanted {
-            return Err(refused(lengths));
+        let counts = counts.into_iter().map(Some).chain(core::iter::repeat(None));
+        let places = offsets.into_iter().take(wanted as usize).zip(counts);
+        places
+            .map(|(offset, count)| Ok((offset, self.length(offset, count)?)))
+            .collect()
+    }
+
+    /// Bytes of the block at an offset by its count, if it has one; 0 for one that is left out, which
+    /// has neither.
+    fn length(&self, offset: u64, count: Option<u64>) -> Result<u64, DemError> {
+        match count {
+            Some(0) if offset == 0 => Ok(0),
+            // GDAL does not ask what a count says that it can compute.
+            _ if self.codec.is_plain() => Ok(self.row_bytes() as u64 * u64::from(self.block[1])),
+            None | Some(0) => Err(refused(self.counts)),
+            Some(count) => Ok(count),
         }
-        Ok(offsets.into_iter().zip(counts).collect())
     }
 
     /// The rows of blocks that hold some rows of pixels.

@@ -4,7 +4,7 @@
 use super::codec::BlockRows;
 use super::layout::Layout;
 use super::structure::{TiffFile, cut_short};
-use crate::io::dem::error::DemError;
+use crate::io::dem::error::{DemError, invalid};
 use std::io::{Read, Seek};
 
 /// Calls `use_row` with where a row of numbers begins in the image, and the numbers of a sample, for
@@ -47,6 +47,8 @@ enum RowSource<'a> {
     Block {
         rows: BlockRows<'a>,
         bytes: Vec<u8>,
+        /// Has the file all bytes of it?
+        is_whole: bool,
     },
 }
 
@@ -66,9 +68,12 @@ impl<'a> RowSource<'a> {
             return Err(cut_short());
         }
         let part = file.part(offset, length);
+        let is_whole = offset.saturating_add(length) <= file.length;
+        let rows = layout.codec.rows(part, file.order, layout.sample_type);
         Ok(Self::Block {
-            rows: layout.codec.rows(part, file.order, layout.sample_type)?,
+            rows: rows.map_err(|error| in_block(error, layout, is_whole))?,
             bytes: vec![0; layout.row_bytes()],
+            is_whole,
         })
     }
 
@@ -80,14 +85,34 @@ impl<'a> RowSource<'a> {
     ) -> Result<(), DemError> {
         match self {
             Self::Fill(fill) => numbers.fill(*fill),
-            Self::Block { rows, bytes } => {
+            Self::Block {
+                rows,
+                bytes,
+                is_whole,
+            } => {
                 let (stride, first) = layout.samples_in_block(sample);
-                rows.next(bytes, stride)?;
+                let read = rows.next(bytes, stride);
+                read.map_err(|error| in_block(error, layout, *is_whole))?;
                 let sample_type = layout.sample_type;
                 sample_type.decode(bytes, stride, first, numbers);
             }
         }
         Ok(())
+    }
+}
+
+/// The error of a block; of one that the file has whole it may be the count of its bytes that is
+/// wrong.
+fn in_block(error: DemError, layout: &Layout, is_whole: bool) -> DemError {
+    let counts = layout.counts.name;
+    match error {
+        DemError::Invalid(_) if is_whole && error == cut_short() => invalid(format!(
+            "a block is cut short, or its {counts} is too small"
+        )),
+        DemError::Invalid(problem) if is_whole => {
+            invalid(format!("{problem}, or its {counts} is too small"))
+        }
+        error => error,
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod beside;
 mod blocks;
+mod counts;
 mod places;
 mod systems;
 mod texts;
