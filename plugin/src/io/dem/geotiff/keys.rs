@@ -22,6 +22,7 @@ macro_rules! keys {
 keys! {
     MODEL_TYPE = 1024 "GTModelTypeGeoKey";
     RASTER_TYPE = 1025 "GTRasterTypeGeoKey";
+    CITATION = 1026 "GTCitationGeoKey";
     GEODETIC_SYSTEM = 2048 "GeographicTypeGeoKey";
     ANGULAR_UNIT = 2054 "GeogAngularUnitsGeoKey";
     ANGULAR_UNIT_SIZE = 2055 "GeogAngularUnitSizeGeoKey";
@@ -30,6 +31,8 @@ keys! {
     INVERSE_FLATTENING = 2059 "GeogInvFlatteningGeoKey";
     PRIME_MERIDIAN = 2061 "GeogPrimeMeridianLongGeoKey";
     PROJECTED_SYSTEM = 3072 "ProjectedCSTypeGeoKey";
+    PROJECTED_CITATION = 3073 "PCSCitationGeoKey";
+    PROJECTION = 3074 "ProjectionGeoKey";
     PROJECTION_METHOD = 3075 "ProjCoordTransGeoKey";
     LINEAR_UNIT = 3076 "ProjLinearUnitsGeoKey";
     LINEAR_UNIT_SIZE = 3077 "ProjLinearUnitSizeGeoKey";
@@ -46,6 +49,7 @@ pub(super) struct KeyDirectory {
     /// Key, where its value is (0: here), count, value.
     keys: Vec<[u16; 4]>,
     doubles: Vec<f64>,
+    texts: Vec<u8>,
 }
 
 impl KeyDirectory {
@@ -59,8 +63,11 @@ impl KeyDirectory {
         let (rows, _) = words.as_chunks::<4>();
         // The first is a header.
         let keys = rows.iter().skip(1).copied().collect();
+        // Nothing follows from a damaged text.
+        let texts = file.text(directory, tag::GEO_ASCII_PARAMS).ok().flatten();
         Ok(Self {
             keys,
+            texts: texts.unwrap_or_default().into_bytes(),
             doubles: file.reals(directory, tag::GEO_DOUBLE_PARAMS)?,
         })
     }
@@ -69,6 +76,21 @@ impl KeyDirectory {
     pub(super) fn code(&self, key: Key) -> Option<u16> {
         let row = self.keys.iter().find(|row| row[0] == key.number)?;
         (row[1] == 0).then_some(row[3])
+    }
+
+    /// The value of a key that is the code of a definition: neither 0 nor that of a user's own.
+    pub(super) fn definition(&self, key: Key) -> Option<u16> {
+        self.code(key)
+            .filter(|code| ![0, USER_DEFINED].contains(code))
+    }
+
+    /// The value of a key that is a text.
+    pub(super) fn text(&self, key: Key) -> Option<String> {
+        let row = self.keys.iter().find(|row| row[0] == key.number)?;
+        let [_, _, count, start] = row.map(usize::from);
+        let is_text = row[1] == tag::GEO_ASCII_PARAMS.number;
+        let text = self.texts.get(start..start + count).filter(|_| is_text)?;
+        Some(String::from_utf8_lossy(text).into_owned())
     }
 
     /// The value of a key that is a measure.

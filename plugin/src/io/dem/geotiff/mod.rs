@@ -18,8 +18,10 @@
 //! placement    where a raster lies
 //! method       projections that a file defines
 //! projection   how long a map's step is on the ground
+//! epsg         systems that are newer than the table of the crate
 //! system       coordinate systems
 //! wkt          coordinate systems as text
+//! citation     such a text among the keys
 //! pam          GDAL's side file NAME.EXT.aux.xml
 //! metadata     GDAL's scale, offset and unit
 //! side_files   what files beside it tell
@@ -66,9 +68,13 @@ mod method;
 
 mod projection;
 
+mod epsg;
+
 mod system;
 
 mod wkt;
+
+mod citation;
 
 mod pam;
 

@@ -26,6 +26,10 @@ const DATUMS_OF_GRIDS: [(&str, &str); 2] = [
     ("+datum=nzgd49", "+ellps=intl"),
 ];
 
+/// Parameters that are left out: coordinates are those on the projection's own datum, in m.
+const GRIDS: [&str; 2] = ["towgs84", "nadgrids"];
+const UNITS: [&str; 3] = ["units", "to_meter", "vunits"];
+
 /// A map projection.
 pub(super) struct Projection {
     plane: Proj,
@@ -55,12 +59,11 @@ impl Projection {
         for (datum, ellipsoid) in DATUMS_OF_GRIDS {
             text = text.replace(datum, ellipsoid);
         }
-        let metric: Vec<&str> = text
-            .split_whitespace()
-            .filter(|part| is_kept(part))
-            .collect();
-        let unit_m = Proj::from_proj_string(&text).ok()?.to_meter();
-        let plane = Proj::from_proj_string(&metric.join(" ")).ok()?;
+        let unit_m = Proj::from_proj_string(&without(&text, &GRIDS))
+            .ok()?
+            .to_meter();
+        let metric = without(&without(&text, &GRIDS), &UNITS);
+        let plane = Proj::from_proj_string(&metric).ok()?;
         let (a, b) = plane.ellipse_parameters();
         let sphere = Proj::from_proj_string(&format!("+proj=longlat +a={a} +b={b}")).ok()?;
         let mut projection = Self {
@@ -153,9 +156,15 @@ fn settled(scale: f64) -> f64 {
     }
 }
 
-/// Is a parameter of PROJ's kept? Coordinates are given in m, on the projection's own datum.
-fn is_kept(parameter: &str) -> bool {
+/// The name of a parameter of PROJ's.
+fn name_of(parameter: &str) -> &str {
     let name = parameter.trim_start_matches('+').split('=').next();
-    let left_out = ["units", "to_meter", "vunits", "towgs84", "nadgrids"];
-    name.is_some_and(|name| !left_out.contains(&name))
+    name.unwrap_or_default()
+}
+
+/// A text of PROJ's without some parameters.
+fn without(text: &str, parameters: &[&str]) -> String {
+    let is_kept = |part: &&str| !parameters.contains(&name_of(part));
+    let kept: Vec<&str> = text.split_whitespace().filter(is_kept).collect();
+    kept.join(" ")
 }

@@ -1,6 +1,7 @@
 //! The one band of a file: its size and place, and its values, rows from the north and columns from
 //! the west.
 
+use super::citation;
 use super::heights;
 use super::keys::{self, KeyDirectory, unknown};
 use super::layout::{self, Layout};
@@ -13,6 +14,7 @@ use super::side_files::SideFiles;
 use super::structure::{Directory, TiffFile, unsupported};
 use super::system::{self, System, mean_radius};
 use super::tag;
+use super::wkt::SystemOfText;
 use crate::io::dem::error::{DemError, invalid};
 use crate::io::dem::tile::degrees_on_sphere;
 use std::io::{Read, Seek};
@@ -32,8 +34,8 @@ pub(in crate::io) struct RasterFile<R> {
     nodata: Nodata,
     calibration: Calibration,
     beside: SideFiles,
-    /// Length in m of the unit of heights by the system of a side file.
-    metres_beside: Option<f64>,
+    /// Length in m of the unit of heights by a system that is told as text.
+    metres_told: Option<f64>,
 }
 
 impl<R: Read + Seek> RasterFile<R> {
@@ -63,14 +65,10 @@ impl<R: Read + Seek> RasterFile<R> {
         let own = file.text(&directory, tag::GDAL_NODATA)?;
         let nodata = beside.pam.nodata.clone().or(own);
         let metadata = file.text(&directory, tag::GDAL_METADATA)?;
-        let told = beside.pam.system.take();
-        let (told, metres_beside) =
-            told.map_or((None, None), |all| (Some(all.system), all.metres_per_unit));
+        let told = system(&keys, &mut beside)?;
         Ok(Self {
-            system: match told {
-                Some(told) => told,
-                None => beside.system(System::of(&keys)?),
-            },
+            system: told.system,
+            metres_told: told.metres_per_unit,
             placement: placement(&file, &directory, &keys, &beside)?,
             nodata: Nodata::of(nodata.as_deref(), layout.sample_type)?,
             calibration: Calibration::of(metadata.as_deref())?.with(&beside.pam),
@@ -79,7 +77,6 @@ impl<R: Read + Seek> RasterFile<R> {
             layout,
             keys,
             beside,
-            metres_beside,
         })
     }
 
@@ -90,7 +87,7 @@ impl<R: Read + Seek> RasterFile<R> {
 
     /// Length in m of the unit of heights, if it is told.
     pub(in crate::io) fn metres_per_unit(&self) -> Result<Option<f64>, DemError> {
-        match self.metres_beside {
+        match self.metres_told {
             Some(metres) => heights::agreed(metres, &self.calibration.unit).map(Some),
             None => heights::metres_per_unit(&self.keys, &self.calibration.unit),
         }
@@ -193,6 +190,17 @@ impl<R: Read + Seek> RasterFile<R> {
         };
         let code = self.keys.code(keys::PROJECTED_SYSTEM).unwrap_or(0);
         self.system.extent_deg(&placement, self.size(), code)
+    }
+}
+
+/// The coordinate system: that of a side file, else that of a citation, of the keys, or of a .prj file.
+fn system(keys: &KeyDirectory, beside: &mut SideFiles) -> Result<SystemOfText, DemError> {
+    if let Some(told) = beside.pam.system.take() {
+        return Ok(told);
+    }
+    match citation::system(keys)? {
+        Some(told) => Ok(told),
+        None => Ok(beside.system(System::of(keys)?)),
     }
 }
 

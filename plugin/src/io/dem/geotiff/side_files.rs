@@ -12,7 +12,7 @@ use super::mask::MaskFile;
 use super::pam::PamFile;
 use super::placement::Placement;
 use super::system::System;
-use super::wkt;
+use super::wkt::{self, SystemOfText};
 use crate::io::IoError;
 use crate::io::dem::error::{DemError, invalid};
 use crate::io::dem::file::{extension, open, read_limited};
@@ -28,7 +28,7 @@ pub(in crate::io) struct SideFiles {
     /// Corner of the first pixel and steps, by a world file.
     pub(in crate::io) world: Option<[f64; 6]>,
     /// The system of that place.
-    world_system: Option<System>,
+    world_system: Option<SystemOfText>,
 }
 
 impl SideFiles {
@@ -75,17 +75,19 @@ impl SideFiles {
         let Some(transform) = self.place(false) else {
             return Ok(None);
         };
-        let of_pam = self.pam.system.as_ref().map(|all| &all.system);
-        let system = of_pam.or(self.world_system.as_ref());
-        let system = system.unwrap_or(&System::Unknown);
+        let told = self.pam.system.as_ref().or(self.world_system.as_ref());
+        let system = told.map_or(&System::Unknown, |told| &told.system);
         system.extent_deg(&Placement::of(transform)?, size, 0)
     }
 
     /// The system of a file, or, if that tells none, the one beside a world file.
-    pub(super) fn system(&mut self, own: System) -> System {
+    pub(super) fn system(&mut self, own: System) -> SystemOfText {
         match (own, self.world_system.take()) {
             (System::Unknown, Some(beside)) => beside,
-            (own, _) => own,
+            (system, _) => SystemOfText {
+                system,
+                metres_per_unit: None,
+            },
         }
     }
 
@@ -147,15 +149,15 @@ fn system_file(raster: &Path) -> Option<PathBuf> {
 }
 
 /// The system that NAME.prj tells.
-fn world_system(raster: &Path) -> Result<Option<System>, IoError> {
+fn world_system(raster: &Path) -> Result<Option<SystemOfText>, IoError> {
     let Some(path) = system_file(raster) else {
         return Ok(None);
     };
     let refused = |error| IoError::dem(&path, error);
     let bytes = read_limited(&path)?;
     let text = text::decode(&bytes).map_err(|error| refused(invalid(error.problem)))?;
-    let told = wkt::system(text.trim_start_matches('\u{feff}')).map_err(refused)?;
-    Ok(Some(told.system))
+    let told = wkt::system(text.trim_start_matches('\u{feff}'));
+    told.map(Some).map_err(refused)
 }
 
 /// Six numbers in lines: steps of a column along both axes, of a row, and the middle of the first

@@ -1,9 +1,10 @@
 //! The coordinate system of a raster: degrees, or metres of a projection (OGC 19-008r4).
 //!
-//! Systems of EPSG's are those of the crate `crs-definitions`. A code that it does not know is
-//! refused unless the file has the unit, too: what is missing there are grids of regions, true to
-//! scale, that are newer than the table.
+//! Systems of EPSG's are those of the crate `crs-definitions` and of `epsg`. A code that neither has
+//! is refused, unless other keys define the projection; so is a grid of which only that it is true
+//! to scale is known, unless the file has the unit, too.
 
+use super::epsg;
 use super::keys::{self, KeyDirectory, USER_DEFINED, unknown};
 use super::method;
 use super::placement::Placement;
@@ -13,10 +14,12 @@ use crate::io::dem::error::{DemError, invalid};
 
 /// Model types.
 const PROJECTED: u16 = 1;
-const GEOGRAPHIC: u16 = 2;
+pub(super) const GEOGRAPHIC: u16 = 2;
 
-/// Codes that EPSG gives to systems.
-const EPSG: core::ops::RangeInclusive<u16> = 1024..=32_766;
+/// Codes of projections (ProjectionGeoKey) that are true to scale: zones of state planes, but for
+/// Alaska's Albers, of UTM and of Gauss and Kruger.
+const ZONES: [core::ops::RangeInclusive<u16>; 3] =
+    [10_101..=15_010, 15_031..=15_304, 16_001..=16_399];
 
 /// Half axes of the Earth in m (WGS 84).
 pub(super) const EARTH: [f64; 2] = [6_378_137.0, 6_356_752.314_245];
@@ -57,6 +60,13 @@ impl System {
             Some(GEOGRAPHIC) => geographic(keys),
             None | Some(0) if keys.code(keys::PROJECTED_SYSTEM).is_some() => projected(keys),
             None | Some(0) if keys.code(keys::GEODETIC_SYSTEM).is_some() => geographic(keys),
+            // GDAL writes so what it has a text for, too.
+            Some(USER_DEFINED) if keys.definition(keys::PROJECTED_SYSTEM).is_some() => {
+                projected(keys)
+            }
+            Some(USER_DEFINED) if keys.definition(keys::GEODETIC_SYSTEM).is_some() => {
+                geographic(keys)
+            }
             // Keys may tell no more than where in a pixel its value is.
             None => Ok(Self::Unknown),
             Some(other) => Err(unknown(keys::MODEL_TYPE, other)),
@@ -139,9 +149,18 @@ fn radii(keys: &KeyDirectory) -> [f64; 2] {
 /// The system of a projection.
 fn projected(keys: &KeyDirectory) -> Result<System, DemError> {
     let told = units::linear(keys)?;
+    let has_method = keys
+        .code(keys::PROJECTION_METHOD)
+        .is_some_and(|code| code != 0);
+    let own = || own(keys, told.unwrap_or(1.0));
     let projection = match keys.code(keys::PROJECTED_SYSTEM) {
-        None | Some(0 | USER_DEFINED) => own(keys, told.unwrap_or(1.0))?,
-        Some(code) => known(code, told.is_some())?,
+        None | Some(0) => own()?,
+        Some(USER_DEFINED) if has_method || is_of_zone(keys) => own()?,
+        Some(USER_DEFINED) => return Err(undefined()),
+        Some(code) => match known(code, told.is_some()) {
+            Err(_) if has_method => own()?,
+            known => known?,
+        },
     };
     let usual = projection.as_ref().map_or(1.0, |known| known.unit_m);
     Ok(System::Lengths {
@@ -150,11 +169,23 @@ fn projected(keys: &KeyDirectory) -> Result<System, DemError> {
     })
 }
 
-/// The projection that EPSG has given a code.
+fn is_of_zone(keys: &KeyDirectory) -> bool {
+    let code = keys.code(keys::PROJECTION);
+    code.is_some_and(|code| ZONES.iter().any(|zones| zones.contains(&code)))
+}
+
+/// The error of a system that the file does not define.
+fn undefined() -> DemError {
+    let problem = format!("{USER_DEFINED} without {}", keys::PROJECTION_METHOD.name);
+    unknown(keys::PROJECTED_SYSTEM, problem)
+}
+
+/// The projection that EPSG has given a code; `None` for a grid that is true to scale.
 pub(super) fn known(code: u16, has_unit: bool) -> Result<Option<Box<Projection>>, DemError> {
-    let definition = crs_definitions::from_code(code);
-    let projection = definition.and_then(|found| Projection::of(found.proj4));
-    if projection.is_none() && !(has_unit && EPSG.contains(&code)) {
+    let older = crs_definitions::from_code(code).map(|found| found.proj4);
+    let definition = older.or_else(|| epsg::definition(code));
+    let projection = definition.and_then(Projection::of);
+    if projection.is_none() && !(has_unit && epsg::is_true_to_scale(code)) {
         return Err(unknown(keys::PROJECTED_SYSTEM, code));
     }
     Ok(projection.map(Box::new))

@@ -40,6 +40,7 @@ tags! {
     MODEL_TRANSFORMATION = 34_264 "ModelTransformation";
     GEO_KEY_DIRECTORY = 34_735 "GeoKeyDirectory";
     GEO_DOUBLE_PARAMS = 34_736 "GeoDoubleParams";
+    GEO_ASCII_PARAMS = 34_737 "GeoAsciiParams";
     GDAL_METADATA = 42_112 "GDAL_METADATA";
     GDAL_NODATA = 42_113 "GDAL_NODATA";
     LERC_PARAMETERS = 50_674 "LercParameters";

@@ -2,6 +2,7 @@
 
 mod beside;
 mod blocks;
+mod codes;
 mod counts;
 mod places;
 mod systems;

@@ -123,3 +123,53 @@ fn a_code_comes_before_the_name_of_a_method() {
     let tile = in_system(system, [0.0, 8_399_737.89]).unwrap();
     assert!((tile.centre.unwrap().0 - 60.0).abs() < 1e-4);
 }
+
+/// WGS 84 and its ellipsoid's heights, or a map of it, with a third axis.
+fn in_three(axis: &str) -> [String; 2] {
+    let base = base(r#""WGS 84",6378137,298.257223563"#);
+    let utm = format!(
+        r#"PROJCRS["mine",{base},CONVERSION["c",METHOD["Transverse Mercator"],
+        PARAMETER["Longitude of natural origin",15,{DEGREE}],
+        PARAMETER["Scale factor at natural origin",0.9996],
+        PARAMETER["False easting",500000]],CS[Cartesian,3],
+        AXIS["(E)",east,LENGTHUNIT["metre",1]],AXIS["(N)",north,LENGTHUNIT["metre",1]],{axis}]"#
+    );
+    let degrees = format!(
+        r#"GEOGCRS["g",DATUM["d",ELLIPSOID["e",6378137,298.257223563]],CS[ellipsoidal,3],
+        AXIS["latitude",north,{DEGREE}],AXIS["longitude",east,{DEGREE}],{axis}]"#
+    );
+    [utm, degrees]
+}
+
+/// The model in degrees or on a map, about 45° N 15° E, and a system of three axes.
+fn heights_in(axis: &str) -> [Result<f32, String>; 2] {
+    let [utm, degrees] = in_three(axis);
+    let place = "<GeoTransform>15,0.001,0,45,0,-0.001</GeoTransform>";
+    let pam = format!("<PAMDataset><SRS>{degrees}</SRS>{place}</PAMDataset>");
+    let both = [
+        in_system(&utm, [500_000.0, 5_000_000.0]),
+        tile(&[("a.tif.aux.xml", &pam)]),
+    ];
+    both.map(|tile| tile.map(|tile| tile.grid.values[7]))
+}
+
+#[test]
+fn a_third_axis_has_the_unit_of_heights() {
+    let feet = r#"AXIS["ellipsoidal height (h)",up,LENGTHUNIT["foot",0.3048]]"#;
+    assert_eq!(heights_in(feet), [Ok(7.0 * 0.3048), Ok(7.0 * 0.3048)]);
+    let metres = r#"AXIS["ellipsoidal height (h)",up,LENGTHUNIT["metre",1]]"#;
+    assert_eq!(heights_in(metres), [Ok(7.0), Ok(7.0)]);
+    let depth = r#"AXIS["depth (D)",down,LENGTHUNIT["metre",1]]"#;
+    for refused in heights_in(depth) {
+        assert!(refused.unwrap_err().contains("depths"));
+    }
+}
+
+#[test]
+fn a_prj_file_tells_the_unit_of_heights() {
+    let vertical = r#"VERTCS["v",VDATUM["v"],PARAMETER["Direction",1.0],UNIT["Foot",0.3048]]"#;
+    let world = "100\n0\n0\n-100\n-150\n8399787.89\n";
+    let prj = format!("{WEB_MERCATOR},{vertical}");
+    let tile = tile(&[("a.tfw", world), ("a.prj", &prj)]).unwrap();
+    assert_eq!(tile.grid.values[7], 7.0 * 0.3048);
+}

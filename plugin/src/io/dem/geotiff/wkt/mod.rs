@@ -32,23 +32,30 @@ const GEOGRAPHIC: [&str; 5] = [
     "BASEGEOGCRS",
 ];
 const COMPOUND: [&str; 2] = ["COMPD_CS", "COMPOUNDCRS"];
-const VERTICAL: [&str; 3] = ["VERT_CS", "VERTCRS", "VERTICALCRS"];
+const VERTICAL: [&str; 4] = ["VERT_CS", "VERTCS", "VERTCRS", "VERTICALCRS"];
 const ELLIPSOID: [&str; 2] = ["SPHEROID", "ELLIPSOID"];
 const MERIDIAN: [&str; 2] = ["PRIMEM", "PRIMEMERIDIAN"];
 const IDENTIFIER: [&str; 2] = ["AUTHORITY", "ID"];
 
 /// The system that a text describes.
 pub(super) fn system(text: &str) -> Result<SystemOfText, DemError> {
-    let root = WktNode::parse(text).ok_or_else(|| invalid("the text of its SRS makes no sense"))?;
-    let horizontal = if COMPOUND.contains(&root.name.as_str()) {
-        root.nodes.first().unwrap_or(&root)
-    } else {
-        &root
+    let roots = WktNode::parse(text);
+    let roots = roots.ok_or_else(no_sense)?;
+    // Esri puts the two systems of a compound one after the other.
+    let (root, others) = roots.split_first().ok_or_else(no_sense)?;
+    let (horizontal, others) = match root.nodes.split_first() {
+        Some(parts) if COMPOUND.contains(&root.name.as_str()) => parts,
+        _ => (root, others),
     };
-    let vertical = root.child(&VERTICAL);
+    let mut others = others.iter();
+    let vertical = others.find(|node| VERTICAL.contains(&node.name.as_str()));
+    let metres_per_unit = match vertical {
+        Some(node) => Some(node.height_unit()?),
+        None => horizontal.third_unit()?,
+    };
     Ok(SystemOfText {
         system: horizontal.system()?,
-        metres_per_unit: vertical.map(|node| node.height_unit()).transpose()?,
+        metres_per_unit,
     })
 }
 
@@ -117,10 +124,42 @@ impl WktNode {
     /// Length in m of the unit of a vertical system.
     fn height_unit(&self) -> Result<f64, DemError> {
         let axis = self.child(&["AXIS"]);
-        if axis.is_some_and(|axis| axis.title().to_ascii_lowercase().contains("depth")) {
-            return Err(invalid("an SRS of depths is not read"));
+        let is_esris = |node: &&Self| node.name == "PARAMETER" && node.title() == "Direction";
+        let direction = self.nodes.iter().find(is_esris);
+        let is_down = direction.is_some_and(|node| node.numbers.first() < Some(&0.0));
+        if is_down || axis.is_some_and(Self::is_of_depths) {
+            return Err(depths());
         }
         let own = self.unit().or_else(|| axis?.unit());
         own.ok_or_else(|| invalid("the SRS has heights without a unit"))
     }
+
+    /// Length in m of the unit of heights of a system of three axes, if it tells.
+    fn third_unit(&self) -> Result<Option<f64>, DemError> {
+        let mut axes = self.nodes.iter().filter(|node| node.name == "AXIS");
+        let Some(axis) = axes.nth(2) else {
+            return Ok(None);
+        };
+        if axis.is_of_depths() {
+            return Err(depths());
+        }
+        // A unit that all axes share is one of lengths on a map alone.
+        let shared = self
+            .unit()
+            .filter(|_| PROJECTED.contains(&self.name.as_str()));
+        Ok(axis.unit().or(shared))
+    }
+
+    /// Does an axis go down?
+    fn is_of_depths(&self) -> bool {
+        self.title().to_ascii_lowercase().contains("depth")
+    }
+}
+
+fn no_sense() -> DemError {
+    invalid("the text of its SRS makes no sense")
+}
+
+fn depths() -> DemError {
+    invalid("an SRS of depths is not read")
 }

@@ -16,11 +16,15 @@ pub(super) struct WktNode {
 const MOST_LEVELS: usize = 16;
 
 impl WktNode {
-    /// The node that is the whole text.
-    pub(super) fn parse(text: &str) -> Option<Self> {
+    /// The nodes that are the whole text, with commas between them.
+    pub(super) fn parse(text: &str) -> Option<Vec<Self>> {
         let mut rest = text.trim();
-        let node = Self::read(&mut rest, 0)?;
-        rest.trim().is_empty().then_some(node)
+        let mut nodes = vec![Self::read(&mut rest, 0)?];
+        while let Some(more) = rest.trim_start().strip_prefix(',') {
+            rest = more;
+            nodes.push(Self::read(&mut rest, 0)?);
+        }
+        rest.trim().is_empty().then_some(nodes)
     }
 
     /// The node that a text begins with, which is taken off it.
