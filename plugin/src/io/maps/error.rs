@@ -32,6 +32,9 @@ pub enum MapFileError {
     /// A sidecar that does not hold the values of black and white.
     #[error("the sidecar must be {{\"min\": .., \"max\": ..}}, two different finite numbers")]
     Sidecar,
+    /// A sidecar of a square of ground.
+    #[error("the sidecar is that of a square of ground; a map shows a whole planet")]
+    Square,
     /// Elevations in metres of which none is beyond 15 m.
     #[error(
         "no elevation is beyond 15 m; if they are kilometres, a terrain file must say so: \

@@ -67,9 +67,9 @@ pub fn load_map_of(
         }
         Some("png") => {
             let beside = SideFiles::load_place(path)?;
-            let ends = black_and_white(path, grey)?;
+            let sidecar = black_and_white(path, grey)?;
             let picture = BufReader::new(open(path)?);
-            let map = greys(picture, ends, &beside, quantity).map_err(refused)?;
+            let map = greys(picture, &sidecar, &beside, quantity).map_err(refused)?;
             // A scale that was given is of the right unit.
             let warnings = Vec::new();
             Ok(LoadedMap { map, warnings })
@@ -80,30 +80,52 @@ pub fn load_map_of(
 
 /// The values of black and white of a picture: those of its sidecar, which knows best, or the
 /// caller's.
-fn black_and_white(picture: &Path, grey: Option<[f32; 2]>) -> Result<[f32; 2], IoError> {
+fn black_and_white(picture: &Path, grey: Option<[f32; 2]>) -> Result<MapSidecar, IoError> {
     let sidecar = sidecar::beside(picture);
     if sidecar.exists() {
         return MapSidecar::load(&sidecar);
     }
     let missing = || MapFileError::NoScale(sidecar.display().to_string());
-    grey.ok_or_else(|| IoError::map(picture, missing()))
+    let told = grey.map(|[min, max]| MapSidecar {
+        min,
+        max,
+        ..MapSidecar::default()
+    });
+    told.ok_or_else(|| IoError::map(picture, missing()))
 }
 
-/// Values of black and white.
-#[derive(serde::Deserialize)]
+/// Values of black and white; and of a picture that `export` wrote, which part of a planet it shows:
+/// of a box its edges, of a square its middle alone.
+#[derive(Default, serde::Deserialize)]
 struct MapSidecar {
+    #[serde(alias = "min_m")]
     min: f32,
+    #[serde(alias = "max_m")]
     max: f32,
+    west: Option<f64>,
+    east: Option<f64>,
+    south: Option<f64>,
+    north: Option<f64>,
+    lat: Option<f64>,
 }
 
 impl MapSidecar {
-    /// The values of black and white in a sidecar.
-    fn load(path: &Path) -> Result<[f32; 2], IoError> {
-        let scale: Option<Self> = text::parse_json(&read_limited(path)?).ok();
-        scale
+    /// Reads a sidecar.
+    fn load(path: &Path) -> Result<Self, IoError> {
+        let refused = |problem| IoError::map(path, problem);
+        let sidecar: Option<Self> = text::parse_json(&read_limited(path)?).ok();
+        let sidecar = sidecar
             .filter(|s| s.min.is_finite() && s.max.is_finite() && s.min != s.max)
-            .map(|s| [s.min, s.max])
-            .ok_or_else(|| IoError::map(path, MapFileError::Sidecar))
+            .ok_or_else(|| refused(MapFileError::Sidecar))?;
+        if sidecar.lat.is_some() && sidecar.extent_deg().is_none() {
+            return Err(refused(MapFileError::Square));
+        }
+        Ok(sidecar)
+    }
+
+    /// Degrees from west, to east, from south, to north.
+    fn extent_deg(&self) -> Option<[f64; 4]> {
+        Some([self.west?, self.east?, self.south?, self.north?])
     }
 }
 
@@ -162,26 +184,30 @@ fn conversion<R: Read + Seek>(
 /// Reads a picture with these values of black and white.
 fn greys(
     source: impl BufRead + Seek,
-    [black, white]: [f32; 2],
+    sidecar: &MapSidecar,
     beside: &SideFiles,
     quantity: MapQuantity,
 ) -> Result<EquirectMap, MapFileError> {
-    let [black, white] = [black, white].map(f64::from);
+    let [black, white] = [sidecar.min, sidecar.max].map(f64::from);
     let void = beside.pam.void();
     let value = |grey: picture::Grey| grey.unless(void).map(|grey| grey.between(black, white));
     let value = |grey| value(grey).unwrap_or(f32::NAN);
-    let start = |size| begin(size, beside, quantity);
+    let start = |size| begin(size, sidecar, beside, quantity);
     Ok(fold_rows(source, start, value, MapMeans::add)?.finish()?)
 }
 
 /// The map of a picture of so many pixels, before its first row.
 fn begin(
     size: [u32; 2],
+    sidecar: &MapSidecar,
     beside: &SideFiles,
     quantity: MapQuantity,
 ) -> Result<MapMeans, MapFileError> {
     check_size(size[0], size[1])?;
-    let grid = Regrid::new(size, beside.extent_deg(size)?, beside.is_turned()?)?;
+    let grid = match sidecar.extent_deg() {
+        told @ Some(_) => Regrid::new(size, told, [false; 2])?,
+        None => Regrid::new(size, beside.extent_deg(size)?, beside.is_turned()?)?,
+    };
     Ok(grid.map(quantity.possible())?)
 }
 

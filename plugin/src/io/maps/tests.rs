@@ -322,3 +322,42 @@ fn world_files_turn_pictures_and_other_side_files_are_named() {
         "{problem}"
     );
 }
+
+/// A sidecar as `export --box` writes it, of these edges.
+fn of_box(west: f64, east: f64) -> String {
+    format!(
+        r#"{{"generator": "Pangaea", "min_m": -100, "max_m": 155, "metres_per_pixel": 9,
+        "lat": 0, "lon": 0, "south": -90, "west": {west}, "north": 90, "east": {east}}}"#
+    )
+}
+
+#[test]
+fn sidecars_of_exported_boxes_are_read() {
+    let folder = TempDir::new().unwrap();
+    let greys = [0, 1, 2, 3, 100, 101, 102, 255];
+    let path = file(&folder, "a.png", &png(4, png::BitDepth::Eight, &greys));
+    let map = |sidecar: &str| {
+        file(&folder, "a.json", sidecar.as_bytes());
+        load_map(&path, None).map_err(|error| error.to_string())
+    };
+    let whole = map(&of_box(-180.0, 180.0)).unwrap();
+    assert_eq!([0, 3].map(|x| at(&whole, x, 1)), [0.0, 155.0]);
+    // From Greenwich on.
+    let turned = map(&of_box(0.0, 360.0)).unwrap();
+    assert_eq!(
+        [0, 1, 2, 3].map(|x| at(&turned, x, 0)),
+        [-98.0, -97.0, -100.0, -99.0]
+    );
+    assert!(
+        map(&of_box(10.0, 20.0))
+            .unwrap_err()
+            .contains("from 10 to 20")
+    );
+    let square = r#"{"min_m": 0, "max_m": 1, "metres_per_pixel": 9, "lat": 4, "lon": 5}"#;
+    let problem = map(square).unwrap_err();
+    assert!(
+        problem.contains("a.json") && problem.contains("square"),
+        "{problem}"
+    );
+    assert!(map(r#"{"max_m": 1}"#).is_err());
+}
