@@ -2,13 +2,14 @@
 
 use super::area::ExportArea;
 use super::encoding::Encoding;
-use super::error::{ExportError, cannot_encode};
+use super::error::ExportError;
 use super::format::ExportFormat;
 use super::greys::{self, GreyRange};
-use super::manifest::manifest;
+use super::manifest::{add_hashes, manifest};
 use super::names::{ExportFiles, file_name};
 use super::scratch::HeightScratch;
 use super::{exr, geotiff, mesh};
+use crate::io::files::write_hashed;
 use crate::io::{MarkedJson, write_all};
 use crate::query::{Ground, MapGrid};
 use serde_json::Value;
@@ -114,12 +115,20 @@ impl ExportJob {
         let heights = HeightScratch::record(ground, &grid, self.files.path(), &go_on)?;
         let [low, high] = self.range.unwrap_or(heights.range.map(f64::from));
         let range = GreyRange { low, high };
-        let texts = self.texts(&heights, range)?;
+        let mut texts = self.texts(&heights, range);
+        let mut hashes = Vec::new();
         let named = self.files.named().len();
         let go_on = || go_on(grid.columns() * grid.rows());
         write_all(&self.files.outputs(), |k, out| match k.checked_sub(named) {
-            Some(text) => out.write_all(&texts[text]),
-            None => self.write_file(k, &heights, range, &go_on, out),
+            Some(text) => {
+                add_hashes(&mut texts[text], &hashes);
+                out.write_all(&json_text(&texts[text])?)
+            }
+            None => {
+                let write = |out: &mut dyn Write| self.write_file(k, &heights, range, &go_on, out);
+                hashes.push(write_hashed(out, write)?);
+                Ok(())
+            }
         })?;
         Ok(Exported {
             files: self.files.all(),
@@ -129,18 +138,14 @@ impl ExportJob {
     }
 
     /// The files beside those with heights.
-    fn texts(
-        &self,
-        heights: &HeightScratch,
-        range: GreyRange,
-    ) -> Result<Vec<Vec<u8>>, ExportError> {
+    fn texts(&self, heights: &HeightScratch, range: GreyRange) -> Vec<Value> {
         let range = self.files.format().has_greys().then_some(range);
         let mut texts = range.map_or_else(Vec::new, |range| self.sidecars(range));
         if let ExportArea::Tiles(block) = &self.area {
             let level = self.grid().level();
             texts.push(manifest(&self.files, block, level, heights.range, range));
         }
-        texts.iter().map(json_text).collect()
+        texts
     }
 
     /// The sidecar of each file of greys.
@@ -183,8 +188,8 @@ impl ExportJob {
 }
 
 /// A value as the text of a file.
-fn json_text(content: &Value) -> Result<Vec<u8>, ExportError> {
-    let mut text = serde_json::to_vec_pretty(&MarkedJson::new(content)).map_err(cannot_encode)?;
+fn json_text(content: &Value) -> io::Result<Vec<u8>> {
+    let mut text = serde_json::to_vec_pretty(&MarkedJson::new(content))?;
     text.push(b'\n');
     Ok(text)
 }

@@ -3,7 +3,7 @@
 use super::engines::{common_figures, placements};
 use super::format::ExportFormat;
 use super::greys::{GreyRange, middle};
-use super::names::ExportFiles;
+use super::names::{ExportFiles, HASH};
 use crate::query::{MapGrid, TileBlock};
 use serde_json::{Value, json};
 
@@ -40,6 +40,14 @@ pub(super) fn manifest(
         manifest["sea_level_grey"] = json!(range.exact_grey(0.0));
     }
     manifest
+}
+
+/// Adds the hashes of the tiles, as they were written.
+pub(super) fn add_hashes(manifest: &mut Value, hashes: &[String]) {
+    let files = manifest.get_mut("files").and_then(Value::as_array_mut);
+    for (tile, hash) in files.into_iter().flatten().zip(hashes) {
+        tile[HASH] = json!(hash);
+    }
 }
 
 fn tiles(files: &ExportFiles, block: &TileBlock, range: Option<GreyRange>) -> Vec<Value> {

@@ -4,10 +4,13 @@ use super::error::ExportError;
 use super::format::ExportFormat;
 use crate::io::{Output, is_marked};
 use serde_json::Value;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+/// The field of a tile's hash in the manifest.
+pub(super) const HASH: &str = "blake3";
 
 /// The files of an export.
 ///
@@ -80,8 +83,19 @@ impl ExportFiles {
         let skipped = named.len() * usize::from(!self.format.has_greys());
         let beside = self.beside().into_iter().zip(of.skip(skipped));
         let beside = beside.map(|(path, of)| Output::telling_of(path, file_name(of)));
-        let with_heights = named.iter().map(|path| self.output(path.clone()));
+        let hashes: BTreeMap<_, _> = self.listed().into_iter().collect();
+        let hash = |path: &PathBuf| hashes.get(&file_name(path)).cloned().flatten();
+        let with_heights = named
+            .iter()
+            .map(|path| self.output(path.clone()).unchanged(hash(path)));
         with_heights.chain(beside).collect()
+    }
+
+    /// The files that an older manifest of ours lists, with their hashes.
+    fn listed(&self) -> Vec<(String, Option<String>)> {
+        let is_ours = |manifest: &PathBuf| is_marked(manifest).is_ok_and(|is_ours| is_ours);
+        let manifest = self.manifest().filter(is_ours);
+        manifest.as_deref().map(listed_files).unwrap_or_default()
     }
 
     /// A file with heights. Raw ones have no room for a mark: the manifest lists them.
@@ -102,13 +116,9 @@ impl ExportFiles {
     /// manifest of its name lists so far, that are there, and that it does not write. Empty where
     /// there is no such manifest.
     pub fn older_tiles(&self) -> Vec<PathBuf> {
-        let ours = |manifest: &PathBuf| is_marked(manifest).is_ok_and(|is_ours| is_ours);
         let own: BTreeSet<_> = self.all().into_iter().collect();
-        let manifest = self.manifest().filter(ours);
-        let listed = manifest.as_deref().map(listed_files).unwrap_or_default();
-        let paths = listed
-            .into_iter()
-            .map(|name| self.path.with_file_name(name));
+        let listed = self.listed().into_iter();
+        let paths = listed.map(|(name, _)| self.path.with_file_name(name));
         paths
             .filter(|path| path.is_file() && !own.contains(path))
             .collect()
@@ -128,15 +138,19 @@ impl ExportFiles {
     }
 }
 
-/// The names of the tiles that a manifest lists; none if it cannot be read. A path is no name.
-fn listed_files(manifest: &Path) -> Vec<String> {
+/// The names of the tiles that a manifest lists, with their hashes; none if it cannot be read. A path
+/// is no name.
+fn listed_files(manifest: &Path) -> Vec<(String, Option<String>)> {
     let text = fs::read(manifest).unwrap_or_default();
     let manifest: Value = serde_json::from_slice(&text).unwrap_or_default();
     let tiles = manifest["files"].as_array().map_or(&[][..], Vec::as_slice);
-    let names = tiles.iter().filter_map(|tile| tile["file"].as_str());
-    names
-        .filter(|name| Path::new(name).file_name() == Some(name.as_ref()))
-        .map(str::to_owned)
+    let name = |tile: &Value| tile["file"].as_str().map(str::to_owned);
+    let hash = |tile: &Value| tile[HASH].as_str().map(str::to_owned);
+    let files = tiles
+        .iter()
+        .filter_map(|tile| Some((name(tile)?, hash(tile))));
+    files
+        .filter(|(name, _)| Path::new(name).file_name() == Some(name.as_ref()))
         .collect()
 }
 

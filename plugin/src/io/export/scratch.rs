@@ -6,7 +6,7 @@
 
 use super::error::{ExportError, as_io_error, cannot_encode};
 use crate::io::IoError;
-use crate::io::files::folder_of;
+use crate::io::files::{folder_of, temporary};
 use crate::query::{Ground, GroundError, MapGrid};
 use crate::room::try_reserve;
 use core::ops::Range;
@@ -66,7 +66,7 @@ impl HeightScratch {
 /// A file without a name on the disk that `path` is to be on; where its folder takes none, as with
 /// devices, on the disk of temporary files.
 fn nameless_beside(path: &Path) -> io::Result<File> {
-    tempfile::tempfile_in(folder_of(path)).or_else(|_| tempfile::tempfile())
+    tempfile::tempfile_in(folder_of(path)).or_else(|_| tempfile::tempfile().map_err(temporary))
 }
 
 /// A range, widened to the heights of a band; refuses infinite heights and NaN.

@@ -80,7 +80,8 @@ impl OutputSet {
                 Err(_) => {}
             }
         }
-        Ok((self.stage_in(&env::temp_dir())?, false))
+        let stage = self.stage_in(&env::temp_dir()).map_err(temporary)?;
+        Ok((stage, false))
     }
 
     fn stage_in(&mut self, folder: &Path) -> io::Result<usize> {
@@ -146,6 +147,16 @@ impl OutputSet {
         }
         Ok(locks)
     }
+}
+
+/// The error of the folder of temporary files, which the user does not know by the file's name.
+pub(in crate::io) fn temporary(error: io::Error) -> io::Error {
+    let folder = env::temp_dir();
+    let problem = format!(
+        "no temporary file in {} (TMPDIR): {error}",
+        folder.display()
+    );
+    io::Error::new(error.kind(), problem)
 }
 
 impl OutputDraft {

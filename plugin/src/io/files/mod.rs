@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! mark     what says that Pangaea made a file
+//! checksum what a file was when it was written
 //! output   a file to write, and what it may replace
 //! target   where the content of a file goes: links, devices, files in the way
 //! lock     one writer at a time in a folder
@@ -24,6 +25,8 @@
 
 mod mark;
 
+mod checksum;
+
 mod output;
 
 mod target;
@@ -38,6 +41,10 @@ mod place;
 
 mod draft;
 
+#[cfg(feature = "export")]
+pub(super) use checksum::write_hashed;
+#[cfg(feature = "export")]
+pub(super) use draft::temporary;
 pub use mark::{MarkedJson, is_marked};
 pub use output::Output;
 #[cfg(feature = "export")]

@@ -1,5 +1,6 @@
 //! A file to write, and what it may replace.
 
+use super::checksum::hash_of;
 use super::mark::{contains, is_marked};
 use std::fs;
 use std::io;
@@ -14,6 +15,8 @@ use std::path::{Path, PathBuf};
 pub struct Output {
     path: PathBuf,
     replaces: Replaceable,
+    /// The hash of the older file as it was written, where it is known.
+    older_hash: Option<String>,
 }
 
 /// Which older file may be replaced.
@@ -29,38 +32,41 @@ enum Replaceable {
 }
 
 impl Output {
-    /// A file that the user named.
-    pub fn named(path: impl Into<PathBuf>) -> Self {
+    fn new(path: impl Into<PathBuf>, replaces: Replaceable) -> Self {
         Self {
             path: path.into(),
-            replaces: Replaceable::Any,
+            replaces,
+            older_hash: None,
         }
+    }
+
+    /// A file that the user named.
+    pub fn named(path: impl Into<PathBuf>) -> Self {
+        Self::new(path, Replaceable::Any)
     }
 
     /// A file whose name follows from another.
     pub fn beside(path: impl Into<PathBuf>) -> Self {
-        Self {
-            path: path.into(),
-            replaces: Replaceable::Marked,
-        }
+        Self::new(path, Replaceable::Marked)
     }
 
     /// A file whose name follows from another, of a format that has no room for a mark: it replaces
     /// one that `list` names, a text of ours beside it.
     pub fn listed(path: impl Into<PathBuf>, list: impl Into<PathBuf>) -> Self {
-        Self {
-            path: path.into(),
-            replaces: Replaceable::ListedIn(list.into()),
-        }
+        Self::new(path, Replaceable::ListedIn(list.into()))
     }
 
     /// A text that tells of another file, `name` beside it: it replaces one of ours that tells of
     /// the same, so that what another file is decoded by stays.
     pub fn telling_of(path: impl Into<PathBuf>, name: String) -> Self {
-        Self {
-            path: path.into(),
-            replaces: Replaceable::TellingOf(name),
-        }
+        Self::new(path, Replaceable::TellingOf(name))
+    }
+
+    /// The same, if the older file has still the BLAKE3 hash, in hexadecimal digits, with which it
+    /// was written: programs that edit a file keep its mark. Without a hash any content will do.
+    #[must_use]
+    pub fn unchanged(self, older_hash: Option<String>) -> Self {
+        Self { older_hash, ..self }
     }
 
     /// The file.
@@ -80,10 +86,22 @@ impl Output {
             }
         };
         if is_ours {
-            return Ok(());
+            return self.check_unchanged();
         }
         let problem = "there is a file of this name that does not say that Pangaea made it (early \
                        versions left that out); move it, or choose another --out";
+        Err(io::Error::new(io::ErrorKind::AlreadyExists, problem))
+    }
+
+    /// Refuses to replace a file that somebody has changed.
+    fn check_unchanged(&self) -> io::Result<()> {
+        let Some(written) = &self.older_hash else {
+            return Ok(());
+        };
+        if hash_of(&self.path)? == *written {
+            return Ok(());
+        }
+        let problem = "it was changed since Pangaea wrote it; move it, or choose another --out";
         Err(io::Error::new(io::ErrorKind::AlreadyExists, problem))
     }
 

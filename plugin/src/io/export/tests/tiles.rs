@@ -205,3 +205,24 @@ fn the_manifest_tells_the_range_of_all_and_the_sea() {
     let (least, most) = pixels.fold((u16::MAX, 0), |(a, b), grey| (a.min(grey), b.max(grey)));
     assert_eq!((least, most), (0, 65_535));
 }
+
+#[test]
+fn a_tile_that_was_changed_is_not_written_over() {
+    for name in ["t.tif", "t.png", "t.r16", "t.exr", "t.glb"] {
+        let (folder, files) = written(name, block(), None);
+        let job = ExportJob::new(block(), &folder.path().join(name)).unwrap();
+        job.run(&Mountain, |_| true).unwrap();
+        // The mark of its format stays.
+        let edited = [fs::read(&files[1]).unwrap(), vec![0; 4]].concat();
+        fs::write(&files[1], &edited).unwrap();
+        let problem = job.run(&Mountain, |_| true).unwrap_err().to_string();
+        let named = files[1].file_name().unwrap().to_string_lossy();
+        assert!(
+            problem.contains(&*named) && problem.contains("was changed"),
+            "{problem}"
+        );
+        assert_eq!(fs::read(&files[1]).unwrap(), edited, "{name}");
+        fs::remove_file(&files[1]).unwrap();
+        job.run(&Mountain, |_| true).unwrap();
+    }
+}
