@@ -4,6 +4,7 @@ use bevy_pangaea::io::{DemError, ExportError, IoError, MapFileError};
 use bevy_pangaea::planet::PlanetError;
 use bevy_pangaea::query::GroundError;
 use std::fmt::Display;
+use std::io::{self, ErrorKind};
 use std::process::ExitCode;
 use thiserror::Error;
 
@@ -28,6 +29,18 @@ impl CliError {
         Self::Input(problem.to_string())
     }
 
+    /// A file, or stdout, that could not be written, in the words of `problem`: by a fault of its
+    /// name, or for lack of room.
+    pub fn unwritten(source: &io::Error, problem: impl Display) -> Self {
+        match source.kind() {
+            ErrorKind::StorageFull
+            | ErrorKind::QuotaExceeded
+            | ErrorKind::FileTooLarge
+            | ErrorKind::OutOfMemory => Self::Failed(problem.to_string()),
+            _ => Self::input(problem),
+        }
+    }
+
     /// The exit code of the program.
     pub fn exit_code(&self) -> ExitCode {
         match self {
@@ -40,7 +53,10 @@ impl CliError {
 
 impl From<IoError> for CliError {
     fn from(error: IoError) -> Self {
-        match error {
+        match &error {
+            IoError::Write { source, .. } | IoError::Half { source, .. } => {
+                Self::unwritten(source, &error)
+            }
             IoError::Dem {
                 source: DemError::Memory(_),
                 ..
@@ -49,7 +65,7 @@ impl From<IoError> for CliError {
                 source: MapFileError::Raster(DemError::Memory(_)),
                 ..
             } => Self::Failed(error.to_string()),
-            other => Self::input(other),
+            _ => Self::input(error),
         }
     }
 }
@@ -74,6 +90,7 @@ impl From<ExportError> for CliError {
         match error {
             ExportError::Encode(_) => Self::Failed(error.to_string()),
             ExportError::Ground(error) => error.into(),
+            ExportError::Io(error) => error.into(),
             other => Self::input(other),
         }
     }

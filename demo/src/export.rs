@@ -5,7 +5,7 @@ use crate::error::CliError;
 use crate::ground::{bake_planet, ground};
 use crate::inputs::Inputs;
 use crate::interrupt;
-use crate::output::say;
+use crate::output::{say, warn_of_older};
 use crate::progress;
 use crate::source::load_planet;
 use crate::values::{BoxSpec, PixelsSpec, RegionSpec, TilesSpec};
@@ -17,7 +17,9 @@ use bevy_pangaea::query::{
     AzimuthalEquidistant, DegreeBox, FieldGround, GridProjection, Ground, GroundError, MapGrid,
     MapSquare, TileBlock,
 };
-use std::path::PathBuf;
+
+/// What is said of tiles that the new manifest does not list.
+const OLDER_TILES: &str = "tiles of an older block stay, which the .json does not list any more";
 
 /// Runs the command.
 ///
@@ -47,25 +49,8 @@ pub fn export(args: &ExportArgs) -> Result<(), CliError> {
         None => run(&job, &ground)?,
     };
     report(args, &exported);
-    warn_of_older(&older);
+    warn_of_older(OLDER_TILES, &older);
     Ok(())
-}
-
-/// Names the tiles of an older block that the new manifest does not list. They stay: nothing that
-/// the user has is removed unasked.
-fn warn_of_older(tiles: &[PathBuf]) {
-    let Some((first, others)) = tiles.split_first() else {
-        return;
-    };
-    let (first, count) = (first.display(), others.len());
-    let more = if count == 0 {
-        String::new()
-    } else {
-        format!(" and {count} more")
-    };
-    say(&format!(
-        "warning: tiles of an older block stay, which the .json does not list any more: {first}{more}"
-    ));
 }
 
 /// The area that is asked for, before the size of the planet is known.

@@ -2,13 +2,17 @@
 //! half done; where they do not look in time, they are ended.
 //!
 //! Ctrl-C is SIGINT; terminals that are closed send SIGHUP; `docker stop`, systemd, batch systems and
-//! `timeout` send SIGTERM. Batch systems warn by SIGUSR1, SIGUSR2 or SIGXCPU before they kill.
+//! `timeout` send SIGTERM. Batch systems warn by SIGUSR1, SIGUSR2 or SIGXCPU before they kill. Timers,
+//! failing power and real-time signals end a program that does not know them, too; those of faults
+//! (SIGSEGV, SIGABRT) remain what they are.
 
 #[cfg(unix)]
 use crate::ending;
 use crate::error::CliError;
 #[cfg(unix)]
-use libc::{SIGUSR1, SIGUSR2, SIGXCPU};
+use libc::{SIGALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU};
+#[cfg(target_os = "linux")]
+use libc::{SIGIO, SIGPWR, SIGRTMAX, SIGRTMIN, SIGSTKFLT};
 #[cfg(unix)]
 use signal_hook::consts::{SIGHUP, SIGQUIT};
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -19,10 +23,25 @@ use std::sync::{Arc, LazyLock, Once};
 
 /// The signals that end a program.
 #[cfg(unix)]
-const SIGNALS: [i32; 7] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU];
+const SIGNALS: [i32; 10] = [
+    SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF,
+];
 /// The signals that end a program.
 #[cfg(not(unix))]
 const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
+
+/// Signals that end a program on Linux alone; SIGPOLL is another name of SIGIO.
+#[cfg(target_os = "linux")]
+fn more_signals() -> impl Iterator<Item = i32> {
+    let real_time = SIGRTMIN()..=SIGRTMAX();
+    [SIGIO, SIGPWR, SIGSTKFLT].into_iter().chain(real_time)
+}
+
+/// Signals that end a program on Linux alone.
+#[cfg(not(target_os = "linux"))]
+fn more_signals() -> impl Iterator<Item = i32> {
+    core::iter::empty()
+}
 
 /// The number of the last signal, 0 before the first.
 static SIGNAL: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
@@ -34,7 +53,8 @@ pub fn watch() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let is_asked = Arc::default();
-        for signal in SIGNALS.into_iter().filter(|&signal| !is_ignored(signal)) {
+        let all = SIGNALS.into_iter().chain(more_signals());
+        for signal in all.filter(|&signal| !is_ignored(signal)) {
             let _ = note(signal, &is_asked);
         }
         #[cfg(unix)]
@@ -61,7 +81,8 @@ fn note(signal: i32, is_asked: &Arc<AtomicBool>) -> io::Result<()> {
 /// Whether the program was started so that this signal does not end it: `nohup` does so with SIGHUP.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
-    if signal != SIGHUP {
+    // Shells start what runs in the background so, and it is to end all the same.
+    if matches!(signal, SIGINT | SIGTERM | SIGQUIT) {
         return false;
     }
     let mut now = core::mem::MaybeUninit::<libc::sigaction>::zeroed();

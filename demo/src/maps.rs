@@ -6,16 +6,22 @@ use crate::ground::bake_planet;
 use crate::headless::Headless;
 use crate::inputs::Inputs;
 use crate::interrupt;
-use crate::output::{Files, say_written};
+use crate::output::{Files, say_written, warn_of_older};
 use crate::progress;
 use crate::source::load_planet;
 use bevy_pangaea::crust::PlanetSurface;
-use bevy_pangaea::io::png;
+use bevy_pangaea::io::{is_marked, png};
 use bevy_pangaea::overlay::{MapProjection, Overlay};
+use std::collections::BTreeSet;
 use std::fmt::Display;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// The elevation in 16 bits.
 const ELEVATION_FILE: &str = "elevation.png";
+
+/// What is said of maps that are not drawn anew.
+const OLDER_MAPS: &str = "older maps stay, which may be those of another planet";
 
 /// Maps of a planet: the elevation in 16 bits of grey, and overlays in colours.
 pub struct MapSet {
@@ -49,6 +55,17 @@ impl MapSet {
     pub fn names(&self) -> impl Iterator<Item = String> {
         let overlays = self.overlays.iter().copied().map(file_name);
         core::iter::once(ELEVATION_FILE.into()).chain(overlays)
+    }
+
+    /// Maps of ours in a folder that are not among these.
+    fn older(&self, folder: &Path) -> Vec<PathBuf> {
+        let own: BTreeSet<String> = self.names().collect();
+        let all = Self::default();
+        let others = all.names().filter(|name| !own.contains(name));
+        let paths = others.map(|name| folder.join(name));
+        paths
+            .filter(|path| path.is_file() && is_marked(path).is_ok_and(|is_ours| is_ours))
+            .collect()
     }
 
     /// Draws the maps of a planet that was baked, with a progress bar.
@@ -102,6 +119,12 @@ pub fn maps(args: &MapsArgs) -> Result<(), CliError> {
     let state = load_planet(&args.ground.planet)?;
     maps.draw(&bake_planet(state, climate)?, &mut files)?;
     interrupt::check()?;
+    let elevation = || fs::read(args.out.join(ELEVATION_FILE)).ok();
+    let older_elevation = elevation();
     say_written(&files.write()?, &args.out);
+    // Older maps of the same elevation are those of the same planet.
+    if older_elevation != elevation() {
+        warn_of_older(OLDER_MAPS, &maps.older(&args.out));
+    }
     Ok(())
 }

@@ -69,7 +69,7 @@ impl Files {
     fn make_folder(&self) -> Result<(), CliError> {
         fs::create_dir_all(&self.folder).map_err(|error| {
             let folder = self.folder.display();
-            CliError::input(format!("cannot write to {folder}: {error}"))
+            CliError::unwritten(&error, format!("cannot write to {folder}: {error}"))
         })
     }
 
@@ -121,6 +121,20 @@ impl Drop for Files {
 /// Says how many files were written to a folder.
 pub fn say_written(files: &[PathBuf], folder: &Path) {
     say(&format!("{} files in {}", files.len(), folder.display()));
+}
+
+/// Warns of older files that stay beside those that were written, for `reason`. They stay: nothing
+/// that the user has is removed unasked.
+pub fn warn_of_older(reason: &str, files: &[PathBuf]) {
+    let Some((first, others)) = files.split_first() else {
+        return;
+    };
+    let first = first.display();
+    let more = match others.len() {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    say(&format!("warning: {reason}: {first}{more}"));
 }
 
 /// The folders of a path that do not exist, the innermost first.
@@ -179,7 +193,10 @@ pub fn print_to(out: &mut impl Write, text: &str) -> Result<bool, CliError> {
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(CliError::input(format!("cannot write to stdout: {error}"))),
+        Err(error) => Err(CliError::unwritten(
+            &error,
+            format!("cannot write to stdout: {error}"),
+        )),
     }
 }
 

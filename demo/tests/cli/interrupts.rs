@@ -31,12 +31,28 @@ const WARNINGS: [(&str, i32); 3] = [("USR1", 138), ("USR2", 140), ("XCPU", 152)]
 #[cfg(not(target_os = "linux"))]
 const WARNINGS: [(&str, i32); 0] = [];
 
+/// Signals of timers, of input, of failing power, and real-time ones, by numbers.
+#[cfg(target_os = "linux")]
+const OTHERS: [(&str, i32); 9] = [
+    ("14", 142),
+    ("26", 154),
+    ("27", 155),
+    ("29", 157),
+    ("30", 158),
+    ("16", 144),
+    ("34", 162),
+    ("40", 168),
+    ("64", 192),
+];
+#[cfg(not(target_os = "linux"))]
+const OTHERS: [(&str, i32); 0] = [];
+
 #[test]
 fn signals_end_a_command_and_leave_nothing() {
     let size = ["generate", "--samples", "5000", "--until", "10000"];
     let args = [&size[..], &["--out", "a/b/c"]].concat();
     let usual = [("INT", 130), ("TERM", 143), ("HUP", 129), ("QUIT", 131)];
-    for (signal, code) in usual.into_iter().chain(WARNINGS) {
+    for (signal, code) in usual.into_iter().chain(WARNINGS).chain(OTHERS) {
         let folder = TempDir::new().unwrap();
         let child = begun(folder.path(), &args, Stdio::null());
         // It listens before it makes the folders.
@@ -73,7 +89,7 @@ fn a_file_beyond_the_limit_is_an_error_and_leaves_nothing() {
     let output = pangaea_within("f 512", folder.path(), &[&square[..], &file].concat());
     let text = stderr(&output);
     assert!(text.contains("error: cannot write"), "{text}");
-    assert!(output.status.code().is_some(), "no signal ended it");
+    assert_eq!(output.status.code(), Some(1), "no signal ended it");
     assert_eq!(names_in(folder.path()), ["planet.pangaea"]);
 }
 
@@ -142,6 +158,34 @@ fn a_signal_while_a_pipe_has_no_reader_leaves_nothing() {
     assert!(names_in(temp.path()).is_empty());
 }
 
+#[cfg(unix)]
+#[test]
+fn a_missing_folder_of_temporary_files_is_named() {
+    let folder = planet();
+    let mut make = Command::new("mkfifo");
+    assert!(
+        make.arg(folder.path().join("pipe"))
+            .status()
+            .unwrap()
+            .success()
+    );
+    for args in [
+        &["info", "planet.pangaea", "--scenario-out", "pipe"][..],
+        &["info", "planet.pangaea", "--scenario-out", "/dev/null"],
+    ] {
+        let output = Command::new(env!("CARGO_BIN_EXE_pangaea"))
+            .args(args)
+            .current_dir(folder.path())
+            .env("TMPDIR", "/no/such/folder")
+            .output()
+            .unwrap();
+        let text = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(text.contains("/no/such/folder (TMPDIR)"), "{text}");
+        assert_eq!(text.lines().count(), 1, "{text}");
+    }
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_an_error_and_not_a_panic() {
@@ -149,7 +193,7 @@ fn a_full_disk_is_an_error_and_not_a_panic() {
     let args = ["bench", "--samples", "300", "--json", "/dev/full"];
     let output = pangaea(folder.path(), &args);
     let text = stderr(&output);
-    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(text.contains("error: cannot write /dev/full"), "{text}");
     assert!(!text.contains("panick"), "{text}");
     assert!(Path::new("/dev/full").exists());
@@ -164,5 +208,5 @@ fn a_full_disk_behind_stdout_is_an_error() {
         .stdout(full.unwrap())
         .output()
         .unwrap();
-    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
 }

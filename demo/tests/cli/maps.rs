@@ -1,6 +1,6 @@
 //! Maps of a planet file: those that `generate` draws, in any size.
 
-use crate::program::{assert_refused_in, names_in, planet, small_planet, succeed};
+use crate::program::{assert_refused_in, names_in, pangaea, planet, small_planet, stderr, succeed};
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -52,4 +52,31 @@ fn maps_are_refused_before_anything_is_drawn() {
     assert_refused_in(folder.path(), &maps, &["file"]);
     let missing = ["maps", "missing.pangaea", "--out", "m"];
     assert_refused_in(folder.path(), &missing, &["missing.pangaea"]);
+}
+
+#[test]
+fn maps_that_stay_of_another_planet_are_named() {
+    let folder = planet();
+    small_planet(folder.path(), "other", &["--seed", "9"]);
+    let maps = |planet: &str, overlays: &str| {
+        let size = ["--size", "64", "--out", "m", "--overlay", overlays];
+        stderr(&pangaea(
+            folder.path(),
+            &[&["maps", planet], &size[..]].concat(),
+        ))
+    };
+    fs::create_dir(folder.path().join("m")).unwrap();
+    fs::write(folder.path().join("m/slope.png"), "mine").unwrap();
+    assert!(!maps("planet.pangaea", "rain,plates,rivers").contains("warning"));
+    // Those of the same planet belong together.
+    assert!(!maps("planet.pangaea", "wetness").contains("warning"));
+    let text = maps("other/planet.pangaea", "rain,plates");
+    let is_named = |word: &str| text.contains(word);
+    assert!(
+        is_named("warning: older maps stay") && is_named(".png and 1 more"),
+        "{text}"
+    );
+    let names = ["elevation", "plates", "rain", "rivers", "slope", "wetness"];
+    let names = names.map(|name| format!("{name}.png"));
+    assert_eq!(names_in(&folder.path().join("m")), names);
 }
