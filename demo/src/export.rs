@@ -18,7 +18,7 @@ use bevy_pangaea::query::{
     MapSquare, TileBlock,
 };
 
-/// What is said of tiles that the new manifest does not list.
+/// The warning of tiles that the new manifest does not list.
 const OLDER_TILES: &str = "tiles of an older block stay, which the .json does not list any more";
 
 /// Runs the command.

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// The elevation in 16 bits.
 const ELEVATION_FILE: &str = "elevation.png";
 
-/// What is said of maps that are not drawn anew.
+/// The warning of maps that are not drawn anew.
 const OLDER_MAPS: &str = "older maps stay, which may be those of another planet";
 
 /// Maps of a planet: the elevation in 16 bits of grey, and overlays in colours.

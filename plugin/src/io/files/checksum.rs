@@ -1,4 +1,4 @@
-//! What a file was when it was written: the BLAKE3 hash of its bytes.
+//! The BLAKE3 hash of a file as it was written, by which a change is noticed.
 
 use blake3::Hasher;
 use std::fs::File;

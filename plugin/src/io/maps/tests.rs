@@ -331,15 +331,18 @@ fn of_box(west: f64, east: f64) -> String {
     )
 }
 
+/// The map a.png of a folder with this sidecar.
+fn map_with(folder: &TempDir, sidecar: &str) -> Result<EquirectMap, String> {
+    file(folder, "a.json", sidecar.as_bytes());
+    load_map(&folder.path().join("a.png"), None).map_err(|error| error.to_string())
+}
+
 #[test]
 fn sidecars_of_exported_boxes_are_read() {
     let folder = TempDir::new().unwrap();
     let greys = [0, 1, 2, 3, 100, 101, 102, 255];
-    let path = file(&folder, "a.png", &png(4, png::BitDepth::Eight, &greys));
-    let map = |sidecar: &str| {
-        file(&folder, "a.json", sidecar.as_bytes());
-        load_map(&path, None).map_err(|error| error.to_string())
-    };
+    file(&folder, "a.png", &png(4, png::BitDepth::Eight, &greys));
+    let map = |sidecar: &str| map_with(&folder, sidecar);
     let whole = map(&of_box(-180.0, 180.0)).unwrap();
     assert_eq!([0, 3].map(|x| at(&whole, x, 1)), [0.0, 155.0]);
     // From Greenwich on.

@@ -6,10 +6,10 @@ use super::system::GEOGRAPHIC;
 use super::wkt::{self, SystemOfText};
 use crate::io::dem::error::DemError;
 
-/// What stands before the text.
+/// The words before the text.
 const PREFIX: &str = "ESRI PE String = ";
 
-/// What ends a text among those of all keys.
+/// The end of a text among those of all keys.
 const END: char = '|';
 
 /// Keys that hold such a text.
