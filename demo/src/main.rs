@@ -14,6 +14,7 @@ mod cli;
 mod ending;
 mod inputs;
 mod interrupt;
+mod landscape;
 #[cfg(unix)]
 mod memory;
 mod output;

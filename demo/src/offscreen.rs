@@ -18,6 +18,7 @@ use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy::render::{RenderApp, RenderPlugin};
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
+use bevy_pangaea::amplification::PangaeaGroundPlugin;
 use bevy_pangaea::control::bake_now;
 use bevy_pangaea::crust::PlanetSurface;
 use bevy_pangaea::overlay::{Overlay, Raster};
@@ -113,9 +114,7 @@ impl Offscreen {
     /// [`OffscreenError::Interrupted`]; [`OffscreenError::Planet`] if the overlay needs what the
     /// planet does not have.
     pub fn picture(&mut self, view: Transform, globe: Globe) -> Result<Raster, OffscreenError> {
-        let Some(planet) = self.planet else {
-            return Err(OffscreenError::Renderer("there is no planet".into()));
-        };
+        let planet = self.planet()?;
         let overlay = globe.overlay;
         let world = self.app.world_mut();
         world
@@ -123,24 +122,70 @@ impl Offscreen {
             .insert((view, projection_from(&view)));
         world.entity_mut(planet).insert(globe);
         if overlay.needs_bake() {
-            project_now(world, planet);
-            bake_now(world, planet).map_err(|error| OffscreenError::Planet(error.to_string()))?;
+            self.bake(planet)?;
         }
-        let deadline = Instant::now() + LONGEST_WAIT;
-        self.run_until(deadline, |world| is_drawn(world, planet, overlay))?;
+        self.run(|world| Ok(is_drawn(world, planet, overlay)))?;
+        self.read_back()
+    }
+
+    /// The planet that is on show.
+    ///
+    /// # Errors
+    /// [`OffscreenError::Renderer`] if there is none.
+    pub fn planet(&self) -> Result<Entity, OffscreenError> {
+        let none = || OffscreenError::Renderer("there is no planet".into());
+        self.planet.ok_or_else(none)
+    }
+
+    /// The app's world.
+    pub fn world(&mut self) -> &mut World {
+        self.app.world_mut()
+    }
+
+    /// Gives a planet its climate and its rivers.
+    ///
+    /// # Errors
+    /// [`OffscreenError::Planet`] if it cannot have them.
+    pub fn bake(&mut self, planet: Entity) -> Result<(), OffscreenError> {
+        let world = self.app.world_mut();
+        project_now(world, planet);
+        bake_now(world, planet).map_err(|error| OffscreenError::Planet(error.to_string()))
+    }
+
+    /// Puts the camera at `view`, with a component of its own; returns it.
+    pub fn look(&mut self, view: Transform, with: impl Bundle) -> Entity {
+        let parts = (view, projection_from(&view), with);
+        self.app.world_mut().entity_mut(self.camera).insert(parts);
+        self.camera
+    }
+
+    /// Runs frames until something holds, and a few more.
+    ///
+    /// # Errors
+    /// Those of `done`; [`OffscreenError::Renderer`], [`OffscreenError::Interrupted`].
+    pub fn run(
+        &mut self,
+        done: impl Fn(&World) -> Result<bool, OffscreenError>,
+    ) -> Result<(), OffscreenError> {
+        self.run_until(Instant::now() + LONGEST_WAIT, done)?;
         for _ in 0..WARM_UP_FRAMES {
             self.frame()?;
         }
-        self.read_back(deadline)
+        Ok(())
     }
 
     /// The image as it is after the next frames.
-    fn read_back(&mut self, deadline: Instant) -> Result<Raster, OffscreenError> {
+    ///
+    /// # Errors
+    /// [`OffscreenError::Renderer`], [`OffscreenError::Interrupted`].
+    pub fn read_back(&mut self) -> Result<Raster, OffscreenError> {
+        let deadline = Instant::now() + LONGEST_WAIT;
         self.app
             .world_mut()
             .spawn(Screenshot::image(self.target.clone()))
             .observe(keep_image);
-        self.run_until(deadline, |world| world.resource::<Captured>().0.is_some())?;
+        let captured = |world: &World| Ok(world.resource::<Captured>().0.is_some());
+        self.run_until(deadline, captured)?;
         let image = self.app.world_mut().resource_mut::<Captured>().0.take();
         image
             .and_then(raster)
@@ -150,9 +195,9 @@ impl Offscreen {
     fn run_until(
         &mut self,
         deadline: Instant,
-        done: impl Fn(&World) -> bool,
+        done: impl Fn(&World) -> Result<bool, OffscreenError>,
     ) -> Result<(), OffscreenError> {
-        while !done(self.app.world()) {
+        while !done(self.app.world())? {
             if interrupt::check().is_err() {
                 return Err(OffscreenError::Interrupted);
             }
@@ -208,7 +253,7 @@ fn windowless_app(adapter: RenderCreation) -> App {
         .disable::<WinitPlugin>()
         .disable::<PipelinedRenderingPlugin>();
     let mut app = App::new();
-    app.add_plugins((plugins, PangaeaRenderPlugin))
+    app.add_plugins((plugins, PangaeaRenderPlugin, PangaeaGroundPlugin))
         .init_resource::<Captured>()
         .insert_resource(ClearColor(Color::srgb_u8(3, 4, 8)));
     // The renderer opens its device on a task, which nobody else runs before the app does.

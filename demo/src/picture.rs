@@ -6,6 +6,7 @@ use crate::error::CliError;
 use crate::ground::replace_maps;
 use crate::inputs::Inputs;
 use crate::interrupt;
+use crate::landscape::Landscape;
 use crate::offscreen::{Offscreen, OffscreenError};
 use crate::output::{Files, check_file, print, write_file};
 use crate::source::PlanetSource;
@@ -48,6 +49,9 @@ const ORBIT_VIEWS: [(&str, f64, f64); 8] = [
     ("orbit-8-south", -78.0, -45.0),
 ];
 
+/// Altitude below which a camera sees the ground, metres.
+const GROUND_BELOW_M: f64 = 1e6;
+
 /// Height of the orbit in planet radii.
 const ORBIT_ALTITUDE: f64 = 2.1;
 
@@ -64,21 +68,50 @@ pub fn render(args: &RenderArgs) -> Result<(), CliError> {
     let source = PlanetSource::new(args.planet.as_deref(), &args.growth)?;
     let climate = args.climate.load()?;
     check_file(&args.out, &inputs(args))?;
-    let view = view(&args.camera, source.radius());
-    let globe = Globe {
-        overlay: args.overlay,
-        sun: sun(&view),
-        ..default()
-    };
+    let radius = source.radius();
+    let view = view(&args.camera, radius);
     let mut offscreen = Offscreen::new(args.size).map_err(PictureError::from)?;
     let mut planet = source.planet()?;
     replace_maps(&mut planet.climate, &climate);
     offscreen.show(planet);
-    let picture = offscreen.picture(view, globe);
+    let picture = if sees_ground(args) {
+        offscreen.landscape(view, &landscape(args, radius, &view))
+    } else {
+        let globe = Globe {
+            overlay: args.overlay.unwrap_or(Overlay::Elevation),
+            sun: sun(&view),
+            ..default()
+        };
+        offscreen.picture(view, globe)
+    };
     // An interrupt is the reason that is told.
     interrupt::check()?;
     let picture = picture.map_err(PictureError::from)?;
     write_file(&args.out, &png(&picture)?)
+}
+
+/// Whether the picture is one of the ground: the camera is low, and no overlay is asked for.
+fn sees_ground(args: &RenderArgs) -> bool {
+    args.overlay.is_none() && args.camera.altitude_m < GROUND_BELOW_M
+}
+
+/// The ground as the picture shows it.
+fn landscape(args: &RenderArgs, radius: f64, view: &Transform) -> Landscape {
+    let CameraSpec {
+        lat,
+        lon,
+        altitude_m,
+        ..
+    } = args.camera;
+    Landscape {
+        up: math::direction(lat, lon),
+        place: math::direction(lat, lon) * (1000.0 * radius + altitude_m),
+        altitude_m,
+        sun: sun(view),
+        pixels: args.pixels,
+        colours: args.colours,
+        wireframe: args.wireframe,
+    }
 }
 
 /// The files that are read: those of a planet or of a recipe, and the maps.

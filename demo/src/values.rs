@@ -1,6 +1,7 @@
 //! Values of options: numbers with limits, coordinates, sizes and names. Every message names the
 //! limits.
 
+use bevy_pangaea::amplification::GroundColours;
 use bevy_pangaea::overlay::Overlay;
 use bevy_pangaea::query::{DegreeBox, LEVELS, TileBlock};
 use std::fmt::Display;
@@ -205,6 +206,21 @@ pub fn camera(text: &str) -> Result<CameraSpec, String> {
         heading,
         pitch,
     })
+}
+
+/// Colours of the ground.
+pub fn colours(text: &str) -> Result<GroundColours, String> {
+    match text {
+        "natural" => Ok(GroundColours::Natural),
+        "level" => Ok(GroundColours::Level),
+        "kind" => Ok(GroundColours::Kind),
+        _ => Err("it must be one of natural, level, kind".into()),
+    }
+}
+
+/// Edges of the ground's triangles in pixels.
+pub fn edge_pixels(text: &str) -> Result<f32, String> {
+    number(text, 1.0, 64.0).map(|pixels| pixels as f32)
 }
 
 /// `LAT,LON`.

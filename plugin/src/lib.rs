@@ -274,6 +274,9 @@ pub mod io;
 #[cfg(feature = "render")]
 pub mod render;
 
+#[cfg(feature = "render")]
+pub mod amplification;
+
 mod plugin;
 
 pub mod guide;

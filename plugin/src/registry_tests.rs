@@ -43,8 +43,13 @@ const COMPONENTS: &[&str] = &[
     "schedule::timings::StageTimings",
 ];
 
-/// Those that only globes have.
-const OF_GLOBES: &[&str] = &["render::globe::Globe", "render::globe::GlobeDrawn"];
+/// Those that only the renderer has.
+const OF_THE_RENDERER: &[&str] = &[
+    "amplification::view::GroundStatus",
+    "amplification::view::GroundView",
+    "render::globe::Globe",
+    "render::globe::GlobeDrawn",
+];
 
 const EVENTS: &[&str] = &[
     "authoring::events::CommandApplied",
@@ -91,7 +96,7 @@ fn components_events_and_settings_are_registered() {
     let registry = app.world().resource::<AppTypeRegistry>().read();
     let mut components = COMPONENTS.to_vec();
     if cfg!(feature = "render") {
-        components.extend(OF_GLOBES);
+        components.extend(OF_THE_RENDERER);
         components.sort_unstable();
     }
     assert_eq!(with::<ReflectComponent>(&registry), components);

@@ -2,7 +2,8 @@
 
 use super::climate::ClimateArgs;
 use super::recipe::GrowthArgs;
-use crate::values::{CameraSpec, camera, overlay, size};
+use crate::values::{CameraSpec, camera, colours, edge_pixels, overlay, size};
+use bevy_pangaea::amplification::GroundColours;
 use bevy_pangaea::overlay::Overlay;
 use clap::Args;
 use std::path::PathBuf;
@@ -36,11 +37,36 @@ pub struct RenderArgs {
         value_parser = camera
     )]
     pub camera: CameraSpec,
-    /// Overlay: elevation, plates, crust_type, ocean_age, thickness, orogeny_type, orogeny_age,
+    /// Overlay of the globe, elevation unless given: elevation, plates, crust_type, ocean_age, thickness, orogeny_type, orogeny_age,
     /// fold_direction, ridge_direction, velocity, slope, laplacian, vector_noise, mesh,
     /// temperature, rain, wetness, drainage (discharge in m³/s), rivers (by order), basins or lakes
-    #[arg(long, value_name = "NAME", default_value = "elevation", value_parser = overlay)]
-    pub overlay: Overlay,
+    ///
+    /// Without an overlay a camera below 1000 km sees the amplified ground, down to half a metre.
+    #[arg(long, value_name = "NAME", value_parser = overlay)]
+    pub overlay: Option<Overlay>,
+    /// Colours of the ground: natural, level (blue where coarse, red where fine) or kind (sea, coast,
+    /// river, lake, gully)
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "natural",
+        conflicts_with = "overlay",
+        value_parser = colours
+    )]
+    pub colours: GroundColours,
+    /// Draws the edges of the ground's triangles
+    #[arg(long, conflicts_with = "overlay")]
+    pub wireframe: bool,
+    /// Edges of the ground's triangles in pixels, 1 to 64; in large pictures no finer than 2.5 million
+    /// triangles allow
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "4",
+        conflicts_with = "overlay",
+        value_parser = edge_pixels
+    )]
+    pub pixels: f32,
     /// Size of the picture in pixels, each side 16 to 8192
     #[arg(
         long,

@@ -7,7 +7,6 @@
 use super::arith::isqrt;
 use super::control::{ControlVertex, VertexKind};
 use super::fixed::{Q16, metres};
-use super::rules::EdgeKind;
 use super::seed::pcg;
 
 /// A distance that means "nowhere near", grains.
@@ -21,9 +20,6 @@ crate::wgsl::shared!(
     RIVER = VertexKind::River as u32,
     LAKE = VertexKind::Lake as u32,
     GULLY = VertexKind::Gully as u32,
-    TERRAIN_EDGE = EdgeKind::Terrain as u32,
-    RIVER_EDGE = EdgeKind::River as u32,
-    GULLY_EDGE = EdgeKind::Gully as u32,
 );
 
 /// A piece of river. Vertices around it carry it by value, so that their distance to it is a true

@@ -57,6 +57,11 @@ impl BaseRows {
         }
     }
 
+    /// The planet's constants.
+    pub const fn scale(&self) -> &PlanetScale {
+        &self.scale
+    }
+
     /// Its bytes: what an upload moves.
     pub fn bytes(&self) -> u64 {
         let words = self.columns.iter().map(|(_, words)| words.len() as u64);

@@ -36,17 +36,19 @@ pub(super) fn uniforms(
     pipelines: &GroundPipelines,
     buffers: &GroundBuffers,
 ) -> Vec<BindGroup> {
-    let bind = |buffer: &Buffer| {
-        device.create_bind_group(&BindGroupDescriptor {
-            label: Some("level_uniform"),
-            layout: &pipelines.common,
-            entries: &[BindGroupEntry {
-                binding: 0,
-                resource: buffer.as_entire_binding(),
-            }],
-        })
-    };
+    let bind = |buffer| uniform(device, pipelines, buffer);
     buffers.uniforms.iter().map(bind).collect()
+}
+
+fn uniform(device: &Device, pipelines: &GroundPipelines, buffer: &Buffer) -> BindGroup {
+    device.create_bind_group(&BindGroupDescriptor {
+        label: Some("level_uniform"),
+        layout: &pipelines.common,
+        entries: &[BindGroupEntry {
+            binding: 0,
+            resource: buffer.as_entire_binding(),
+        }],
+    })
 }
 
 fn group(
@@ -55,21 +57,28 @@ fn group(
     buffers: &GroundBuffers,
     turn: [usize; 2],
 ) -> BindGroup {
-    let entries = |names: &'static [&'static str], offset| {
-        names.iter().filter_map(move |name| {
-            let binding = column_named(name)?.binding + offset;
-            let resource = buffer(buffers, name, turn)?.as_entire_binding();
-            Some(BindGroupEntry { binding, resource })
-        })
-    };
-    let all: Vec<_> = entries(pass.pass.reads, 0)
-        .chain(entries(pass.pass.writes, WRITTEN))
-        .collect();
+    let reads = pass.pass.reads.iter().map(|&name| (name, 0));
+    let writes = pass.pass.writes.iter().map(|&name| (name, WRITTEN));
+    let all = reads.chain(writes);
+    let all = all.filter_map(|(name, offset)| column(buffers, turn, name, offset));
+    let all: Vec<_> = all.collect();
     device.create_bind_group(&BindGroupDescriptor {
         label: Some(pass.pass.entry),
         layout: &pass.columns,
         entries: &all,
     })
+}
+
+/// The binding of a column on a turn.
+fn column<'a>(
+    buffers: &'a GroundBuffers,
+    turn: [usize; 2],
+    name: &str,
+    offset: u32,
+) -> Option<BindGroupEntry<'a>> {
+    let binding = column_named(name)?.binding + offset;
+    let resource = buffer(buffers, name, turn)?.as_entire_binding();
+    Some(BindGroupEntry { binding, resource })
 }
 
 /// The buffer of a column on a turn.

@@ -6,17 +6,17 @@
 use super::base::BaseRows;
 use super::error::GpuError;
 use super::pipelines::UNIFORM_BYTES;
-use crate::amplify::columns::{COLUMNS, LEVELS};
-use crate::amplify::count::BLOCK;
+use super::sizes::BufferSizes;
+use crate::amplify::columns::{COLUMNS, GpuColumn};
 use crate::amplify::ground::FINEST;
 use crate::amplify::rows::{LevelArgs, LevelCaps, LevelSizes, words};
 use std::collections::BTreeMap;
-use wgpu::{Buffer, BufferDescriptor, BufferUsages, Device, ErrorFilter, Queue};
+use wgpu::{Buffer, BufferDescriptor, BufferUsages, Device, Queue};
 
 /// Columns of edges and faces, of which each level has its own.
 const OF_LEVEL: [&str; 4] = ["edge_joins", "edge_states", "face_sides", "face_corners"];
 
-/// What buffers hold beside the control mesh.
+/// The items that buffers hold beside the control mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GroundCaps {
     /// New vertices of all levels.
@@ -53,15 +53,18 @@ impl GroundCaps {
     }
 }
 
+/// Buffers by the names of their columns.
+type NamedBuffers = BTreeMap<&'static str, Buffer>;
+
 /// The buffers of one ground.
 #[derive(Clone, Debug)]
 pub struct GroundBuffers {
     pub(super) base: LevelSizes,
     pub(super) caps: LevelCaps,
     /// Those of the control mesh, and of two levels that take turns.
-    pub(super) of_level: [BTreeMap<&'static str, Buffer>; 3],
+    pub(super) of_level: [NamedBuffers; 3],
     /// All others.
-    pub(super) shared: BTreeMap<&'static str, Buffer>,
+    pub(super) shared: NamedBuffers,
     /// A uniform for each level.
     pub(super) uniforms: Vec<Buffer>,
     /// Sizes and groups of level 0, with which a run begins.
@@ -73,25 +76,20 @@ impl GroundBuffers {
     /// Buffers for a control mesh, with its rows in them.
     ///
     /// # Errors
-    /// [`GpuError::Limit`] where one of them is larger than the device binds, [`GpuError::Memory`].
-    pub async fn new(
+    /// [`GpuError::Limit`] where one of them is larger than the device binds.
+    pub fn new(
         device: &Device,
         queue: &Queue,
         base: &BaseRows,
         caps: &GroundCaps,
     ) -> Result<Self, GpuError> {
         let caps = caps.with(&base.sizes);
-        let sizes = Sizes {
+        let sizes = BufferSizes {
             base: base.sizes,
             caps,
         };
-        sizes.check(device)?;
-        let scope = device.push_error_scope(ErrorFilter::OutOfMemory);
-        let buffers = sizes.allocate(device);
-        if scope.pop().await.is_some() {
-            let bytes = buffers.bytes;
-            return Err(GpuError::Memory { bytes });
-        }
+        sizes.check(&device.limits())?;
+        let buffers = Allocator { device, bytes: 0 }.ground(sizes);
         buffers.fill(queue, base);
         Ok(buffers)
     }
@@ -106,7 +104,7 @@ impl GroundBuffers {
         self.shared.get(name)
     }
 
-    /// What the buffers hold.
+    /// The items that the buffers hold.
     pub const fn caps(&self) -> &LevelCaps {
         &self.caps
     }
@@ -131,104 +129,59 @@ pub(super) fn bytes_of(words: &[u32]) -> Vec<u8> {
     words.iter().flat_map(|word| word.to_ne_bytes()).collect()
 }
 
-/// How many rows buffers have.
-struct Sizes {
-    base: LevelSizes,
-    caps: LevelCaps,
+/// Buffers that are being made, and their bytes.
+struct Allocator<'a> {
+    device: &'a Device,
+    bytes: u64,
 }
 
-impl Sizes {
-    /// Rows of a column: on the control mesh's level, or on another.
-    fn rows(&self, name: &str, is_base: bool) -> u64 {
-        let Self { base, caps } = self;
-        let [edges, faces] = if is_base {
-            [base.edges, base.faces]
-        } else {
-            [caps.edges, caps.faces]
-        };
-        let most_edges = base.edges.max(caps.edges);
-        let most_faces = base.faces.max(caps.faces);
-        let blocks = |items: u32| items.div_ceil(BLOCK as u32);
-        let rows = match name {
-            "edge_joins" | "edge_states" => edges,
-            "face_sides" | "face_corners" => faces,
-            "face_splits" | "decided" => most_faces,
-            "halved" => most_edges,
-            "block_counts" => blocks(most_edges) + blocks(most_faces),
-            "level_sizes" | "level_args" => LEVELS as u32,
-            "triangles" => caps.triangles,
-            _ => caps.vertices,
-        };
-        u64::from(rows.max(1))
+impl Allocator<'_> {
+    /// A buffer of a column: on the control mesh's level, or on another.
+    fn column(&mut self, sizes: &BufferSizes, column: &GpuColumn, is_base: bool) -> Buffer {
+        let size = sizes.bytes(column, is_base);
+        self.buffer(column.name, size, usages(column.name))
     }
 
-    /// Whether the device binds each of them.
-    fn check(&self, device: &Device) -> Result<(), GpuError> {
-        let limits = device.limits();
-        let most = limits
-            .max_storage_buffer_binding_size
-            .min(limits.max_buffer_size);
-        let bytes = COLUMNS.iter().map(|column| {
-            let rows = self
-                .rows(column.name, true)
-                .max(self.rows(column.name, false));
-            rows * column.row.size as u64
-        });
-        match bytes.max() {
-            Some(needed) if needed > most => Err(GpuError::Limit {
-                name: "maxStorageBufferBindingSize",
-                found: most,
-                needed,
-            }),
-            _ => Ok(()),
-        }
+    fn columns(&mut self, sizes: &BufferSizes, all: &[&GpuColumn], is_base: bool) -> NamedBuffers {
+        let named = |&column: &&GpuColumn| (column.name, self.column(sizes, column, is_base));
+        all.iter().map(named).collect()
     }
 
-    fn allocate(self, device: &Device) -> GroundBuffers {
-        let mut bytes = 0;
-        let mut make = |label: &'static str, size: u64, usage| {
-            bytes += size;
-            device.create_buffer(&BufferDescriptor {
-                label: Some(label),
-                size,
-                usage,
-                mapped_at_creation: false,
-            })
-        };
-        let mut of_level = [(); 3].map(|()| BTreeMap::new());
-        let mut shared = BTreeMap::new();
-        let places = |name| COLUMNS.iter().find(|column| column.name == name);
-        for column in COLUMNS.iter().filter(|c| !c.name.starts_with("finer_")) {
-            let size = |is_base| self.rows(column.name, is_base) * column.row.size as u64;
-            if OF_LEVEL.contains(&column.name) {
-                for (k, level) in of_level.iter_mut().enumerate() {
-                    let buffer = make(column.name, size(k == 0), usages(column.name));
-                    level.insert(column.name, buffer);
-                }
-            } else {
-                let buffer = make(column.name, size(false), usages(column.name));
-                shared.insert(column.name, buffer);
-            }
-        }
-        debug_assert!(OF_LEVEL.iter().all(|name| places(*name).is_some()));
+    fn buffer(&mut self, label: &str, size: u64, usage: BufferUsages) -> Buffer {
+        self.bytes += size;
+        self.device.create_buffer(&BufferDescriptor {
+            label: Some(label),
+            size,
+            usage,
+            mapped_at_creation: false,
+        })
+    }
+
+    /// All buffers of a ground.
+    fn ground(mut self, sizes: BufferSizes) -> GroundBuffers {
+        let own = COLUMNS.iter().filter(|c| !c.name.starts_with("finer_"));
+        let (of_levels, shared): (Vec<_>, Vec<_>) = own.partition(|c| OF_LEVEL.contains(&c.name));
+        let of_level =
+            [true, false, false].map(|is_base| self.columns(&sizes, &of_levels, is_base));
+        let shared = self.columns(&sizes, &shared, false);
         let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
-        let uniforms = (0..=FINEST).map(|_| make("level_uniform", UNIFORM_BYTES, uniform));
+        let uniforms = (0..=FINEST).map(|_| self.buffer("level_uniform", UNIFORM_BYTES, uniform));
         let uniforms = uniforms.collect();
         let copied = BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
-        let start = [32, 64].map(|size| make("start", size, copied));
+        let start = [32, 64].map(|size| self.buffer("start", size, copied));
         GroundBuffers {
-            base: self.base,
-            caps: self.caps,
+            base: sizes.base,
+            caps: sizes.caps,
             of_level,
             shared,
             uniforms,
             start,
-            bytes,
+            bytes: self.bytes,
         }
     }
 }
 
-/// What a column's buffer is used for.
+/// The uses of a column's buffer.
 fn usages(name: &str) -> BufferUsages {
     let all = BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
     match name {

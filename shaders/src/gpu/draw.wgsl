@@ -170,7 +170,7 @@ fn natural_colour(vertex: u32, carved: Carved, normal: vec3<f32>) -> vec3<f32> {
     // The snow line sinks to the sea at the poles.
     let line = 5200.0 * (1.0 - direction.z * direction.z * 1.15);
     let snow = (metres - line) / 500.0 + min(upright * 4.0 - 3.1, 0.4);
-    return blend_colours(bare, vec3(0.82, 0.85, 0.9), snow);
+    return blend_colours(bare, vec3(0.62, 0.65, 0.7), snow);
 }
 
 fn blend_colours(a: vec3<f32>, b: vec3<f32>, share: f32) -> vec3<f32> {
@@ -202,7 +202,7 @@ fn daylight(normal: vec3<f32>, place: vec3<f32>) -> vec3<f32> {
     let towards = max(normal.x * sun.x + normal.y * sun.y + normal.z * sun.z, 0.0);
     let up = vec3<f32>(ground_camera.direction) / f32(ONE);
     let sky = 0.5 + 0.5 * (normal.x * up.x + normal.y * up.y + normal.z * up.z);
-    return vec3(2.6, 2.45, 2.2) * towards + vec3(0.32, 0.4, 0.55) * sky;
+    return vec3(1.75, 1.65, 1.48) * towards + vec3(0.24, 0.3, 0.42) * sky;
 }
 
 // Air between the camera and a place.

@@ -1,4 +1,4 @@
-//! What a device lacks.
+//! Devices that cannot run the passes.
 
 use thiserror::Error;
 
@@ -10,23 +10,9 @@ pub enum GpuError {
     Limit {
         /// Name of the limit, as WebGPU has it.
         name: &'static str,
-        /// What the device has.
+        /// That of the device.
         found: u64,
-        /// What is needed.
+        /// That which is needed.
         needed: u64,
-    },
-    /// A shader or a pipeline was refused.
-    #[error("the pass {pass} does not compile: {reason}")]
-    Shader {
-        /// Entry point.
-        pass: &'static str,
-        /// What the compiler says.
-        reason: String,
-    },
-    /// The GPU has no memory left.
-    #[error("the GPU has no memory for {bytes} bytes of ground")]
-    Memory {
-        /// Bytes that were asked for.
-        bytes: u64,
     },
 }

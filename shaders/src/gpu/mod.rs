@@ -4,9 +4,11 @@
 //! error      what a device lacks
 //! pipelines  one pipeline a pass, made once a device
 //! base       the rows of a control mesh
+//! sizes      how large its buffers are
 //! buffers    the columns of one ground
 //! bindings   which columns a pass binds on a level
 //! run        a run over all levels, recorded into a command encoder
+//! camera     who sees it
 //! draw       its triangles and its water, as lit surfaces
 //! ```
 //!
@@ -24,14 +26,17 @@
 mod base;
 mod bindings;
 mod buffers;
+mod camera;
 mod draw;
 mod error;
 mod pipelines;
 mod run;
+mod sizes;
 
 pub use base::BaseRows;
 pub use buffers::{GroundBuffers, GroundCaps};
-pub use draw::{GroundCamera, GroundColours, GroundDrawing, GroundPainter, GroundTarget};
+pub use camera::{GroundCamera, GroundColours};
+pub use draw::{GroundDrawing, GroundPainter, GroundTarget};
 pub use error::GpuError;
 pub use pipelines::GroundPipelines;
 pub use run::{GroundRun, LEVEL_DISPATCHES};

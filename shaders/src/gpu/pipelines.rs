@@ -1,14 +1,14 @@
 //! One pipeline a pass, made once a device.
 
 use super::error::GpuError;
-use crate::amplify::columns::{ComputePass, LEVELS, PASSES, WRITTEN, column_named};
+use crate::amplify::columns::{ComputePass, GpuColumn, LEVELS, PASSES, WRITTEN, column_named};
 use crate::amplify::rows::{LevelSizes, Row};
 use crate::amplify::twins::MODULES;
 use crate::wgsl::compose;
 use core::num::NonZeroU64;
 use wgpu::{
     BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType,
-    BufferBindingType, ComputePipeline, ComputePipelineDescriptor, Device, ErrorFilter,
+    BufferBindingType, ComputePipeline, ComputePipelineDescriptor, Device,
     PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource, ShaderStages,
 };
 
@@ -38,9 +38,9 @@ impl GroundPipelines {
     /// Compiles all passes: seconds on most drivers, so best not on a thread that draws.
     ///
     /// # Errors
-    /// [`GpuError::Limit`] for a device below the limits of WebGPU, [`GpuError::Shader`] where a
-    /// pass does not compile.
-    pub async fn new(device: &Device) -> Result<Self, GpuError> {
+    /// [`GpuError::Limit`] for a device below the limits of WebGPU. All that a driver refuses reaches
+    /// the device's own handler of errors.
+    pub fn new(device: &Device) -> Result<Self, GpuError> {
         let found = device.limits().max_storage_buffers_per_shader_stage;
         if found < STORAGE_BUFFERS {
             return Err(GpuError::Limit {
@@ -50,10 +50,8 @@ impl GroundPipelines {
             });
         }
         let common = layout(device, &[uniform(0, UNIFORM_BYTES)]);
-        let mut passes = Vec::with_capacity(PASSES.len());
-        for pass in PASSES {
-            passes.push(compiled(device, &common, pass).await?);
-        }
+        let passes = PASSES.iter().map(|pass| compiled(device, &common, *pass));
+        let passes = passes.collect();
         Ok(Self { common, passes })
     }
 
@@ -63,12 +61,7 @@ impl GroundPipelines {
     }
 }
 
-async fn compiled(
-    device: &Device,
-    common: &BindGroupLayout,
-    pass: ComputePass,
-) -> Result<PassPipeline, GpuError> {
-    let scope = device.push_error_scope(ErrorFilter::Validation);
+fn compiled(device: &Device, common: &BindGroupLayout, pass: ComputePass) -> PassPipeline {
     let columns = layout(device, &entries(&pass));
     let module = device.create_shader_module(ShaderModuleDescriptor {
         label: Some(pass.module),
@@ -87,35 +80,28 @@ async fn compiled(
         compilation_options: Default::default(),
         cache: None,
     });
-    match scope.pop().await {
-        Some(error) => Err(GpuError::Shader {
-            pass: pass.entry,
-            reason: error.to_string(),
-        }),
-        None => Ok(PassPipeline {
-            pass,
-            columns,
-            pipeline,
-        }),
+    PassPipeline {
+        pass,
+        columns,
+        pipeline,
     }
 }
 
 /// The bindings of a pass's columns.
 fn entries(pass: &ComputePass) -> Vec<BindGroupLayoutEntry> {
-    let columns = |names: &[&str]| {
-        let columns = names.iter().filter_map(|name| column_named(name));
-        columns.collect::<Vec<_>>()
-    };
-    let reads = columns(pass.reads).into_iter().map(|column| {
-        if column.is_uniform {
-            uniform(column.binding, (LEVELS * LevelSizes::LAYOUT.size) as u64)
-        } else {
-            storage(column.binding, true)
-        }
-    });
-    let writes = columns(pass.writes).into_iter();
+    let reads = pass.reads.iter().filter_map(|name| column_named(name));
+    let writes = pass.writes.iter().filter_map(|name| column_named(name));
     let writes = writes.map(|column| storage(column.binding + WRITTEN, false));
-    reads.chain(writes).collect()
+    reads.map(read).chain(writes).collect()
+}
+
+/// The binding of a column that is read.
+const fn read(column: GpuColumn) -> BindGroupLayoutEntry {
+    if column.is_uniform {
+        uniform(column.binding, (LEVELS * LevelSizes::LAYOUT.size) as u64)
+    } else {
+        storage(column.binding, true)
+    }
 }
 
 fn layout(device: &Device, entries: &[BindGroupLayoutEntry]) -> BindGroupLayout {

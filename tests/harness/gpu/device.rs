@@ -8,6 +8,7 @@ use bevy::render::render_resource::{
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use bevy::render::settings::{RenderCreation, RenderResources, WgpuSettings};
 use bevy_pangaea::render::adapter::open_adapter_with;
+use pangaea_shaders::gpu::wgpu::{Device, Queue};
 use std::sync::OnceLock;
 
 /// Threads of a work group of the shaders that run here.
@@ -50,6 +51,11 @@ impl Gpu {
                 None
             }
         }
+    }
+
+    /// The device and its queue, without Bevy's types around them.
+    pub fn wgpu(&self) -> (&Device, &Queue) {
+        (self.device.wgpu_device(), &self.queue)
     }
 
     /// Runs `call_twin` of a shader on `count` inputs; an output has `words` words.

@@ -12,6 +12,7 @@ mod made;
 mod pass;
 mod ruled;
 mod run;
+mod whole;
 mod words;
 
 pub use chain::assert_chains;
@@ -21,6 +22,7 @@ pub use layout::{FoundBinding, FoundStruct, Reflected};
 pub use level::MarkedLevel;
 pub use pass::{PassCase, assert_pass, pass_times};
 pub use run::{assert_run, each_pass};
+pub use whole::{FinishedRun, WholeGround, assert_is_closed};
 pub use words::Words;
 
 use fastrand::Rng;

@@ -254,11 +254,11 @@ mod tests {
     use crate::amplify::seed::pcg;
     use core::ops::Range;
 
-    type Shares = [f64; 3];
+    type Barycentric = [f64; 3];
 
     /// Corners of the polygon of barycentric coordinates (start, end, far corner) that a vertex on
     /// an edge may have.
-    fn bounds() -> [Shares; 4] {
+    fn bounds() -> [Barycentric; 4] {
         let (third, depth) = (1.0 / 3.0, f64::from(MOST_FAR_CORNER) / 65_536.0 + 0.005);
         let rest = |far: f64| 1.0 - far - third;
         [
@@ -269,7 +269,7 @@ mod tests {
         ]
     }
 
-    fn determinant(p: Shares, q: Shares, r: Shares) -> f64 {
+    fn determinant(p: Barycentric, q: Barycentric, r: Barycentric) -> f64 {
         p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0])
             + p[2] * (q[0] * r[1] - q[1] * r[0])
     }

@@ -61,7 +61,7 @@ row!(LevelSizes {
     made,
 });
 
-/// What the buffers of a run hold.
+/// The items that the buffers of a run hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct LevelCaps {

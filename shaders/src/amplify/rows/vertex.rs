@@ -67,7 +67,7 @@ row!(VertexCourse {
     winding_marks,
 });
 
-/// What the land at a vertex is like.
+/// The land at a vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct VertexLand {

@@ -9,6 +9,7 @@
 //! authors of paper 002 published, numbers without a source are chosen here by eye and by the
 //! statistics of real relief.
 
+pub mod edge_kind;
 pub mod nodes;
 pub mod noise;
 pub mod preset;
@@ -39,22 +40,10 @@ pub mod valley;
 
 use super::control::VertexKind;
 use super::vertex::EdgeContext;
+pub use edge_kind::EdgeKind;
 use lake::{LakeEdge, Lifted};
 pub use preset::{Rules, STRAIGHT_LEVEL};
 pub use vertex_ground::VertexGround;
-
-/// Kind of an edge (the paper's edge types R and T; gullies have their own).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[repr(u8)]
-pub enum EdgeKind {
-    /// Ground.
-    #[default]
-    Terrain = 0,
-    /// A river runs along it, from the first end to the second.
-    River = 1,
-    /// A dry drainage line runs along it, from the first end to the second.
-    Gully = 2,
-}
 
 /// The ground of the vertex that halves an edge: picks the rule by the configuration (kind, edge,
 /// kind).

@@ -8,9 +8,11 @@
 pub(in crate::amplify) mod new;
 pub(in crate::amplify) mod shore;
 
+use super::crest;
+use super::edge_kind::EdgeKind;
 use super::preset::Rules;
 use super::valley::Carved;
-use super::{EdgeKind, VertexGround, crest};
+use super::vertex_ground::VertexGround;
 use crate::amplify::control::VertexKind;
 use crate::amplify::vertex::{EdgeContext, Vertex};
 pub use new::{chance, widened};

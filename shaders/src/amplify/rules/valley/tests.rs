@@ -117,16 +117,18 @@ fn depth_is_a_fifteenth_of_a_brook_and_a_sixtieth_of_the_greatest_river() {
     }
 }
 
+/// Half-widths of the bed at some eighths of a segment.
+fn half_beds(segment: RiverSegment) -> [i32; 5] {
+    let at = |eighth| Reach::at(&earth(), &Rules::default(), &segment, Q16 / 8 * eighth);
+    [0, 1, 2, 3, 8].map(|eighth| at(eighth).half_bed)
+}
+
 #[test]
 fn an_arm_leaves_the_apex_of_a_delta_as_wide_as_its_river() {
     let [whole, own] = [20_000.0, 3_000.0].map(flow);
     let arm = RiverSegment {
         flow: [whole, own],
         ..river(own)
-    };
-    let half_beds = |segment: RiverSegment| {
-        let at = |eighth| Reach::at(&earth(), &Rules::default(), &segment, Q16 / 8 * eighth);
-        [0, 1, 2, 3, 8].map(|eighth| at(eighth).half_bed)
     };
     let [at_apex, below, quarter, rest @ ..] = half_beds(arm);
     let [river, own] = [whole, own].map(|flow| half_beds(river(flow))[0]);

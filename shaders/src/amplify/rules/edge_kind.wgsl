@@ -1,0 +1,1 @@
+// Kinds of edges: their numbers.
