@@ -94,7 +94,7 @@ impl Offscreen {
 }
 
 /// The colour of the sky at an altitude in metres: blue by the ground, black in space.
-fn sky(altitude_m: f64) -> Color {
+pub fn sky(altitude_m: f64) -> Color {
     let air = (-altitude_m / 30_000.0).exp() as f32;
     LinearRgba::rgb(0.001, 0.0012, 0.003)
         .mix(&LinearRgba::rgb(0.36, 0.5, 0.72), air)

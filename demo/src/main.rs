@@ -114,7 +114,10 @@ fn exit(result: Result<(), CliError>) -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            output::say(&format!("error: {error}"));
+            // Where memory ends in another thread, what fails here is told there.
+            if memory::has_last_word() {
+                output::say(&format!("error: {error}"));
+            }
             error.exit_code()
         }
     }

@@ -47,10 +47,15 @@ fn given(place: *mut u8, size: usize) -> *mut u8 {
     place
 }
 
+/// Whether the caller is the first to say why the program ends; one line is enough.
+pub fn has_last_word() -> bool {
+    static IS_SAID: AtomicBool = AtomicBool::new(false);
+    !IS_SAID.swap(true, Ordering::SeqCst)
+}
+
 /// Says that memory is full, once, and waits for the end of the program.
 fn end(size: usize) -> ! {
-    static IS_SAID: AtomicBool = AtomicBool::new(false);
-    if !IS_SAID.swap(true, Ordering::SeqCst) {
+    if has_last_word() {
         // It does not allocate, and nobody needs to hear it.
         let _ = writeln!(
             io::stderr(),

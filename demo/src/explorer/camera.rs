@@ -1,8 +1,10 @@
 //! The cameras of the window: drag turns the globe and lets it swing out, the wheel zooms, arrow
 //! keys turn.
 
+use super::flight::Flight;
+use super::land::Land;
 use super::orbit::{FIELD_OF_VIEW, OrbitCamera};
-use super::state::{PlateDrag, Pointer};
+use super::state::{PlateDrag, Pointer, ShownPlanet};
 use bevy::camera::{CameraOutputMode, Viewport, visibility::RenderLayers};
 use bevy::core_pipeline::tonemapping::Tonemapping;
 use bevy::ecs::system::SystemParam;
@@ -13,6 +15,8 @@ use bevy::render::renderer::RenderAdapterInfo;
 use bevy::window::PrimaryWindow;
 use bevy_egui::input::EguiWantsInput;
 use bevy_egui::{EguiGlobalSettings, PrimaryEguiContext, egui};
+use bevy_pangaea::planet::Planet;
+use bevy_pangaea::render::{from_bevy, to_bevy};
 
 /// Buttons that turn the globe.
 const DRAG_BUTTONS: [MouseButton; 3] = [MouseButton::Left, MouseButton::Right, MouseButton::Middle];
@@ -91,27 +95,90 @@ pub struct SteeringInput<'w> {
     egui: Res<'w, EguiWantsInput>,
 }
 
-/// Turns and zooms by mouse and keys.
+type Steered<'a> = (
+    Entity,
+    &'a mut OrbitCamera,
+    &'a mut Transform,
+    Option<&'a mut Flight>,
+);
+
+/// Turns, zooms and flies by mouse and keys.
 pub fn steer(
-    mut cameras: Query<(&mut OrbitCamera, &mut Transform)>,
+    mut cameras: Query<Steered>,
     time: Res<Time>,
     input: SteeringInput,
+    shown: Res<ShownPlanet>,
+    planets: Query<&Planet>,
+    land: Res<Land>,
+    mut commands: Commands,
 ) {
-    let Ok((mut camera, mut transform)) = cameras.single_mut() else {
+    let Ok((entity, mut camera, mut transform, flight)) = cameras.single_mut() else {
         return;
     };
+    let planet = shown.0.and_then(|planet| planets.get(planet).ok());
+    let radius_m = planet.map_or(1.0, |planet| planet.radius * 1000.0);
     // A frame that took long must not throw the globe around.
     let dt = time.delta_secs().clamp(1e-3, 0.1);
-    input.drag(&mut camera, dt);
-    input.scroll(&mut camera);
-    if !input.egui.wants_keyboard_input() {
-        input.press_keys(&mut camera, dt);
+    let Some(mut flight) = flight else {
+        let descends = input.orbit(&mut camera, dt);
+        transform.set_if_neq(camera.transform());
+        if descends && planet.is_some() {
+            let up = from_bevy(transform.translation).normalize();
+            let flight = Flight::from_orbit(up, radius_m);
+            commands.entity(entity).insert(flight);
+        }
+        return;
+    };
+    input.fly(&mut flight, f64::from(dt), radius_m);
+    flight.ground = land.height(flight.up);
+    transform.set_if_neq(flight.transform(radius_m));
+    if flight.leaves(radius_m) || planet.is_none() {
+        *camera = OrbitCamera::rising(to_bevy(flight.up));
+        commands.entity(entity).remove::<Flight>();
     }
-    camera.settle(dt);
-    transform.set_if_neq(camera.transform());
 }
 
 impl SteeringInput<'_> {
+    /// Circles the globe; returns whether the user wants to come nearer than that allows.
+    fn orbit(&self, camera: &mut OrbitCamera, dt: f32) -> bool {
+        self.drag(camera, dt);
+        let notches = self.notches(dt);
+        let descends = notches > 0.0 && camera.is_nearest();
+        if notches != 0.0 {
+            camera.zoom(notches);
+        }
+        let wish = self.arrows();
+        if wish != Vec2::ZERO {
+            camera.turn_by_keys(wish, dt);
+        }
+        camera.settle(dt);
+        descends
+    }
+
+    /// Flies over the ground.
+    fn fly(&self, flight: &mut Flight, dt: f64, radius_m: f64) {
+        let height = self.view_height();
+        if self.pointer.on_globe && self.buttons.pressed(MouseButton::Right) {
+            flight.turn(self.motion.delta);
+        } else if self.pointer.on_globe && self.buttons.any_pressed(DRAG_BUTTONS) {
+            flight.drag(self.motion.delta, height, radius_m);
+        }
+        let notches = self.notches(dt as f32);
+        if notches != 0.0 {
+            flight.zoom(f64::from(notches));
+        }
+        let wish = self.arrows();
+        if wish != Vec2::ZERO {
+            flight.press_keys(wish, dt, radius_m);
+        }
+        flight.settle(dt);
+    }
+
+    /// Logical pixels from the bottom of the view to its top.
+    fn view_height(&self) -> f32 {
+        self.area.0.map_or(700.0, |rect| rect.height()).max(1.0)
+    }
+
     fn drag(&self, camera: &mut OrbitCamera, dt: f32) {
         // The globe stands still while a plate is dragged over it.
         if self.plate_drag.0.is_some() {
@@ -125,35 +192,34 @@ impl SteeringInput<'_> {
             camera.release();
         }
         if camera.is_dragging() {
-            let height = self.area.0.map_or(700.0, |rect| rect.height()).max(1.0);
-            camera.drag(self.motion.delta, height, dt);
+            camera.drag(self.motion.delta, self.view_height(), dt);
         }
     }
 
-    fn scroll(&self, camera: &mut OrbitCamera) {
-        if !self.pointer.on_globe || self.scroll.delta.y == 0.0 {
-            return;
-        }
-        let notches = match self.scroll.unit {
-            MouseScrollUnit::Line => 1.0,
-            MouseScrollUnit::Pixel => NOTCHES_PER_PIXEL,
+    /// Notches towards the ground, of the wheel and of keys.
+    fn notches(&self, dt: f32) -> f32 {
+        let of_wheel = match self.scroll.unit {
+            _ if !self.pointer.on_globe => 0.0,
+            MouseScrollUnit::Line => self.scroll.delta.y,
+            MouseScrollUnit::Pixel => self.scroll.delta.y * NOTCHES_PER_PIXEL,
         };
-        camera.zoom(self.scroll.delta.y * notches);
+        let of_keys = self.axis(KeyCode::PageDown, KeyCode::PageUp) * KEY_NOTCHES * dt;
+        of_wheel + of_keys
     }
 
-    fn press_keys(&self, camera: &mut OrbitCamera, dt: f32) {
-        let wish = Vec2::new(
+    /// The arrow keys that are held: 1 to the right and up.
+    fn arrows(&self) -> Vec2 {
+        Vec2::new(
             self.axis(KeyCode::ArrowLeft, KeyCode::ArrowRight),
             self.axis(KeyCode::ArrowDown, KeyCode::ArrowUp),
-        );
-        if wish != Vec2::ZERO {
-            camera.turn_by_keys(wish, dt);
-        }
-        camera.zoom(self.axis(KeyCode::PageDown, KeyCode::PageUp) * KEY_NOTCHES * dt);
+        )
     }
 
     /// 1 while the key of the positive direction is held, -1 for the negative one.
     fn axis(&self, minus: KeyCode, plus: KeyCode) -> f32 {
+        if self.egui.wants_keyboard_input() {
+            return 0.0;
+        }
         f32::from(self.keys.pressed(plus)) - f32::from(self.keys.pressed(minus))
     }
 }

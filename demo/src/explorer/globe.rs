@@ -1,6 +1,7 @@
 //! Settings of the planet on show, brought up to date each frame: the look of its globe, whether it
 //! is baked, and its share of the frame.
 
+use super::flight::Flight;
 use super::orbit::OrbitCamera;
 use super::panels::timings::FrameTimes;
 use super::state::{Look, Selection, ShownPlanet};
@@ -29,11 +30,21 @@ pub fn set_frame_budget(
     controls.frame_budget = Duration::from_secs_f64(ms * 1e-3);
 }
 
-/// Lets climate and rivers follow the planet only while the globe shows them: they cost a core a
-/// quarter of a second.
+/// The colour behind the planet: of space, or of the sky at an altitude in metres.
+pub fn sky(altitude_m: Option<f64>) -> Color {
+    let space = Color::srgb(0.016, 0.02, 0.031);
+    match altitude_m {
+        Some(altitude) => space.mix(&crate::landscape::sky(altitude), 0.95),
+        None => space,
+    }
+}
+
+/// Lets climate and rivers follow the planet only while the globe shows them, or somebody flies over
+/// the ground: they cost a core a quarter of a second.
 pub fn request_bakes(
     look: Res<Look>,
     shown: Res<ShownPlanet>,
+    flights: Query<(), With<Flight>>,
     planets: Query<Has<BakeSettings>>,
     mut commands: Commands,
 ) {
@@ -41,7 +52,8 @@ pub fn request_bakes(
     let Ok(requested) = planets.get(planet) else {
         return;
     };
-    match (look.overlay.needs_bake(), requested) {
+    let is_needed = look.overlay.needs_bake() || !flights.is_empty();
+    match (is_needed, requested) {
         (true, false) => drop(commands.entity(planet).insert(BakeSettings::default())),
         (false, true) => drop(commands.entity(planet).remove::<BakeSettings>()),
         _ => {}

@@ -14,10 +14,12 @@
 //! session     growing, loading and saving planets in the background
 //! capture     pictures of the window
 //! orbit       the geometry of a camera that circles the globe
+//! flight      the geometry of one that flies over the ground
 //! camera      the cameras, and the viewport between the panels
 //! drag        plates dragged by the pointer
 //! panels/     the panels
 //! globe       the look of the globe, its share of a frame
+//! land        the ground under a flight, drawn instead of the globe
 //! select      the ground under the pointer, and clicks on it
 //! keys        the keyboard
 //! marks       poles, drags, rift line and brush on the globe
@@ -52,6 +54,8 @@ mod capture;
 
 mod orbit;
 
+mod flight;
+
 mod camera;
 
 mod drag;
@@ -59,6 +63,8 @@ mod drag;
 mod panels;
 
 mod globe;
+
+mod land;
 
 mod select;
 
@@ -76,6 +82,7 @@ use bevy::render::settings::RenderCreation;
 use bevy::window::{PresentMode, WindowResizeConstraints, WindowResolution};
 use bevy_egui::{EguiPlugin, EguiPrimaryContextPass};
 use bevy_pangaea::PangaeaPlugins;
+use bevy_pangaea::amplification::PangaeaGroundPlugin;
 use bevy_pangaea::prelude::*;
 use bevy_pangaea::render::PangaeaRenderPlugin;
 use bevy_pangaea::render::adapter::open_adapter;
@@ -107,6 +114,7 @@ pub fn run(options: Options) -> Result<(), String> {
     if !app.is_plugin_added::<PangaeaRenderPlugin>() {
         app.add_plugins(PangaeaRenderPlugin);
     }
+    app.add_plugins(PangaeaGroundPlugin);
     build(&mut app, options);
     match app.run() {
         AppExit::Success => Ok(()),
@@ -184,7 +192,7 @@ fn build(app: &mut App, options: Options) {
     if let Some(frames) = options.frames {
         app.insert_resource(capture::FixedRun::new(frames, options.capture));
     }
-    app.insert_resource(ClearColor(Color::srgb(0.016, 0.02, 0.031)))
+    app.insert_resource(ClearColor(globe::sky(None)))
         .insert_resource(panels::planet::PlanetForm::new(options.recipe))
         .init_gizmo_group::<marks::MarkGizmos>()
         .add_message::<state::Action>()
@@ -233,6 +241,7 @@ fn add_state(app: &mut App) {
         .init_resource::<state::Pointer>()
         .init_resource::<state::HelpPage>()
         .init_resource::<view::ShownPlates>()
+        .init_resource::<land::Land>()
         .init_resource::<camera::FreeArea>()
         .init_resource::<capture::Pictures>()
         .init_resource::<panels::plate::PlateForm>()
@@ -260,7 +269,10 @@ fn add_update_systems(app: &mut App) {
     let show = (
         view::list_plates,
         actions::forget_lost_plates,
+        land::prepare,
         camera::steer,
+        land::show,
+        land::tell,
         globe::set_look,
         globe::request_bakes,
         marks::draw,

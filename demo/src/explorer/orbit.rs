@@ -63,6 +63,23 @@ impl OrbitCamera {
         }
     }
 
+    /// A camera over a direction of the world, at its nearest; it rises on from there.
+    pub fn rising(over: Vec3) -> Self {
+        let nearest = DISTANCE_LIMITS.0;
+        Self {
+            yaw: over.x.atan2(over.z),
+            pitch: over.y.clamp(-1.0, 1.0).asin().clamp(-MAX_PITCH, MAX_PITCH),
+            distance: nearest,
+            target: nearest * 1.05,
+            ..default()
+        }
+    }
+
+    /// Whether it has come as near as it can.
+    pub fn is_nearest(&self) -> bool {
+        self.target <= DISTANCE_LIMITS.0 && self.distance < DISTANCE_LIMITS.0 * 1.02
+    }
+
     /// The globe stands still, whatever holds it.
     pub fn stop(&mut self) {
         self.dragging = false;
@@ -171,6 +188,20 @@ mod tests {
         let transform = camera.transform();
         let toward = transform.forward().dot(-transform.translation.normalize());
         assert!((toward - 1.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_camera_that_rises_stands_over_its_place() {
+        for over in [
+            Vec3::X,
+            Vec3::new(-0.3, 0.8, 0.52),
+            Vec3::new(0.1, -0.2, -0.9),
+        ] {
+            let over = over.normalize();
+            let camera = OrbitCamera::rising(over);
+            assert!((camera.transform().translation / camera.distance - over).length() < 1e-5);
+            assert!(!camera.is_nearest());
+        }
     }
 
     #[test]

@@ -17,7 +17,8 @@ const KEYS: [(&str, &[(&str, &str)]); 4] = [
         "Globe",
         &[
             ("Drag, arrows", "turn the globe"),
-            ("Wheel, Page up/down", "zoom"),
+            ("Wheel, Page up/down", "zoom, from orbit down to the ground"),
+            ("Right drag, near the ground", "look around"),
             ("1 … 9, 0", "choose an overlay"),
             (",  .", "previous, next overlay"),
             ("+  -", "exaggerate the relief"),
