@@ -2,7 +2,7 @@
 //! keys turn.
 
 use super::flight::Flight;
-use super::land::Land;
+use super::land::LandBelow;
 use super::orbit::{FIELD_OF_VIEW, OrbitCamera};
 use super::state::{PlateDrag, Pointer, ShownPlanet};
 use bevy::camera::{CameraOutputMode, Viewport, visibility::RenderLayers};
@@ -109,7 +109,7 @@ pub fn steer(
     input: SteeringInput,
     shown: Res<ShownPlanet>,
     planets: Query<&Planet>,
-    land: Res<Land>,
+    land: Res<LandBelow>,
     mut commands: Commands,
 ) {
     let Ok((entity, mut camera, mut transform, flight)) = cameras.single_mut() else {

@@ -6,6 +6,7 @@ use super::globe::sky;
 use super::messages::MessageLog;
 use super::orbit::OrbitCamera;
 use super::state::{Look, ShownPlanet};
+use bevy::math::DVec3;
 use bevy::prelude::*;
 use bevy_pangaea::amplification::{GroundStatus, GroundView};
 use bevy_pangaea::control::{Bake, PlanetBake};
@@ -15,20 +16,22 @@ use std::sync::Arc;
 
 /// Level of the ground that a camera keeps above.
 const LEVEL: u8 = 13;
+/// Near plane of the camera that circles the globe, radii.
+const ORBIT_NEAR: f64 = 0.01;
 /// Leaves of the ground, and pixels of their edges.
 const LEAVES: u32 = 1_500_000;
 const PIXELS: f32 = 8.0;
 
 /// The ground of the planet on show.
 #[derive(Resource, Default)]
-pub struct Land {
+pub struct LandBelow {
     ground: Option<(Arc<Bake>, PlanetGround)>,
     job: Option<(Arc<Bake>, Background<PlanetGround>)>,
 }
 
 /// Makes the ground of the last bake, in the background, while somebody flies.
 pub fn prepare(
-    mut land: ResMut<Land>,
+    mut land: ResMut<LandBelow>,
     shown: Res<ShownPlanet>,
     flights: Query<(), With<Flight>>,
     bakes: Query<&PlanetBake>,
@@ -57,9 +60,9 @@ pub fn prepare(
     }
 }
 
-impl Land {
+impl LandBelow {
     /// Height of the ground or of the water over it in metres; 0 where it is not known.
-    pub fn height(&self, up: bevy::math::DVec3) -> f64 {
+    pub fn height(&self, up: DVec3) -> f64 {
         let sample = self
             .ground
             .as_ref()
@@ -75,41 +78,23 @@ type Flying<'a> = (
     Entity,
     &'a Transform,
     Option<&'a Flight>,
-    Option<&'a GroundStatus>,
     Option<&'a GroundView>,
     &'a mut Projection,
 );
 
-/// Lets the camera of a flight see the ground, and hides the globe once it does.
-pub fn show(
+/// Lets the camera of a flight see the ground.
+pub fn see(
     shown: Res<ShownPlanet>,
     look: Res<Look>,
     mut cameras: Query<Flying, With<OrbitCamera>>,
-    mut planets: Query<(&Planet, &Globe, &mut Visibility)>,
-    mut sky_colour: ResMut<ClearColor>,
+    planets: Query<(&Planet, &Globe)>,
     mut commands: Commands,
 ) {
-    let Ok((camera, at, flight, status, view, mut projection)) = cameras.single_mut() else {
+    let Ok((camera, at, flight, view, mut projection)) = cameras.single_mut() else {
         return;
     };
-    let Some(entity) = shown.0 else { return };
-    let Ok((planet, globe, mut visibility)) = planets.get_mut(entity) else {
-        return;
-    };
-    let radius_m = planet.radius * 1000.0;
-    let drawn = matches!(status, Some(GroundStatus::Drawn(_)));
-    let hides = flight.is_some() && drawn;
-    visibility.set_if_neq(if hides {
-        Visibility::Hidden
-    } else {
-        Visibility::Inherited
-    });
-    let wanted = sky(flight.filter(|_| hides).map(Flight::altitude));
-    if sky_colour.0 != wanted {
-        sky_colour.0 = wanted;
-    }
     let Some(flight) = flight else {
-        set_near(&mut projection, 0.01);
+        set_near(&mut projection, ORBIT_NEAR);
         if view.is_some() {
             commands
                 .entity(camera)
@@ -117,26 +102,59 @@ pub fn show(
         }
         return;
     };
+    let Some((entity, (planet, globe))) = shown.0.zip(shown.0.and_then(|p| planets.get(p).ok()))
+    else {
+        return;
+    };
+    let radius_m = planet.radius * 1000.0;
     set_near(
         &mut projection,
         (flight.height * 0.05).min(50_000.0) / radius_m,
     );
-    let sun = if look.sun_follows {
-        let (back, up, right) = (at.back(), at.translation.normalize(), at.right());
-        from_bevy(up * 0.75 + back * 0.3 - right * 0.55).normalize()
-    } else {
-        globe.sun
-    };
     let wanted = GroundView {
         place: Some(flight.place(radius_m)),
         pixels: PIXELS,
         leaves: LEAVES,
-        sun,
+        sun: sun(&look, globe, at),
         wireframe: look.wireframe,
         ..GroundView::of(entity)
     };
     if view != Some(&wanted) {
         commands.entity(camera).insert(wanted);
+    }
+}
+
+/// Where the sun stands over a flight: behind the viewer's left shoulder, or where it stands over the
+/// globe.
+fn sun(look: &Look, globe: &Globe, at: &Transform) -> DVec3 {
+    if !look.sun_follows {
+        return globe.sun;
+    }
+    let up = at.translation.normalize();
+    from_bevy(up * 0.75 + at.back() * 0.3 - at.right() * 0.55).normalize()
+}
+
+/// Hides the globe and shows the sky once the ground of a flight is drawn.
+pub fn hide_globe(
+    shown: Res<ShownPlanet>,
+    cameras: Query<(Option<&Flight>, Option<&GroundStatus>), With<OrbitCamera>>,
+    mut planets: Query<&mut Visibility, With<Planet>>,
+    mut sky_colour: ResMut<ClearColor>,
+) {
+    let Ok((flight, status)) = cameras.single() else {
+        return;
+    };
+    let drawn = matches!(status, Some(GroundStatus::Drawn(_)));
+    let over_ground = flight.filter(|_| drawn);
+    if let Some(mut visibility) = shown.0.and_then(|planet| planets.get_mut(planet).ok()) {
+        visibility.set_if_neq(match over_ground {
+            Some(_) => Visibility::Hidden,
+            None => Visibility::Inherited,
+        });
+    }
+    let wanted = sky(over_ground.map(Flight::altitude));
+    if sky_colour.0 != wanted {
+        sky_colour.0 = wanted;
     }
 }
 
@@ -153,7 +171,7 @@ pub fn tell(
 }
 
 /// Sets the near plane of a lens.
-pub fn set_near(projection: &mut Mut<Projection>, near: f64) {
+fn set_near(projection: &mut Mut<Projection>, near: f64) {
     let Projection::Perspective(lens) = &**projection else {
         return;
     };

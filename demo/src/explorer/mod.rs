@@ -241,7 +241,7 @@ fn add_state(app: &mut App) {
         .init_resource::<state::Pointer>()
         .init_resource::<state::HelpPage>()
         .init_resource::<view::ShownPlates>()
-        .init_resource::<land::Land>()
+        .init_resource::<land::LandBelow>()
         .init_resource::<camera::FreeArea>()
         .init_resource::<capture::Pictures>()
         .init_resource::<panels::plate::PlateForm>()
@@ -271,7 +271,8 @@ fn add_update_systems(app: &mut App) {
         actions::forget_lost_plates,
         land::prepare,
         camera::steer,
-        land::show,
+        land::see,
+        land::hide_globe,
         land::tell,
         globe::set_look,
         globe::request_bakes,

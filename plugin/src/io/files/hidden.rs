@@ -94,8 +94,8 @@ fn remove_dead(stage: &Path) {
         .open(stage.join(LOCK));
     let _ = match lock {
         Ok(lock) if lock.try_lock().is_ok() => fs::remove_dir_all(stage),
-        // Killed before it had a lock: it is empty.
-        Err(error) if error.kind() == io::ErrorKind::NotFound => fs::remove_dir(stage),
+        // Killed before it had a lock, or while it was removed: the lock may go first.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => fs::remove_dir_all(stage),
         _ => Ok(()),
     };
 }

@@ -144,7 +144,11 @@ fn hidden_folders_of_dead_runs_go_and_no_others() {
         fs::write(at(name).join("lock"), "").unwrap();
         fs::write(at(name).join("0"), "half").unwrap();
     }
-    fs::create_dir(at(".pangaea-Unborn.7.part")).unwrap();
+    for name in [".pangaea-Unborn.7.part", ".pangaea-Undone.7.part"] {
+        fs::create_dir(at(name)).unwrap();
+    }
+    // Killed while it was removed, the lock first.
+    fs::write(at(".pangaea-Undone.7.part/0"), "half").unwrap();
     let alive = File::open(at(".pangaea-Alive1.7.part/lock")).unwrap();
     alive.lock().unwrap();
     put(&at("a"), "").unwrap();
